@@ -54,11 +54,11 @@ export const rgb10: Encoding;
 export const r16: Encoding;
 /** The bit pattern of the float itself, R least significant. */
 export const float_bits: Encoding;
-/** RGBA of three.js since r167: three whole bytes and the rest. */
+/** RGBA of three.js since r167: three bytes and a fraction. */
 export const threejs_rgba: Encoding;
-/** RGB of three.js since r167: two whole bytes and the rest. */
+/** RGB of three.js since r167: two bytes and a fraction. */
 export const threejs_rgb: Encoding;
-/** RG of three.js since r167: one whole byte and the rest. */
+/** RG of three.js since r167: one byte and a fraction. */
 export const threejs_rg: Encoding;
 /** RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256. */
 export const threejs_legacy: Encoding;
@@ -68,53 +68,53 @@ export const threejs_legacy_repaired: Encoding;
 export const base255: Encoding;
 /** For readers of base 255, written without the fault. */
 export const base255_repaired: Encoding;
-/** world to texels and depth, before the division */
+/** world to texels and depth, before the division by w */
 export const shadow_coordinate: Snippet;
-/** a tap's coordinate from the middle's, before the division */
+/** coordinate of a tap from the center's, before division by w */
 export const tap_coordinate: Snippet;
-/** the division by w, lit behind the light */
+/** division by w; lit behind the light */
 export const project_coordinate: Snippet;
-/** cascade that a view depth falls into */
+/** cascade that contains a view depth */
 export const cascade_by_depth: Snippet;
-/** one of four columns, without an index */
+/** one of four columns, without dynamic indexing */
 export const cascade_column: Snippet;
-/** one of eight columns, without an index */
+/** one of eight columns, without dynamic indexing */
 export const cascade_column_8: Snippet;
-/** a point in the map of one cascade */
+/** position of a point in one cascade's map */
 export const cascade_coordinate: Snippet;
-/** coordinates whose filter stays inside a cascade */
+/** true if a filter stays inside a cascade */
 export const inside_cascade: Snippet;
-/** first cascade that holds a point and its filter */
+/** first cascade that contains a point and its filter */
 export const cascade_by_projection: Snippet;
-/** first of eight cascades that holds a point and its filter */
+/** first of eight cascades that contains a point and its filter */
 export const cascade_by_projection_8: Snippet;
 /** first texel of a cascade in an atlas */
 export const cascade_tile: Snippet;
-/** a weight in steps of 1/256 */
+/** weight in steps of 1/256 */
 export const cascade_weight: Snippet;
 /** weight of the next cascade, by view depth */
 export const cascade_fade: Snippet;
 /** weight of the next cascade, by distance from the border */
 export const cascade_border_fade: Snippet;
-/** two cascades' visibilities, mixed */
+/** blend of two cascades' visibilities */
 export const blend_cascades: Snippet;
-/** coordinates a filter can take */
+/** true for coordinates that a filter can take */
 export const inside_texel_space: Snippet;
-/** one of 16 thresholds for a pixel */
+/** one of 16 dither thresholds for a pixel */
 export const dither_threshold: Snippet;
-/** a cascade, or by its weight the next one */
+/** cascade of a pixel, or the next one, by its weight */
 export const dithered_cascade: Snippet;
 /** face of a cube that a direction meets */
 export const cube_face: Snippet;
-/** distance along the axis of the face that a direction meets */
+/** distance along the axis of a direction's face */
 export const cube_view_z: Snippet;
-/** a direction in its face's axes */
+/** direction in the axes of its face */
 export const cube_plane: Snippet;
-/** a point from a face's axes */
+/** point from a face's axes */
 export const cube_point: Snippet;
-/** a point in a face's axes */
+/** point in a face's axes */
 export const cube_face_point: Snippet;
-/** face, and where on it, that a direction meets */
+/** face of a direction, and the position on it */
 export const cube_coordinate: Snippet;
 /** direction to a point of a cube's face */
 export const cube_direction: Snippet;
@@ -122,41 +122,43 @@ export const cube_direction: Snippet;
 export const cube_neighbor: Snippet;
 /** first texel of a face in an atlas */
 export const cube_tile: Snippet;
-/** face that a texel of an atlas belongs to, and where on it */
+/** face of an atlas texel, and the position on it */
 export const cube_atlas_texel: Snippet;
-/** direction that reads an atlas' texel from a texture of a cube */
+/** direction that reads an atlas texel from a cube texture */
 export const cube_atlas_direction: Snippet;
-/** paraboloid map, and where in it, that sees a direction */
+/** paraboloid map that sees a direction, and position in it */
 export const dual_paraboloid_coordinate: Snippet;
-/** a vertex of a paraboloid map's depth pass */
+/** position of a vertex in a paraboloid map's depth pass */
 export const dual_paraboloid_position: Snippet;
 /** face of a tetrahedron that a direction meets */
 export const tetrahedron_face: Snippet;
-/** a direction in the axes of a tetrahedron's face */
+/** direction in the axes of a tetrahedron's face */
 export const tetrahedron_face_point: Snippet;
-/** a direction in its tetrahedron face's axes */
+/** direction in the axes of its tetrahedron face */
 export const tetrahedron_plane: Snippet;
-/** distance along the normal of the tetrahedron's face that a direction meets */
+/** distance along the normal of a direction's face */
 export const tetrahedron_view_z: Snippet;
-/** face of a tetrahedron, and where on it, that a direction meets */
+/** tetrahedron face of a direction, and the position on it */
 export const tetrahedron_coordinate: Snippet;
-/** a vector of a tetrahedron's first face on another face's side of the map */
+/** vector rotated from face 0's part of the map to another's */
 export const tetrahedron_turned: Snippet;
-/** a point of a tetrahedron's face in the map */
+/** position in the map of a point on a tetrahedron's face */
 export const tetrahedron_texel: Snippet;
-/** face of a tetrahedron that a texel belongs to */
+/** face of a tetrahedron that contains a texel */
 export const tetrahedron_face_of: Snippet;
-/** casters before the near plane, onto it */
+/** casters clamped to the near plane (pancaking) */
 export const pancake: Snippet;
 /** texel inside a map */
 export const texel: Snippet;
-/** value read from an 8-bit texture to channel 0..255 */
+/** channel 0..255 of a value from an 8-bit texture */
 export const from_unorm: Snippet;
-/** a receiver in the page of an atlas that holds it */
+/** position of a receiver in the atlas page that holds it */
 export const page_coordinate: Snippet;
+/** first texel of a page in an atlas of eight a row */
+export const page_tile: Snippet;
 /** view-space z over z_far */
 export const linear_depth: Snippet;
-/** z / w, far behind the light */
+/** z / w, and the far plane behind the light */
 export const project_depth: Snippet;
 /** distance to the light over its range */
 export const distance_depth: Snippet;
@@ -178,45 +180,45 @@ export const view_z_from_orthographic_depth: Snippet;
 export const orthographic_depth_from_view_z: Snippet;
 /** depth of the far plane */
 export const cleared_depth: Snippet;
-/** clamp to [0, 1], NaN to far */
+/** clamp to [0, 1]; NaN becomes the far plane */
 export const saturate: Snippet;
-/** a quotient of whole numbers, from one at most one off */
+/** floor of a quotient, from a guess off by at most one */
 export const correct_quotient: Snippet;
-/** whole numbers divided and rounded down, whatever the division's error */
+/** integer division that rounds down, exact on any GPU */
 export const floor_divide: Snippet;
-/** channel 0..255 to the value an 8-bit target stores as it */
+/** value that makes an 8-bit target store channel 0..255 */
 export const to_unorm: Snippet;
-/** channel 0..1023 to the value a 10-bit target stores as it */
+/** value that makes a 10-bit target store channel 0..1023 */
 export const to_unorm10: Snippet;
-/** value read from a 10-bit texture to channel 0..1023 */
+/** channel 0..1023 of a value from a 10-bit texture */
 export const from_unorm10: Snippet;
-/** channel 0..65535 to the value a 16-bit target stores as it */
+/** value that makes a 16-bit target store channel 0..65535 */
 export const to_unorm16: Snippet;
-/** value read from a 16-bit texture to channel 0..65535 */
+/** channel 0..65535 of a value from a 16-bit texture */
 export const from_unorm16: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg9: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg10: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg11: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg12: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg13: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg14: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg15: Snippet;
-/** depth to two channels, R the low byte */
+/** depth to two 8-bit channels, R the low byte */
 export const encode_rg16: Snippet;
-/** depth to three channels, R most significant */
+/** depth to three 8-bit channels, R most significant */
 export const encode_rgb24: Snippet;
 /** depth to three 10-bit channels, R most significant */
 export const encode_rgb10: Snippet;
-/** depth to one channel of 16 bits */
+/** depth to one 16-bit channel */
 export const encode_r16: Snippet;
-/** any float's bit pattern to four channels, R least significant */
+/** bit pattern of a float to four channels, R least significant */
 export const encode_float_bits: Snippet;
 /** depth to three.js RGBA, r167 and later */
 export const write_threejs_rgba: Snippet;
@@ -226,53 +228,53 @@ export const write_threejs_rgb: Snippet;
 export const write_threejs_rg: Snippet;
 /** depth to three.js RGBA, r73 to r166 */
 export const write_threejs_legacy: Snippet;
-/** depth for readers of three.js RGBA, r73 to r166, 1.0 repaired */
+/** depth to three.js RGBA, r73 to r166, without its fault */
 export const encode_threejs_legacy_repaired: Snippet;
-/** depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx */
+/** depth to base-255 RGBA of Cesium, Babylon.js, bgfx */
 export const write_base255: Snippet;
-/** depth for readers of base-255 RGBA, 1.0 and truncation repaired */
+/** depth to base-255 RGBA without its faults */
 export const encode_base255_repaired: Snippet;
-/** texel of a map, outside the nearest one inside */
+/** texel of a map, clamped to the nearest one inside */
 export const fetch_clamped: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg9_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg10_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg11_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg12_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg13_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg14_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg15_table: Snippet;
-/** depth to two channels through a look-up texture */
+/** depth to two 8-bit channels through a lookup texture */
 export const encode_rg16_table: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg9: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg10: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg11: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg12: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg13: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg14: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg15: Snippet;
-/** two channels, R the low byte, to depth */
+/** two 8-bit channels, R the low byte, to depth */
 export const decode_rg16: Snippet;
-/** three channels, R most significant, to depth */
+/** three 8-bit channels, R most significant, to depth */
 export const decode_rgb24: Snippet;
 /** three 10-bit channels, R most significant, to depth */
 export const decode_rgb10: Snippet;
-/** one channel of 16 bits to depth */
+/** one 16-bit channel to depth */
 export const decode_r16: Snippet;
-/** four channels, R least significant, to the float they are */
+/** four channels, R least significant, to the float they hold */
 export const decode_float_bits: Snippet;
 /** three.js RGBA, r167 and later, to depth */
 export const decode_threejs_rgba: Snippet;
@@ -284,21 +286,21 @@ export const decode_threejs_rg: Snippet;
 export const decode_threejs_legacy: Snippet;
 /** base-255 RGBA to depth */
 export const decode_base255: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg9: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg10: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg11: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg12: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg13: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg14: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg15: Snippet;
-/** two channels to a level to compare with */
+/** two channels to a level, for maps that are not decoded */
 export const level_rg16: Snippet;
 /** receiver to a level, for maps that are not decoded */
 export const receiver_rg9: Snippet;
@@ -318,286 +320,286 @@ export const receiver_rg15: Snippet;
 export const receiver_rg16: Snippet;
 /** r / 8 + g as the Radeon 8500 computed it */
 export const decode_ps14: Snippet;
-/** receiver on the scale of decode_ps14 */
+/** receiver depth on the scale of decode_ps14 */
 export const receiver_ps14: Snippet;
-/** whether a texel is one of the map's */
+/** true if a texel lies inside the map */
 export const inside_map: Snippet;
-/** texel of a map, outside a border value */
+/** texel of a map, or a border value outside it */
 export const fetch_bordered: Snippet;
 /** stored depth of a texel */
 export const fetch_depth: Snippet;
 /** stored depth at a point of the map */
 export const depth_at: Snippet;
-/** receivers behind the far plane */
+/** receivers beyond the far plane */
 export const beyond_far_plane: Snippet;
-/** receivers that a filter compares; it takes the others as lit */
+/** true for receivers that a filter compares; others are lit */
 export const in_filter_domain: Snippet;
-/** one comparison */
+/** visibility from one comparison */
 export const compare: Snippet;
-/** one comparison with a texel */
+/** visibility from one comparison with a texel */
 export const lit: Snippet;
-/** comparisons with the 2x2 texels from one on */
+/** visibility from comparisons with 2x2 texels */
 export const lit_2x2: Snippet;
-/** whether a receiver of a prefiltered map lies in it */
+/** true if a receiver lies in a prefiltered map */
 export const map_covers: Snippet;
-/** receivers up to the far plane, NaN is none */
+/** receivers up to the far plane; NaN is not */
 export const within_far_plane: Snippet;
-/** stored + epsilon < receiver is shadow */
+/** shadow if stored + epsilon < receiver */
 export const compare_dx_sdk: Snippet;
-/** current < stored + epsilon is lit */
+/** lit if current < stored + epsilon */
 export const compare_exercise: Snippet;
-/** weighted count of lit texels under a window of 3 x 3 */
+/** weighted count of lit texels under a 3x3 kernel */
 export const window_sum3: Snippet;
-/** weighted count of lit texels under a window of 5 x 5 */
+/** weighted count of lit texels under a 5x5 kernel */
 export const window_sum5: Snippet;
-/** weighted count of lit texels under a window of 7 x 7 */
+/** weighted count of lit texels under a 7x7 kernel */
 export const window_sum7: Snippet;
-/** one of 16 turns for a pixel */
+/** rotation of a disc for a pixel, one of 16 */
 export const disc_rotation: Snippet;
-/** the texel that a point of a disc falls on */
+/** texel that a point of a disc falls on */
 export const disc_tap: Snippet;
-/** radius of a disc, down to 1/16 texel */
+/** radius of a disc, rounded down to 1/16 texel */
 export const disc_radius: Snippet;
-/** disc of 8 points, turned by the pixel */
+/** disc PCF, 8 points, rotated per pixel */
 export const disc8: Snippet;
-/** disc of 16 points, turned by the pixel */
+/** disc PCF, 16 points, rotated per pixel */
 export const disc16: Snippet;
-/** disc of 32 points, turned by the pixel */
+/** disc PCF, 32 points, rotated per pixel */
 export const disc32: Snippet;
-/** nearest texel, one test */
+/** unfiltered shadow test of the nearest texel */
 export const hard: Snippet;
-/** mean of four taps with coordinates of their own */
+/** mean of four taps, each with its own coordinates */
 export const four_tap: Snippet;
-/** bilinear 2x2, weights in steps of 1/256 */
+/** bilinear 2x2 PCF, weights in steps of 1/256 */
 export const pcf_2x2: Snippet;
-/** bilinear 2x2 as the DirectX SDK sample, plain floats */
+/** bilinear 2x2 PCF of the DirectX SDK sample, plain floats */
 export const pcf_2x2_dx_sdk: Snippet;
-/** lit texels in a box of radius 0..8 */
+/** number of lit texels in a box of radius 0..8 */
 export const box_count: Snippet;
 /** 1 / (2r+1)^2 */
 export const box_scale: Snippet;
-/** lit share of a box of radius 0..8 */
+/** lit fraction of a box of radius 0..8 (box PCF) */
 export const box: Snippet;
-/** sliding window 1 1 */
+/** PCF kernel 1 1 */
 export const tent2: Snippet;
-/** sliding window 1 2 1 */
+/** PCF kernel 1 2 1 */
 export const tent3: Snippet;
-/** quadratic B-spline of 3 x 3 texels */
+/** PCF kernel of the quadratic B-spline, 3x3 texels */
 export const quadratic_b_spline: Snippet;
-/** sliding window 1 4 6 4 1 */
+/** PCF kernel 1 4 6 4 1 */
 export const binomial5: Snippet;
-/** sliding window 5 16 22 16 5 */
+/** PCF kernel 5 16 22 16 5 */
 export const castano_dyadic5: Snippet;
-/** sliding window 1 3 4 3 1 */
+/** PCF kernel 1 3 4 3 1 */
 export const castano5: Snippet;
-/** sliding window 1 6 15 20 15 6 1 */
+/** PCF kernel 1 6 15 20 15 6 1 */
 export const binomial7: Snippet;
-/** sliding window 1 2 3 4 3 2 1 */
+/** PCF kernel 1 2 3 4 3 2 1 */
 export const tent7: Snippet;
-/** sliding window 1 5 12 16 12 5 1 */
+/** PCF kernel 1 5 12 16 12 5 1 */
 export const castano7: Snippet;
-/** one comparison with a texel of a cube */
+/** one comparison with a texel of a cube map */
 export const cube_lit: Snippet;
-/** 2 x 2 comparisons of a cube, over its edges too, bilinear weights */
+/** bilinear 2x2 PCF of a cube map, across its edges */
 export const pcf_2x2_cube: Snippet;
-/** mean of four taps that a sampler of the nearest texel takes */
+/** mean of four taps from a nearest-texel sampler */
 export const four_tap_hardware: Snippet;
-/** comparisons around a point, weighted */
+/** weighted comparisons around a point in texels */
 export const lit_filtered: Snippet;
-/** comparisons around a point of the map, weighted */
+/** weighted comparisons around a point in [0, 1] */
 export const lit_at: Snippet;
-/** 2x2 by a comparison sampler with a linear filter */
+/** bilinear 2x2 PCF by a linear comparison sampler */
 export const pcf_2x2_hardware: Snippet;
-/** window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter */
+/** 3x3 kernel, 4 fetches from a linear comparison sampler */
 export const window_hardware3: Snippet;
-/** window of 5 x 5 by 9 of them */
+/** 5x5 kernel, 9 fetches from a linear comparison sampler */
 export const window_hardware5: Snippet;
-/** window of 7 x 7 by 16 of them */
+/** 7x7 kernel, 16 fetches from a linear comparison sampler */
 export const window_hardware7: Snippet;
-/** disc of 8 points by a comparison sampler with a linear filter */
+/** disc PCF, 8 fetches from a linear comparison sampler */
 export const disc_hardware8: Snippet;
-/** disc of 16 points by one */
+/** disc PCF, 16 fetches from a linear comparison sampler */
 export const disc_hardware16: Snippet;
-/** disc of 32 points by one */
+/** disc PCF, 32 fetches from a linear comparison sampler */
 export const disc_hardware32: Snippet;
-/** visibility where bounds of a filter's texels suffice */
+/** visibility from depth bounds, an early exit of a filter */
 export const bounds_lit: Snippet;
-/** a depth as 16 bits of distance from the near plane */
+/** distance of a depth from the near plane, 16 bits */
 export const distance_code: Snippet;
-/** radius of a penumbra from the distance between blocker and receiver */
+/** radius of a penumbra from the distance to the blocker */
 export const penumbra: Snippet;
-/** whether a texel lies before a receiver, and how far from the light */
+/** count and distance code of one possible blocker */
 export const blocker: Snippet;
-/** texels under a disc's points that lie before a receiver */
+/** blocker search over a disc's points */
 export const blockers8: Snippet;
-/** texels under a disc's points that lie before a receiver */
+/** blocker search over a disc's points */
 export const blockers16: Snippet;
-/** texels under a disc's points that lie before a receiver */
+/** blocker search over a disc's points */
 export const blockers32: Snippet;
-/** percentage-closer soft shadows, 8 points twice */
+/** percentage-closer soft shadows (PCSS), 8 points twice */
 export const pcss8: Snippet;
-/** percentage-closer soft shadows, 16 points twice */
+/** percentage-closer soft shadows (PCSS), 16 points twice */
 export const pcss16: Snippet;
-/** percentage-closer soft shadows, 32 points twice */
+/** percentage-closer soft shadows (PCSS), 32 points twice */
 export const pcss32: Snippet;
-/** whether what a point of the map holds lies before a receiver, and its depth */
+/** count and depth of one possible blocker */
 export const blocker_at: Snippet;
-/** radius of a penumbra from the mean depth of blockers */
+/** penumbra radius from the mean depth of blockers */
 export const pcss_radius: Snippet;
-/** what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel */
+/** blocker search, 8 points of a nearest-texel sampler */
 export const blockers_hardware8: Snippet;
-/** the same at 16 points */
+/** blocker search, 16 points of a nearest-texel sampler */
 export const blockers_hardware16: Snippet;
-/** the same at 32 points */
+/** blocker search, 32 points of a nearest-texel sampler */
 export const blockers_hardware32: Snippet;
-/** a disc's share in shadow, steepened */
+/** fraction of a disc in shadow, steepened */
 export const hardened_kernel8: Snippet;
-/** a disc's share in shadow, steepened */
+/** fraction of a disc in shadow, steepened */
 export const hardened_kernel16: Snippet;
-/** a disc's share in shadow, steepened */
+/** fraction of a disc in shadow, steepened */
 export const hardened_kernel32: Snippet;
-/** contact hardening by 8 points */
+/** contact hardening from one pass (DPCF), 8 points */
 export const dpcf8: Snippet;
-/** contact hardening by 16 points */
+/** contact hardening from one pass (DPCF), 16 points */
 export const dpcf16: Snippet;
-/** contact hardening by 32 points */
+/** contact hardening from one pass (DPCF), 32 points */
 export const dpcf32: Snippet;
-/** mean and squared distances from it over a box, from a summed-area table */
+/** mean and squared distances over a box, from a SAT */
 export const box_moments: Snippet;
-/** variance shadow over a box of any size, from a summed-area table */
+/** variance shadow over a box of any size, from a SAT */
 export const summed_variance: Snippet;
-/** mean of four whole numbers over a box, from a summed-area table in two halves */
+/** mean of four integers over a box, from a SAT in two halves */
 export const box_mean: Snippet;
-/** four channels of 16 bits to four moments */
+/** four 16-bit channels to four moments (MSM) */
 export const from_optimized_moments: Snippet;
-/** four moments, moved a little towards those of spread depths */
+/** four moments (MSM) with a bias against rounding */
 export const bias_moments: Snippet;
-/** depth that grows with distance */
+/** depth that grows with the distance from the light */
 export const to_forward_depth: Snippet;
-/** the two depths that make four moments beside a receiver's */
+/** two depths that have the moments with the receiver's */
 export const moment_atoms: Snippet;
-/** mean of four moments to visibility */
+/** mean of MSM texels to visibility */
 export const decode_msm: Snippet;
-/** moment shadow over a box of any size, from a summed-area table */
+/** moment shadow over a box of any size, from a SAT */
 export const summed_moments: Snippet;
-/** 2^n of whole numbers -64 to 63 */
+/** 2^n of integers n from -64 to 63 */
 export const power_of_two: Snippet;
-/** 2^y to 1.8e-7 of it */
+/** 2^y, off by at most 1.8e-7 of itself */
 export const exp2_polynomial: Snippet;
 /** 2^y in steps of 12 bits */
 export const exp2_steps: Snippet;
-/** most that mean and variance let be lit */
+/** upper bound on visibility from mean and variance */
 export const chebyshev: Snippet;
-/** visibility without its least values */
+/** visibility above a threshold, stretched to [0, 1] */
 export const reduce_light_bleeding: Snippet;
-/** depth to a texel of a variance shadow map */
+/** depth to a texel of a variance shadow map (VSM) */
 export const encode_vsm: Snippet;
-/** mean of texels of a variance shadow map to visibility */
+/** mean of VSM texels to visibility */
 export const decode_vsm: Snippet;
-/** depth's two moments to mean and deviation */
+/** two moments of depth (VSM) to mean and deviation */
 export const encode_deviation: Snippet;
-/** mean and deviation to depth's two moments */
+/** mean and deviation to two moments of depth (VSM) */
 export const decode_deviation: Snippet;
-/** mean and deviation in four channels to depth's two moments */
+/** mean and deviation in RGBA8 to two moments (VSM) */
 export const decode_deviation_rgba8: Snippet;
 /** depth on the scale of exponential shadow maps */
 export const exponential_warp: Snippet;
-/** depth to a texel of an exponential shadow map */
+/** depth to a texel of an exponential shadow map (ESM) */
 export const encode_esm: Snippet;
-/** mean of texels of an exponential shadow map to visibility */
+/** mean of ESM texels to visibility */
 export const decode_esm: Snippet;
-/** depth to a texel of two components */
+/** depth to an EVSM texel of two components */
 export const encode_evsm2: Snippet;
-/** depth to a texel of four components */
+/** depth to an EVSM texel of four components */
 export const encode_evsm4: Snippet;
-/** mean of texels of two components to visibility */
+/** mean of EVSM texels of two components to visibility */
 export const decode_evsm2: Snippet;
-/** mean of texels of four components to visibility */
+/** mean of EVSM texels of four components to visibility */
 export const decode_evsm4: Snippet;
-/** depth to its first four powers on [-1, 1] */
+/** depth to a texel of a moment shadow map (MSM) */
 export const encode_msm: Snippet;
-/** four moments to four channels of 16 bits */
+/** four moments (MSM) to four 16-bit channels */
 export const to_optimized_moments: Snippet;
-/** least share of depths before a receiver, of depths on [-1, 1] */
+/** smallest fraction of nearer depths, for depths on [-1, 1] */
 export const hausdorff_share: Snippet;
-/** mean of four moments of depths on [-1, 1] to visibility */
+/** mean of MSM texels to visibility, for depths on [-1, 1] */
 export const decode_msm_hausdorff: Snippet;
-/** mean of the four texels around a point */
+/** bilinear mean of the four texels around a point */
 export const fetch_bilinear: Snippet;
-/** visibility from a map of encode_vsm's texels */
+/** visibility from a blurred variance shadow map (VSM) */
 export const vsm: Snippet;
-/** visibility from a map of encode_esm's texels */
+/** visibility from a blurred exponential shadow map (ESM) */
 export const esm: Snippet;
-/** visibility from a map of encode_evsm2's texels */
+/** visibility from a blurred EVSM of two components */
 export const evsm2: Snippet;
-/** visibility from a map of encode_evsm4's texels */
+/** visibility from a blurred EVSM of four components */
 export const evsm4: Snippet;
-/** visibility from a map of encode_msm's texels */
+/** visibility from a blurred moment shadow map (MSM) */
 export const msm: Snippet;
-/** visibility from a map of turned moments */
+/** visibility from a blurred MSM of optimized moments */
 export const msm_unorm16: Snippet;
-/** visibility from a map of encode_msm's texels */
+/** visibility from a blurred MSM, for depths on [-1, 1] */
 export const msm_hausdorff: Snippet;
-/** most that a variance lets be lit, less the light that bleeds */
+/** Chebyshev bound with light bleeding reduced */
 export const chebyshev_hardware: Snippet;
-/** mean and deviation to visibility, the cheapest way */
+/** mean and deviation (VSM) to visibility, cheapest on GPUs */
 export const decode_vsm_hardware: Snippet;
-/** mean of texels of two components to visibility, by the GPU's own exp2 */
+/** EVSM of two components to visibility, by the GPU's exp2 */
 export const decode_evsm2_hardware: Snippet;
-/** mean of texels of four components to visibility, by the GPU's own exp2 */
+/** EVSM of four components to visibility, by the GPU's exp2 */
 export const decode_evsm4_hardware: Snippet;
-/** mean of texels in a row */
+/** binomial mean of texels in a row, for blurs */
 export const blur_row3: Snippet;
-/** mean of texels in a row */
+/** binomial mean of texels in a row, for blurs */
 export const blur_row5: Snippet;
-/** mean of texels in a row */
+/** binomial mean of texels in a row, for blurs */
 export const blur_row7: Snippet;
-/** mean of 2x2 texels */
+/** mean of 2x2 texels, for mip chains */
 export const halve_texels: Snippet;
-/** texels across a light as world units */
+/** texels across a light to world units */
 export const texels_to_world: Snippet;
-/** clamp of a bias to [0, 1], NaN to 1 */
+/** clamp of a bias to [0, 1]; NaN becomes 1 */
 export const clamp_bias: Snippet;
-/** world units along a light as depth */
+/** world units along a light to depth */
 export const world_to_depth: Snippet;
 /** receiver moved towards the light */
 export const biased: Snippet;
-/** clamp of a slope to [-2, 2], NaN to 2 */
+/** clamp of a slope to [-2, 2]; NaN becomes 2 */
 export const clamp_slope: Snippet;
-/** change of a plane's depth from texel to texel */
+/** change of a plane's depth per texel */
 export const plane_slope: Snippet;
-/** change of a receiver's depth from texel to texel */
+/** change of a receiver's depth per texel */
 export const receiver_slope: Snippet;
-/** change of a plane's depth from texel to texel of a cascade */
+/** change of a plane's depth per texel in a cascade */
 export const cascade_slope: Snippet;
-/** bias by the greater slope, as rasterizers have it */
+/** slope-scaled bias, as rasterizers compute it */
 export const slope_bias: Snippet;
-/** change of distance from texel to texel of a paraboloid's map */
+/** change of distance per texel in a dual paraboloid map */
 export const dual_paraboloid_slope: Snippet;
-/** way off a surface to the point that is looked up in its place */
+/** offset along the normal to the point to look up */
 export const normal_offset: Snippet;
-/** bias by the kernel's width and the angle at which light falls */
+/** bias from kernel width and angle of the light */
 export const kernel_bias: Snippet;
-/** slope of a receiver's plane from derivatives, and how far it may be off */
+/** slope of a receiver's plane from derivatives, and its error */
 export const receiver_plane_slope: Snippet;
-/** stored depth moved along the receiver's plane to the receiver */
+/** stored depth moved along the receiver's plane to it */
 export const apply_receiver_plane: Snippet;
-/** smallest bias without acne, for a slope, a reach and an encoding's error */
+/** smallest bias without acne, from slope, reach and error */
 export const acne_free_bias: Snippet;
 /** smallest bias without acne, for filters that read a disc */
 export const acne_free_disc_bias: Snippet;
-/** depth before a receiver within which its bias loses a caster's shadow */
+/** depth within which a bias detaches shadows (peter-panning) */
 export const peter_panning_distance: Snippet;
-/** 1 inside a spot light's cone */
+/** 1 inside a spot light's cone, else 0 */
 export const spot_cone: Snippet;
 /** diffuse plus ambient light of a surface */
 export const diffuse_ambient: Snippet;
-/** 0..1 to blue, green, red */
+/** depth 0..1 as a color from blue over green to red */
 export const false_color: Snippet;
-/** which texel of a map stretched over the picture's corner a pixel shows, along one side */
+/** texel under a pixel of a map drawn in the picture's corner */
 export const overlay_texel: Snippet;
-/** debug color of a place in a map: its texels, or why it cannot be shadowed */
+/** debug color of a lookup: its texels, or why it fails */
 export const probe_color: Snippet;
-/** debug color, unless position or normal are wrong */
+/** debug color, unless position or normal is wrong */
 export const probe_inputs: Snippet;
 

@@ -2,8 +2,8 @@
 //
 // What a host's own shader said of its receivers, said again by C++:  hosts_twin FILTER RECEIVERS MAP WIDTH HEIGHT SIZE
 //
-// RECEIVERS are (x, y) in texels, depth and visibility of each pixel, from below; MAP has SIZE x SIZE depths. All floats.
-// Prints receivers, those in penumbra and those that differ; exit status 1 when one differs, or nothing was tried.
+// RECEIVERS are floats: (x, y) in texels, depth and visibility of each pixel, from below. MAP has SIZE x SIZE depths.
+// Prints receivers, those in penumbra and those that differ. Exit status 1: one differs, or nothing was tried.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

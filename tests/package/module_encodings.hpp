@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <umbrage/shadow/in_shader.hpp>
+#include <umbrage/shadow/depth_pass.hpp>
 
 #include "module_words.hpp"
 

@@ -10,65 +10,66 @@ inline float umbrage_cleared_depth() {
 ` };
 const map_covers_clamped = { name: "map_covers", role: "chosen", needs: [],
     text: `
-// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
 inline bool umbrage_map_covers(float2 size, float2 coord) {
     return true;
 }
 ` };
 const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver < 0.0;
 }
 ` };
 const beyond_far_plane_without = { name: "beyond_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
 inline bool umbrage_beyond_far_plane(float receiver) {
     return false;
 }
 ` };
 const within_far_plane_reversed = { name: "within_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
 inline bool umbrage_within_far_plane(float receiver) {
     return receiver >= 0.0;
 }
 ` };
 const within_far_plane_without = { name: "within_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
 inline bool umbrage_within_far_plane(float receiver) {
-    // a sum of choices, not an or of comparisons, which compilers take for true
+    // a sum of choices: compilers take an or of the comparisons for true
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return number > 0.5;
 }
 ` };
 const compare_reversed = { name: "compare", role: "chosen", needs: [],
     text: `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
 inline float umbrage_compare(float receiver, float stored) {
     return receiver >= stored ? 1.0 : 0.0;
 }
 ` };
 const compare_own = { name: "compare", role: "chosen", needs: [],
     text: `
-// umbrage_compare: visibility of one comparison, the map's own
+// umbrage_compare: visibility of one comparison, by the map's own comparison
 inline float umbrage_compare(float receiver, float stored) {
     return UMBRAGE_COMPARE;
 }
 ` };
 const decode = { name: "decode", role: "chosen", needs: [],
     text: `
-// umbrage_decode: depth of a value that the sampler gave
+// umbrage_decode: depth of a value that the sampler returned
 inline float umbrage_decode(float4 value) {
     return UMBRAGE_DEPTH;
 }
 ` };
 const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
     text: `
-// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
 inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
     float4 value = umbrage_fetch_clamped(map, size, texel);
     return UMBRAGE_DEPTH;
@@ -76,7 +77,7 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
 ` };
 const lit_texel = { name: "lit_texel", role: "chosen", needs: [],
     text: `
-// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
 inline float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_TEXEL;
@@ -85,14 +86,14 @@ inline float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float
 ` };
 const lit_clamped = { name: "lit", role: "chosen", needs: [lit_texel],
     text: `
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
 inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     return umbrage_lit_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
 }
 ` };
 const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
     text: `
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit: visibility of one comparison with a texel, with the far plane when outside the map
 inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float lit = umbrage_lit_texel(map, size, inside, receiver);
@@ -102,7 +103,7 @@ inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float recei
 ` };
 const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
     text: `
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
 inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 lit = UMBRAGE_GATHER_LIT;
@@ -139,15 +140,16 @@ inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, flo
 ` };
 const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     return umbrage_gather_lit(map, size, texel, receiver);
 }
 ` };
 const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
     float2 low = metal::clamp(texel, float2(0.0, 0.0), size - 1.0) - first;
@@ -162,8 +164,8 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 ` };
 const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane, whatever the sampler has there
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float4 lit = umbrage_gather_lit(map, size, texel, receiver);
     float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
@@ -176,8 +178,8 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 ` };
 const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane: the gather stays inside
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
 inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
     float2 low = texel - first;
@@ -196,8 +198,8 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 ` };
 const lit_filtered_clamped = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane],
     text: `
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
 inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
@@ -208,9 +210,9 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
 ` };
 const lit_filtered_bordered = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane, snippets.compare],
     text: `
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
-//   NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
 inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
@@ -224,15 +226,17 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
 const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
     text: `
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     return UMBRAGE_LIT_FILTERED;
 }
 ` };
 const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
     text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     float lit = UMBRAGE_LIT_FILTERED;
     float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
@@ -243,15 +247,15 @@ inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float recei
 const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
     text: `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     return umbrage_decode(UMBRAGE_SAMPLED);
 }
 ` };
 const depth_at_sampled_and_bordered = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
     text: `
-// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
     float depth = umbrage_decode(UMBRAGE_SAMPLED);
     return metal::abs(uv.x - 0.5) <= 0.5 && metal::abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
@@ -276,15 +280,16 @@ export const hooks = {
     unfilled: {
         texel: `
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
     float2 at = texel + UMBRAGE_ORIGIN;
     return UMBRAGE_TEXEL;
 }
 `,
         fetch_depth: `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);

@@ -1,50 +1,50 @@
 import { language } from './language.mjs';
 
-export const shadow_coordinate = { language, name: "shadow_coordinate", summary: "world to texels and depth, before the division",
+export const shadow_coordinate = { language, name: "shadow_coordinate", summary: "world to texels and depth, before the division by w",
     exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+// umbrage_shadow_coordinate: texture matrix times world position: (x w, y w, depth w, w), x and y in texels
 inline float4 umbrage_shadow_coordinate(metal::float4x4 m, float3 world) {
     float4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
 }
 ` };
 
-export const tap_coordinate = { language, name: "tap_coordinate", summary: "a tap's coordinate from the middle's, before the division",
+export const tap_coordinate = { language, name: "tap_coordinate", summary: "coordinate of a tap from the center's, before division by w",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+// umbrage_tap_coordinate: coordinate before the division by w, moved by offset texels
 inline float4 umbrage_tap_coordinate(float4 coordinate, float2 offset) {
     float2 moved = float2(coordinate.x, coordinate.y) + offset * coordinate.w;
     return float4(moved.x, moved.y, coordinate.z, coordinate.w);
 }
 ` };
 
-export const project_coordinate = { language, name: "project_coordinate", summary: "the division by w, lit behind the light",
+export const project_coordinate = { language, name: "project_coordinate", summary: "division by w; lit behind the light",
     exactness: "c", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+// umbrage_project_coordinate: x and y in texels, and depth; w <= 0.0 gives a coordinate that every filter takes as lit
 inline float3 umbrage_project_coordinate(float4 coordinate) {
     float3 p = float3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
     return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
 }
 ` };
 
-export const cascade_by_depth = { language, name: "cascade_by_depth", summary: "cascade that a view depth falls into",
+export const cascade_by_depth = { language, name: "cascade_by_depth", summary: "cascade that contains a view depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
-//   ends  of the first three cascades, ascending
+// umbrage_cascade_by_depth: cascade that contains a distance along the camera's axis, 0.0 to 3.0
+//   ends  ends of the first three cascades, increasing
 inline float umbrage_cascade_by_depth(float depth, float3 ends) {
     int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
     return float(reached);
 }
 ` };
 
-export const cascade_column = { language, name: "cascade_column", summary: "one of four columns, without an index",
+export const cascade_column = { language, name: "cascade_column", summary: "one of four columns, without dynamic indexing",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+// umbrage_cascade_column: column of a matrix by its index, 0.0 to 3.0, for languages without dynamic indexing
 inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
     float4 low = number < 0.5 ? columns[0] : columns[1];
     float4 high = number < 2.5 ? columns[2] : columns[3];
@@ -52,10 +52,10 @@ inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
 }
 ` };
 
-export const cascade_column_8 = { language, name: "cascade_column_8", summary: "one of eight columns, without an index",
+export const cascade_column_8 = { language, name: "cascade_column_8", summary: "one of eight columns, without dynamic indexing",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
-// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+// umbrage_cascade_column_8: column of two matrices by its index, 0.0 to 7.0
 inline float4 umbrage_cascade_column_8(metal::float4x4 nearer, metal::float4x4 farther, float number) {
     float4 low = umbrage_cascade_column(nearer, number);
     float4 high = umbrage_cascade_column(farther, number - 4.0);
@@ -63,10 +63,10 @@ inline float4 umbrage_cascade_column_8(metal::float4x4 nearer, metal::float4x4 f
 }
 ` };
 
-export const cascade_coordinate = { language, name: "cascade_coordinate", summary: "a point in the map of one cascade",
+export const cascade_coordinate = { language, name: "cascade_coordinate", summary: "position of a point in one cascade's map",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 inline float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
     float3 start = float3(offset.x, offset.y, offset.z);
     float3 at = light * float3(scale.x, scale.y, scale.z) + start;
@@ -74,26 +74,28 @@ inline float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offs
 }
 ` };
 
-export const inside_cascade = { language, name: "inside_cascade", summary: "coordinates whose filter stays inside a cascade",
+export const inside_cascade = { language, name: "inside_cascade", summary: "true if a filter stays inside a cascade",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
 inline bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach) {
     float2 end = size - reach;
-    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
     bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
     bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
     return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
 }
 ` };
 
-export const cascade_by_projection = { language, name: "cascade_by_projection", summary: "first cascade that holds a point and its filter",
+export const cascade_by_projection = { language, name: "cascade_by_projection", summary: "first cascade that contains a point and its filter",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_coordinate, inside_cascade], text: `
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 inline float4 umbrage_cascade_by_projection(float3 light, metal::float4x4 scales, metal::float4x4 offsets, float2 size,
                                             float reach) {
     float3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
@@ -108,10 +110,10 @@ inline float4 umbrage_cascade_by_projection(float3 light, metal::float4x4 scales
 }
 ` };
 
-export const cascade_by_projection_8 = { language, name: "cascade_by_projection_8", summary: "first of eight cascades that holds a point and its filter",
+export const cascade_by_projection_8 = { language, name: "cascade_by_projection_8", summary: "first of eight cascades that contains a point and its filter",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_by_projection], text: `
-// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection for eight cascades, four and four; index 8.0 for none
 inline float4 umbrage_cascade_by_projection_8(float3 light, metal::float4x4 scales, metal::float4x4 offsets,
                                               metal::float4x4 farther_scales, metal::float4x4 farther_offsets,
                                               float2 size, float reach) {
@@ -124,17 +126,17 @@ inline float4 umbrage_cascade_by_projection_8(float3 light, metal::float4x4 scal
 export const cascade_tile = { language, name: "cascade_tile", summary: "first texel of a cascade in an atlas",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+// umbrage_cascade_tile: first texel of a cascade in an atlas with two tiles of size texels per row
 inline float2 umbrage_cascade_tile(float number, float2 size) {
     float row = metal::floor(number * 0.5);
     return float2(number - row * 2.0, row) * size;
 }
 ` };
 
-export const cascade_weight = { language, name: "cascade_weight", summary: "a weight in steps of 1/256",
+export const cascade_weight = { language, name: "cascade_weight", summary: "weight in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 inline float umbrage_cascade_weight(float v) {
     float steps = v > 0.0 && v < 1.0 ? metal::floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -144,7 +146,7 @@ inline float umbrage_cascade_weight(float v) {
 export const cascade_fade = { language, name: "cascade_fade", summary: "weight of the next cascade, by view depth",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_weight], text: `
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 inline float umbrage_cascade_fade(float depth, float scale, float offset) {
     float v = depth * scale + offset;
     return umbrage_cascade_weight(v);
@@ -154,8 +156,10 @@ inline float umbrage_cascade_fade(float depth, float scale, float offset) {
 export const cascade_border_fade = { language, name: "cascade_border_fade", summary: "weight of the next cascade, by distance from the border",
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_weight], text: `
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 inline float umbrage_cascade_border_fade(float2 coordinate, float2 size, float reach, float per_texel) {
     float2 half_size = size * 0.5;
     float2 beyond = metal::abs(coordinate - half_size) - (half_size - reach);
@@ -166,30 +170,30 @@ inline float umbrage_cascade_border_fade(float2 coordinate, float2 size, float r
 }
 ` };
 
-export const blend_cascades = { language, name: "blend_cascades", summary: "two cascades' visibilities, mixed",
+export const blend_cascades = { language, name: "blend_cascades", summary: "blend of two cascades' visibilities",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+// umbrage_blend_cascades: blend of the visibilities of a cascade and of the next one, by the next one's weight
 inline float umbrage_blend_cascades(float nearer, float farther, float weight) {
     float sum = nearer + (farther - nearer) * weight;
     return weight < 1.0 ? sum : farther;
 }
 ` };
 
-export const inside_texel_space = { language, name: "inside_texel_space", summary: "coordinates a filter can take",
+export const inside_texel_space = { language, name: "inside_texel_space", summary: "true for coordinates that a filter can take",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 ` };
 
-export const dither_threshold = { language, name: "dither_threshold", summary: "one of 16 thresholds for a pixel",
+export const dither_threshold = { language, name: "dither_threshold", summary: "one of 16 dither thresholds for a pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space], text: `
-// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+// umbrage_dither_threshold: dither threshold of a position in pixels: 1/32 to 31/32, each once in 4x4 pixels
 inline float umbrage_dither_threshold(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
     float2 high = metal::floor(whole * 0.5);
@@ -201,10 +205,10 @@ inline float umbrage_dither_threshold(float2 pixel) {
 }
 ` };
 
-export const dithered_cascade = { language, name: "dithered_cascade", summary: "a cascade, or by its weight the next one",
+export const dithered_cascade = { language, name: "dithered_cascade", summary: "cascade of a pixel, or the next one, by its weight",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+// umbrage_dithered_cascade: index of a cascade, or of the next one if its weight is above the pixel's threshold
 inline float umbrage_dithered_cascade(float number, float weight, float threshold) {
     return number + (weight > threshold ? 1.0 : 0.0);
 }
@@ -213,21 +217,21 @@ inline float umbrage_dithered_cascade(float number, float weight, float threshol
 export const cube_face = { language, name: "cube_face", summary: "face of a cube that a direction meets",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 inline float umbrage_cube_face(float3 direction) {
     float3 m = metal::abs(direction);
     float x = direction.x < 0.0 ? 1.0 : 0.0;
     float y = direction.y < 0.0 ? 3.0 : 2.0;
     float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 ` };
 
-export const cube_view_z = { language, name: "cube_view_z", summary: "distance along the axis of the face that a direction meets",
+export const cube_view_z = { language, name: "cube_view_z", summary: "distance along the axis of a direction's face",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_face], text: `
-// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+// umbrage_cube_view_z: magnitude of the largest component, the input of per-face depths
 inline float umbrage_cube_view_z(float3 direction) {
     float face = umbrage_cube_face(direction);
     float side = face < 1.5 ? direction.x : direction.y;
@@ -235,10 +239,10 @@ inline float umbrage_cube_view_z(float3 direction) {
 }
 ` };
 
-export const cube_plane = { language, name: "cube_plane", summary: "a direction in its face's axes",
+export const cube_plane = { language, name: "cube_plane", summary: "direction in the axes of its face",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_face], text: `
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 inline float3 umbrage_cube_plane(float3 direction) {
     float face = umbrage_cube_face(direction);
     float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
@@ -248,10 +252,10 @@ inline float3 umbrage_cube_plane(float3 direction) {
 }
 ` };
 
-export const cube_point = { language, name: "cube_point", summary: "a point from a face's axes",
+export const cube_point = { language, name: "cube_point", summary: "point from a face's axes",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 inline float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
@@ -260,10 +264,10 @@ inline float3 umbrage_cube_point(float face, float3 p) {
 }
 ` };
 
-export const cube_face_point = { language, name: "cube_face_point", summary: "a point in a face's axes",
+export const cube_face_point = { language, name: "cube_face_point", summary: "point in a face's axes",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cube_face_point: (sc, tc, distance along its axis) in a face, 0.0 to 5.0, of a point from the cube's middle
+// umbrage_cube_face_point: (sc, tc, distance along the axis) in a face, 0.0 to 5.0, of a point from the cube's center
 inline float3 umbrage_cube_face_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(-p.z, -p.y, p.x) : float3(p.z, -p.y, -p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
@@ -272,7 +276,7 @@ inline float3 umbrage_cube_face_point(float face, float3 p) {
 }
 ` };
 
-export const cube_coordinate = { language, name: "cube_coordinate", summary: "face, and where on it, that a direction meets",
+export const cube_coordinate = { language, name: "cube_coordinate", summary: "face of a direction, and the position on it",
     exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_view_z, cube_plane], text: `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
@@ -286,9 +290,9 @@ inline float3 umbrage_cube_coordinate(float3 direction) {
 export const cube_direction = { language, name: "cube_direction", summary: "direction to a point of a cube's face",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_point], text: `
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 inline float3 umbrage_cube_direction(float face, float2 st) {
-    float2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    float2 uv = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
     return umbrage_cube_point(face, float3(uv, 1.0));
 }
 ` };
@@ -297,7 +301,8 @@ export const cube_neighbor = { language, name: "cube_neighbor", summary: "texel 
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_plane, cube_point], text: `
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 inline float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = metal::abs(uv.x) > size;
@@ -319,10 +324,10 @@ inline float2 umbrage_cube_tile(float face, float size) {
 }
 ` };
 
-export const cube_atlas_texel = { language, name: "cube_atlas_texel", summary: "face that a texel of an atlas belongs to, and where on it",
+export const cube_atlas_texel = { language, name: "cube_atlas_texel", summary: "face of an atlas texel, and the position on it",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+// umbrage_cube_atlas_texel: (s, t, face) of a texel in an atlas of 3 x 2 tiles of size texels; integers
 inline float3 umbrage_cube_atlas_texel(float2 texel, float size) {
     float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
     float row = texel.y < size ? 0.0 : 1.0;
@@ -330,10 +335,10 @@ inline float3 umbrage_cube_atlas_texel(float2 texel, float size) {
 }
 ` };
 
-export const cube_atlas_direction = { language, name: "cube_atlas_direction", summary: "direction that reads an atlas' texel from a texture of a cube",
+export const cube_atlas_direction = { language, name: "cube_atlas_direction", summary: "direction that reads an atlas texel from a cube texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_atlas_texel, cube_point], text: `
-// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+// umbrage_cube_atlas_direction: direction from a cube's center to an atlas texel, for 3 x 2 tiles of size texels
 inline float3 umbrage_cube_atlas_direction(float2 texel, float size) {
     float3 part = umbrage_cube_atlas_texel(texel, size);
     float2 uv = float2(part.x, part.y) * 2.0 + (1.0 - size);
@@ -341,7 +346,7 @@ inline float3 umbrage_cube_atlas_direction(float2 texel, float size) {
 }
 ` };
 
-export const dual_paraboloid_coordinate = { language, name: "dual_paraboloid_coordinate", summary: "paraboloid map, and where in it, that sees a direction",
+export const dual_paraboloid_coordinate = { language, name: "dual_paraboloid_coordinate", summary: "paraboloid map that sees a direction, and position in it",
     exactness: "c", operations: 32, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
@@ -354,11 +359,12 @@ inline float3 umbrage_dual_paraboloid_coordinate(float3 direction) {
 }
 ` };
 
-export const dual_paraboloid_position = { language, name: "dual_paraboloid_position", summary: "a vertex of a paraboloid map's depth pass",
+export const dual_paraboloid_position = { language, name: "dual_paraboloid_position", summary: "position of a vertex in a paraboloid map's depth pass",
     exactness: "c", operations: 18, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
-//   direction  from the light to the vertex;   map  0.0 or 1.0
+//   direction  from the light to the vertex
+//   map        index of the map, 0.0 or 1.0
 inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
     bool behind = map > 0.5;
     float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
@@ -371,7 +377,7 @@ inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
 export const tetrahedron_face = { language, name: "tetrahedron_face", summary: "face of a tetrahedron that a direction meets",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 inline float umbrage_tetrahedron_face(float3 direction) {
     float beside = metal::abs(direction.z) - metal::abs(direction.x);
     float up = direction.y * 1.414213562;
@@ -381,7 +387,7 @@ inline float umbrage_tetrahedron_face(float3 direction) {
 }
 ` };
 
-export const tetrahedron_face_point = { language, name: "tetrahedron_face_point", summary: "a direction in the axes of a tetrahedron's face",
+export const tetrahedron_face_point = { language, name: "tetrahedron_face_point", summary: "direction in the axes of a tetrahedron's face",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_tetrahedron_face_point: (along the base, up, away) of a direction in the axes of a face, 0.0 to 3.0
@@ -392,7 +398,7 @@ inline float3 umbrage_tetrahedron_face_point(float face, float3 d) {
 }
 ` };
 
-export const tetrahedron_plane = { language, name: "tetrahedron_plane", summary: "a direction in its tetrahedron face's axes",
+export const tetrahedron_plane = { language, name: "tetrahedron_plane", summary: "direction in the axes of its tetrahedron face",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_face, tetrahedron_face_point], text: `
 // umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
@@ -401,10 +407,10 @@ inline float3 umbrage_tetrahedron_plane(float3 direction) {
 }
 ` };
 
-export const tetrahedron_view_z = { language, name: "tetrahedron_view_z", summary: "distance along the normal of the tetrahedron's face that a direction meets",
+export const tetrahedron_view_z = { language, name: "tetrahedron_view_z", summary: "distance along the normal of a direction's face",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_plane], text: `
-// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+// umbrage_tetrahedron_view_z: distance along the face's normal, the input of per-face depths
 inline float umbrage_tetrahedron_view_z(float3 direction) {
     float3 p = umbrage_tetrahedron_plane(direction);
     float z = p.z * 0.816496581 + p.y * -0.577350269;
@@ -412,10 +418,12 @@ inline float umbrage_tetrahedron_view_z(float3 direction) {
 }
 ` };
 
-export const tetrahedron_coordinate = { language, name: "tetrahedron_coordinate", summary: "face of a tetrahedron, and where on it, that a direction meets",
+export const tetrahedron_coordinate = { language, name: "tetrahedron_coordinate", summary: "tetrahedron face of a direction, and the position on it",
     exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_face, tetrahedron_plane], text: `
-// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction
+//   s  -1.0 to 1.0 along the base
+//   t  0.0 at the base to 1.0 at the apex
 inline float3 umbrage_tetrahedron_coordinate(float3 direction) {
     float3 p = umbrage_tetrahedron_plane(direction);
     float d = p.z * 2.0 + p.y * -1.414213562;
@@ -423,10 +431,10 @@ inline float3 umbrage_tetrahedron_coordinate(float3 direction) {
 }
 ` };
 
-export const tetrahedron_turned = { language, name: "tetrahedron_turned", summary: "a vector of a tetrahedron's first face on another face's side of the map",
+export const tetrahedron_turned = { language, name: "tetrahedron_turned", summary: "vector rotated from face 0's part of the map to another's",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+// umbrage_tetrahedron_turned: vector from face 0's part of the map, rotated to the part of a face, 0.0 to 3.0
 inline float2 umbrage_tetrahedron_turned(float face, float2 v) {
     float2 z = face < 0.5 ? v : float2(-v.x, -v.y);
     float2 x = face < 2.5 ? float2(-v.y, v.x) : float2(v.y, -v.x);
@@ -434,11 +442,12 @@ inline float2 umbrage_tetrahedron_turned(float face, float2 v) {
 }
 ` };
 
-export const tetrahedron_texel = { language, name: "tetrahedron_texel", summary: "a point of a tetrahedron's face in the map",
+export const tetrahedron_texel = { language, name: "tetrahedron_texel", summary: "position in the map of a point on a tetrahedron's face",
     exactness: "b", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_turned], text: `
-// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
-//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+// umbrage_tetrahedron_texel: position in a square map, in texels, from (s, t, face) on a tetrahedron
+//   size    size of the map, in texels
+//   border  border along the sides of each triangle, in texels
 inline float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
     float half_size = size * 0.5;
     float scale = half_size - border * 3.0;
@@ -449,10 +458,10 @@ inline float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
 }
 ` };
 
-export const tetrahedron_face_of = { language, name: "tetrahedron_face_of", summary: "face of a tetrahedron that a texel belongs to",
+export const tetrahedron_face_of = { language, name: "tetrahedron_face_of", summary: "face of a tetrahedron that contains a texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+// umbrage_tetrahedron_face_of: face, 0.0 to 3.0, whose triangle contains a texel, in a map of size texels
 inline float umbrage_tetrahedron_face_of(float2 texel, float size) {
     float2 off = texel * 2.0 + (1.0 - size);
     float column = off.y < 0.0 ? 0.0 : 1.0;
@@ -461,10 +470,10 @@ inline float umbrage_tetrahedron_face_of(float2 texel, float size) {
 }
 ` };
 
-export const pancake = { language, name: "pancake", summary: "casters before the near plane, onto it",
+export const pancake = { language, name: "pancake", summary: "casters clamped to the near plane (pancaking)",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: clip space position, clamped to the near plane if it lies in front of it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
 inline float4 umbrage_pancake(float4 position, float at_near) {
     float plane = at_near * position.w;
@@ -477,17 +486,18 @@ export const texel = { language, name: "texel", summary: "texel inside a map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "texel", scaled: false,
     needs: [], text: `
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
 ` };
 
-export const from_unorm = { language, name: "from_unorm", summary: "value read from an 8-bit texture to channel 0..255",
+export const from_unorm = { language, name: "from_unorm", summary: "channel 0..255 of a value from an 8-bit texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 inline float umbrage_from_unorm(float c) {
     return metal::floor(c * 255.0 + 0.5);
 }
@@ -502,19 +512,22 @@ inline float4 umbrage_from_unorm(float4 c) {
 }
 ` };
 
-export const page_coordinate = { language, name: "page_coordinate", summary: "a receiver in the page of an atlas that holds it",
+export const page_coordinate = { language, name: "page_coordinate", summary: "position of a receiver in the atlas page that holds it",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [texel, from_unorm], text: `
-// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
-//   page, gutter  side of a page and what it has around it, texels
+// umbrage_page_coordinate: (x, y) of a receiver in an atlas page with its gutter, and (z, w) the page's first texel
+//   table   page table, RGBA8, nearest filter
+//   size    size of the table, in texels
+//   coord   receiver position, 1.0 to 2.0 across the table without its border
+//   page    side of a page, in texels
+//   gutter  border around a page, in texels
 inline float4 umbrage_page_coordinate(metal::texture2d<float> table, float2 size, float2 coord, float page,
                                       float gutter) {
-    // not negative already; compilers cannot regroup sums across max and clamp
+    // neither max changes a value; compilers cannot regroup sums across max and clamp
     float2 sides = metal::max(size - 2.0, float2(1.0, 1.0));
     float2 before = metal::max(size - 3.0, float2(0.0, 0.0));
     float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * sides - before), size - 1.0);
-    int2 texel = int2(cell);  // of a NaN the first
+    int2 texel = int2(cell);  // the first texel for a NaN
     float4 entry = umbrage_from_unorm(umbrage_texel(table, size, float2(texel)));
     float2 slot = float2(entry.x, entry.y);
     float across = entry.z + entry.w * 256.0;
@@ -524,19 +537,29 @@ inline float4 umbrage_page_coordinate(metal::texture2d<float> table, float2 size
 }
 ` };
 
+export const page_tile = { language, name: "page_tile", summary: "first texel of a page in an atlas of eight a row",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_page_tile: first texel of a page, a whole number, in an atlas of pages of size texels, eight a row
+inline float2 umbrage_page_tile(float number, float size) {
+    float row = metal::floor(number * 0.125);
+    return float2(number - row * 8.0, row) * size;
+}
+` };
+
 export const linear_depth = { language, name: "linear_depth", summary: "view-space z over z_far",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+// umbrage_linear_depth: distance along the light's axis, positive in front of the light, times 1 / z_far
 inline float umbrage_linear_depth(float z_view, float inv_z_far) {
     return z_view * inv_z_far;
 }
 ` };
 
-export const project_depth = { language, name: "project_depth", summary: "z / w, far behind the light",
+export const project_depth = { language, name: "project_depth", summary: "z / w, and the far plane behind the light",
     exactness: "c", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+// umbrage_project_depth: z / w. Returns cleared for w <= 0.0: 1.0, or 0.0 where depth is reversed
 inline float umbrage_project_depth(float z, float w, float cleared) {
     return w > 0.0 ? z / w : cleared;
 }
@@ -545,7 +568,7 @@ inline float umbrage_project_depth(float z, float w, float cleared) {
 export const distance_depth = { language, name: "distance_depth", summary: "distance to the light over its range",
     exactness: "c", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+// umbrage_distance_depth: length of to_point, the vector from the light, times 1 / range
 inline float umbrage_distance_depth(float3 to_point, float inv_range) {
     return metal::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }
@@ -554,7 +577,7 @@ inline float umbrage_distance_depth(float3 to_point, float inv_range) {
 export const reverse_depth = { language, name: "reverse_depth", summary: "1 - depth",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+// umbrage_reverse_depth: forward depth from reversed depth, or reversed from forward
 inline float umbrage_reverse_depth(float depth) {
     return 1.0 - depth;
 }
@@ -573,7 +596,7 @@ inline float umbrage_depth_from_ndc(float ndc) {
 export const view_z_from_depth = { language, name: "view_z_from_depth", summary: "perspective depth to view-space z",
     exactness: "c", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_depth: distance along the light's axis from perspective depth in [0, 1], 0.0 at z_near
 inline float umbrage_view_z_from_depth(float depth, float z_near, float z_far) {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
 }
@@ -582,7 +605,7 @@ inline float umbrage_view_z_from_depth(float depth, float z_near, float z_far) {
 export const depth_from_view_z = { language, name: "depth_from_view_z", summary: "view-space z to perspective depth",
     exactness: "c", operations: 10, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+// umbrage_depth_from_view_z: perspective depth in [0, 1], 0.0 at z_near, from the distance along the light's axis
 inline float umbrage_depth_from_view_z(float z_view, float z_near, float z_far) {
     return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
 }
@@ -591,7 +614,7 @@ inline float umbrage_depth_from_view_z(float z_view, float z_near, float z_far) 
 export const view_z_from_reversed_depth = { language, name: "view_z_from_reversed_depth", summary: "reversed perspective depth to view-space z",
     exactness: "c", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_reversed_depth: distance along the light's axis from perspective depth in [0, 1], 1.0 at z_near
 inline float umbrage_view_z_from_reversed_depth(float depth, float z_near, float z_far) {
     return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
 }
@@ -600,7 +623,8 @@ inline float umbrage_view_z_from_reversed_depth(float depth, float z_near, float
 export const reversed_depth_from_view_z = { language, name: "reversed_depth_from_view_z", summary: "view-space z to reversed perspective depth",
     exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+// umbrage_reversed_depth_from_view_z: perspective depth in [0, 1], 1.0 at z_near, from the distance along the light's
+// axis
 inline float umbrage_reversed_depth_from_view_z(float z_view, float z_near, float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
 }
@@ -609,8 +633,8 @@ inline float umbrage_reversed_depth_from_view_z(float z_view, float z_near, floa
 export const view_z_from_orthographic_depth = { language, name: "view_z_from_orthographic_depth", summary: "orthographic depth to view-space z",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
-// axis; when reversed, exchange z_near and z_far
+// umbrage_view_z_from_orthographic_depth: distance along the light's axis from orthographic depth in [0, 1]
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 inline float umbrage_view_z_from_orthographic_depth(float depth, float z_near, float z_far) {
     float z_view = z_near + depth * (z_far - z_near);
     return z_view;
@@ -620,8 +644,8 @@ inline float umbrage_view_z_from_orthographic_depth(float depth, float z_near, f
 export const orthographic_depth_from_view_z = { language, name: "orthographic_depth_from_view_z", summary: "view-space z to orthographic depth",
     exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
-// z_near; when reversed, exchange z_near and z_far
+// umbrage_orthographic_depth_from_view_z: orthographic depth in [0, 1] from the distance along the light's axis
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 inline float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
     return (z_view - z_near) / (z_far - z_near);
 }
@@ -636,20 +660,22 @@ inline float umbrage_cleared_depth() {
 }
 ` };
 
-export const saturate = { language, name: "saturate", summary: "clamp to [0, 1], NaN to far",
+export const saturate = { language, name: "saturate", summary: "clamp to [0, 1]; NaN becomes the far plane",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 ` };
 
-export const correct_quotient = { language, name: "correct_quotient", summary: "a quotient of whole numbers, from one at most one off",
+export const correct_quotient = { language, name: "correct_quotient", summary: "floor of a quotient, from a guess off by at most one",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
     float more = q + 1.0;
     float known = more * b <= a ? more : q;
@@ -657,20 +683,22 @@ inline float umbrage_correct_quotient(float q, float a, float b) {
 }
 ` };
 
-export const floor_divide = { language, name: "floor_divide", summary: "whole numbers divided and rounded down, whatever the division's error",
+export const floor_divide = { language, name: "floor_divide", summary: "integer division that rounds down, exact on any GPU",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [correct_quotient], text: `
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_floor_divide(float a, float b) {
     return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
 ` };
 
-export const to_unorm = { language, name: "to_unorm", summary: "channel 0..255 to the value an 8-bit target stores as it",
+export const to_unorm = { language, name: "to_unorm", summary: "value that makes an 8-bit target store channel 0..255",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
-// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+// umbrage_to_unorm: value that makes an 8-bit target store channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536, in decimals because 65536.0 is infinite in mediump
 inline float umbrage_to_unorm(float k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
@@ -685,10 +713,10 @@ inline float4 umbrage_to_unorm(float4 k) {
 }
 ` };
 
-export const to_unorm10 = { language, name: "to_unorm10", summary: "channel 0..1023 to the value a 10-bit target stores as it",
+export const to_unorm10 = { language, name: "to_unorm10", summary: "value that makes a 10-bit target store channel 0..1023",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm10: value that makes a 10-bit target store channel k, whether it rounds or truncates
 // k * 4099 / 4194304 + 1056 / 4194304
 inline float umbrage_to_unorm10(float k) {
     return k * 0.0009772777557373046875 + 0.00025177001953125;
@@ -704,10 +732,10 @@ inline float4 umbrage_to_unorm10(float4 k) {
 }
 ` };
 
-export const from_unorm10 = { language, name: "from_unorm10", summary: "value read from a 10-bit texture to channel 0..1023",
+export const from_unorm10 = { language, name: "from_unorm10", summary: "channel 0..1023 of a value from a 10-bit texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
 inline float umbrage_from_unorm10(float c) {
     return metal::floor(c * 1023.0 + 0.5);
 }
@@ -722,10 +750,10 @@ inline float4 umbrage_from_unorm10(float4 c) {
 }
 ` };
 
-export const to_unorm16 = { language, name: "to_unorm16", summary: "channel 0..65535 to the value a 16-bit target stores as it",
+export const to_unorm16 = { language, name: "to_unorm16", summary: "value that makes a 16-bit target store channel 0..65535",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm16: value that makes a 16-bit target store channel k, whether it rounds or truncates
 inline float umbrage_to_unorm16(float k) {
     return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
 }
@@ -740,10 +768,10 @@ inline float4 umbrage_to_unorm16(float4 k) {
 }
 ` };
 
-export const from_unorm16 = { language, name: "from_unorm16", summary: "value read from a 16-bit texture to channel 0..65535",
+export const from_unorm16 = { language, name: "from_unorm16", summary: "channel 0..65535 of a value from a 16-bit texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+// umbrage_from_unorm16: channel 0..65535 of a value from a 16-bit texture, even if the division by 65535 is inexact
 inline float umbrage_from_unorm16(float c) {
     return metal::floor(c * 65535.0 + 0.5);
 }
@@ -758,11 +786,11 @@ inline float4 umbrage_from_unorm16(float4 c) {
 }
 ` };
 
-export const encode_rg9 = { language, name: "encode_rg9", summary: "depth to two channels, R the low byte",
+export const encode_rg9 = { language, name: "encode_rg9", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg9: two channels of a 9-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg9(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 512.0), 511.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -770,11 +798,11 @@ inline float2 umbrage_encode_rg9(float depth) {
 }
 ` };
 
-export const encode_rg10 = { language, name: "encode_rg10", summary: "depth to two channels, R the low byte",
+export const encode_rg10 = { language, name: "encode_rg10", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg10: two channels of a 10-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg10(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 1024.0), 1023.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -782,11 +810,11 @@ inline float2 umbrage_encode_rg10(float depth) {
 }
 ` };
 
-export const encode_rg11 = { language, name: "encode_rg11", summary: "depth to two channels, R the low byte",
+export const encode_rg11 = { language, name: "encode_rg11", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg11: two channels of a 11-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg11(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 2048.0), 2047.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -794,11 +822,11 @@ inline float2 umbrage_encode_rg11(float depth) {
 }
 ` };
 
-export const encode_rg12 = { language, name: "encode_rg12", summary: "depth to two channels, R the low byte",
+export const encode_rg12 = { language, name: "encode_rg12", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg12: two channels of a 12-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg12(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 4096.0), 4095.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -806,11 +834,11 @@ inline float2 umbrage_encode_rg12(float depth) {
 }
 ` };
 
-export const encode_rg13 = { language, name: "encode_rg13", summary: "depth to two channels, R the low byte",
+export const encode_rg13 = { language, name: "encode_rg13", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg13: two channels of a 13-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg13(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 8192.0), 8191.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -818,11 +846,11 @@ inline float2 umbrage_encode_rg13(float depth) {
 }
 ` };
 
-export const encode_rg14 = { language, name: "encode_rg14", summary: "depth to two channels, R the low byte",
+export const encode_rg14 = { language, name: "encode_rg14", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg14: two channels of a 14-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg14(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 16384.0), 16383.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -830,11 +858,11 @@ inline float2 umbrage_encode_rg14(float depth) {
 }
 ` };
 
-export const encode_rg15 = { language, name: "encode_rg15", summary: "depth to two channels, R the low byte",
+export const encode_rg15 = { language, name: "encode_rg15", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg15: two channels of a 15-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg15(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 32768.0), 32767.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -842,11 +870,11 @@ inline float2 umbrage_encode_rg15(float depth) {
 }
 ` };
 
-export const encode_rg16 = { language, name: "encode_rg16", summary: "depth to two channels, R the low byte",
+export const encode_rg16 = { language, name: "encode_rg16", summary: "depth to two 8-bit channels, R the low byte",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg16: two channels of a 16-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg16(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
     float high = metal::floor(x * (1.0 / 256.0));
@@ -854,11 +882,11 @@ inline float2 umbrage_encode_rg16(float depth) {
 }
 ` };
 
-export const encode_rgb24 = { language, name: "encode_rgb24", summary: "depth to three channels, R most significant",
+export const encode_rgb24 = { language, name: "encode_rgb24", summary: "depth to three 8-bit channels, R most significant",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb24: three channels of a depth, R most significant, integers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float3 umbrage_encode_rgb24(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     float high = metal::floor(x * (1.0 / 65536.0));
@@ -871,9 +899,9 @@ inline float3 umbrage_encode_rgb24(float depth) {
 export const encode_rgb10 = { language, name: "encode_rgb10", summary: "depth to three 10-bit channels, R most significant",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
-// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb10: three channels of a depth, R most significant, integers 0..1023 for umbrage_to_unorm10
+// The last four bits are the high ones of B, so a target cleared to white is at the far plane
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float3 umbrage_encode_rgb10(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     float high = metal::floor(x * (1.0 / 16384.0));
@@ -884,20 +912,20 @@ inline float3 umbrage_encode_rgb10(float depth) {
 }
 ` };
 
-export const encode_r16 = { language, name: "encode_r16", summary: "depth to one channel of 16 bits",
+export const encode_r16 = { language, name: "encode_r16", summary: "depth to one 16-bit channel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_r16: 16-bit channel of a depth, an integer 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float umbrage_encode_r16(float depth) {
     return metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }
 ` };
 
-export const encode_float_bits = { language, name: "encode_float_bits", summary: "any float's bit pattern to four channels, R least significant",
+export const encode_float_bits = { language, name: "encode_float_bits", summary: "bit pattern of a float to four channels, R least significant",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, integers 0..255
 inline float4 umbrage_encode_float_bits(float v) {
     uint bits = as_type<uint>(v);
     return float4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
@@ -907,7 +935,7 @@ inline float4 umbrage_encode_float_bits(float v) {
 export const write_threejs_rgba = { language, name: "write_threejs_rgba", summary: "depth to three.js RGBA, r167 and later",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgba: RGBA of a depth, as in three.js r167 and later, values to write as they are
 inline float4 umbrage_write_threejs_rgba(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 16777216.0;
@@ -924,7 +952,7 @@ inline float4 umbrage_write_threejs_rgba(float depth) {
 export const write_threejs_rgb = { language, name: "write_threejs_rgb", summary: "depth to three.js RGB, r167 and later",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgb: RGB of a depth, as in three.js r167 and later, values to write as they are
 inline float3 umbrage_write_threejs_rgb(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 65536.0;
@@ -938,7 +966,7 @@ inline float3 umbrage_write_threejs_rgb(float depth) {
 export const write_threejs_rg = { language, name: "write_threejs_rg", summary: "depth to three.js RG, r167 and later",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rg: RG of a depth, as in three.js r167 and later, values to write as they are
 inline float2 umbrage_write_threejs_rg(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 256.0;
@@ -950,8 +978,8 @@ inline float2 umbrage_write_threejs_rg(float depth) {
 export const write_threejs_legacy = { language, name: "write_threejs_legacy", summary: "depth to three.js RGBA, r73 to r166",
     exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+// umbrage_write_threejs_legacy: RGBA of a depth, as in three.js r73 to r166, values to write as they are
+//   1.0 reads back as 255/256. umbrage_encode_threejs_legacy_repaired does not have this fault
 inline float4 umbrage_write_threejs_legacy(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 16777216.0 - metal::floor(v * 16777216.0);
@@ -962,11 +990,11 @@ inline float4 umbrage_write_threejs_legacy(float depth) {
 }
 ` };
 
-export const encode_threejs_legacy_repaired = { language, name: "encode_threejs_legacy_repaired", summary: "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+export const encode_threejs_legacy_repaired = { language, name: "encode_threejs_legacy_repaired", summary: "depth to three.js RGBA, r73 to r166, without its fault",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_threejs_legacy_repaired: channels of a depth for readers of three.js r73 to r166. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float v = umbrage_saturate(depth);
     float x = metal::floor(v * 16777216.0);
@@ -978,11 +1006,11 @@ inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
 }
 ` };
 
-export const write_base255 = { language, name: "write_base255", summary: "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+export const write_base255 = { language, name: "write_base255", summary: "depth to base-255 RGBA of Cesium, Babylon.js, bgfx",
     exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_base255_repaired has neither fault
+// umbrage_write_base255: base-255 RGBA of a depth, values to write as they are. The store must round
+// 1.0 reads back as 0.0. umbrage_encode_base255_repaired has neither fault
 inline float4 umbrage_write_base255(float depth) {
     float v = umbrage_saturate(depth);
     float4 e = float4(v, v * 255.0, v * 65025.0, v * 16581375.0);
@@ -992,11 +1020,11 @@ inline float4 umbrage_write_base255(float depth) {
 }
 ` };
 
-export const encode_base255_repaired = { language, name: "encode_base255_repaired", summary: "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+export const encode_base255_repaired = { language, name: "encode_base255_repaired", summary: "depth to base-255 RGBA without its faults",
     exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_base255_repaired: channels of a depth for readers of base-255 RGBA. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 inline float4 umbrage_encode_base255_repaired(float depth) {
     float x = umbrage_saturate(depth) * 255.0;
     float y = (x - metal::floor(x)) * 255.0;
@@ -1006,20 +1034,21 @@ inline float4 umbrage_encode_base255_repaired(float depth) {
 }
 ` };
 
-export const fetch_clamped = { language, name: "fetch_clamped", summary: "texel of a map, outside the nearest one inside",
+export const fetch_clamped = { language, name: "fetch_clamped", summary: "texel of a map, clamped to the nearest one inside",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [texel], text: `
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
 ` };
 
-export const encode_rg9_table = { language, name: "encode_rg9_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg9_table = { language, name: "encode_rg9_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
-//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg9_table: two channels of a 9-bit depth code through a lookup table, integers 0..255
+//   table   512 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg9_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 512.0), 511.0);
     float row = metal::floor(x * (1.0 / 512.0));
@@ -1029,11 +1058,12 @@ inline float2 umbrage_encode_rg9_table(metal::texture2d<float> table, float dept
 }
 ` };
 
-export const encode_rg10_table = { language, name: "encode_rg10_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg10_table = { language, name: "encode_rg10_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
-//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg10_table: two channels of a 10-bit depth code through a lookup table, integers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg10_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 1024.0), 1023.0);
     float row = metal::floor(x * (1.0 / 1024.0));
@@ -1043,11 +1073,12 @@ inline float2 umbrage_encode_rg10_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg11_table = { language, name: "encode_rg11_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg11_table = { language, name: "encode_rg11_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg11_table: two channels of a 11-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg11_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 2048.0), 2047.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1057,11 +1088,12 @@ inline float2 umbrage_encode_rg11_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg12_table = { language, name: "encode_rg12_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg12_table = { language, name: "encode_rg12_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg12_table: two channels of a 12-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg12_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 4096.0), 4095.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1071,11 +1103,12 @@ inline float2 umbrage_encode_rg12_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg13_table = { language, name: "encode_rg13_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg13_table = { language, name: "encode_rg13_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg13_table: two channels of a 13-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg13_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 8192.0), 8191.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1085,11 +1118,12 @@ inline float2 umbrage_encode_rg13_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg14_table = { language, name: "encode_rg14_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg14_table = { language, name: "encode_rg14_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg14_table: two channels of a 14-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg14_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 16384.0), 16383.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1099,11 +1133,12 @@ inline float2 umbrage_encode_rg14_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg15_table = { language, name: "encode_rg15_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg15_table = { language, name: "encode_rg15_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg15_table: two channels of a 15-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg15_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 32768.0), 32767.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1113,11 +1148,12 @@ inline float2 umbrage_encode_rg15_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const encode_rg16_table = { language, name: "encode_rg16_table", summary: "depth to two channels through a look-up texture",
+export const encode_rg16_table = { language, name: "encode_rg16_table", summary: "depth to two 8-bit channels through a lookup texture",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, from_unorm, fetch_clamped], text: `
-// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg16_table: two channels of a 16-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float2 umbrage_encode_rg16_table(metal::texture2d<float> table, float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
     float row = metal::floor(x * (1.0 / 2048.0));
@@ -1127,99 +1163,99 @@ inline float2 umbrage_encode_rg16_table(metal::texture2d<float> table, float dep
 }
 ` };
 
-export const decode_rg9 = { language, name: "decode_rg9", summary: "two channels, R the low byte, to depth",
+export const decode_rg9 = { language, name: "decode_rg9", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg9: depth from the two channels of a 9-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg9(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
 }
 ` };
 
-export const decode_rg10 = { language, name: "decode_rg10", summary: "two channels, R the low byte, to depth",
+export const decode_rg10 = { language, name: "decode_rg10", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg10: depth from the two channels of a 10-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg10(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
 }
 ` };
 
-export const decode_rg11 = { language, name: "decode_rg11", summary: "two channels, R the low byte, to depth",
+export const decode_rg11 = { language, name: "decode_rg11", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg11: depth from the two channels of a 11-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg11(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
 }
 ` };
 
-export const decode_rg12 = { language, name: "decode_rg12", summary: "two channels, R the low byte, to depth",
+export const decode_rg12 = { language, name: "decode_rg12", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg12: depth from the two channels of a 12-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg12(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
 }
 ` };
 
-export const decode_rg13 = { language, name: "decode_rg13", summary: "two channels, R the low byte, to depth",
+export const decode_rg13 = { language, name: "decode_rg13", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg13: depth from the two channels of a 13-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg13(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
 }
 ` };
 
-export const decode_rg14 = { language, name: "decode_rg14", summary: "two channels, R the low byte, to depth",
+export const decode_rg14 = { language, name: "decode_rg14", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg14: depth from the two channels of a 14-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg14(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
 }
 ` };
 
-export const decode_rg15 = { language, name: "decode_rg15", summary: "two channels, R the low byte, to depth",
+export const decode_rg15 = { language, name: "decode_rg15", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg15: depth from the two channels of a 15-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg15(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
 }
 ` };
 
-export const decode_rg16 = { language, name: "decode_rg16", summary: "two channels, R the low byte, to depth",
+export const decode_rg16 = { language, name: "decode_rg16", summary: "two 8-bit channels, R the low byte, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg16: depth from the two channels of a 16-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_rg16(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
 }
 ` };
 
-export const decode_rgb24 = { language, name: "decode_rgb24", summary: "three channels, R most significant, to depth",
+export const decode_rgb24 = { language, name: "decode_rgb24", summary: "three 8-bit channels, R most significant, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm], text: `
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb24: depth from three channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 inline float umbrage_decode_rgb24(float3 c, float edge) {
     float3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
@@ -1229,28 +1265,28 @@ inline float umbrage_decode_rgb24(float3 c, float edge) {
 export const decode_rgb10 = { language, name: "decode_rgb10", summary: "three 10-bit channels, R most significant, to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm10], text: `
-// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb10: depth from three 10-bit channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 inline float umbrage_decode_rgb10(float3 c, float edge) {
     float3 k = umbrage_from_unorm10(c);
     return ((k.x * 1024.0 + k.y) * 16.0 + metal::floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);
 }
 ` };
 
-export const decode_r16 = { language, name: "decode_r16", summary: "one channel of 16 bits to depth",
+export const decode_r16 = { language, name: "decode_r16", summary: "one 16-bit channel to depth",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [from_unorm16], text: `
-// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
-//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+// umbrage_decode_r16: depth from one 16-bit channel, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 inline float umbrage_decode_r16(float c, float edge) {
     return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }
 ` };
 
-export const decode_float_bits = { language, name: "decode_float_bits", summary: "four channels, R least significant, to the float they are",
+export const decode_float_bits = { language, name: "decode_float_bits", summary: "four channels, R least significant, to the float they hold",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
     needs: [saturate], text: `
-// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+// umbrage_decode_float_bits: float from the four channels of its bit pattern, as sampled, R least significant
 inline float umbrage_decode_float_bits(float4 c) {
     uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
     uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
@@ -1263,7 +1299,7 @@ inline float umbrage_decode_float_bits(float4 c) {
 export const decode_threejs_rgba = { language, name: "decode_threejs_rgba", summary: "three.js RGBA, r167 and later, to depth",
     exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgba: depth from the RGBA format of three.js r167 and later, as sampled
 inline float umbrage_decode_threejs_rgba(float4 c) {
     float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (255.0 / 16777216.0) + c.w *
         (1.0 / 16777216.0);
@@ -1274,7 +1310,7 @@ inline float umbrage_decode_threejs_rgba(float4 c) {
 export const decode_threejs_rgb = { language, name: "decode_threejs_rgb", summary: "three.js RGB, r167 and later, to depth",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgb: depth from the RGB format of three.js r167 and later, as sampled
 inline float umbrage_decode_threejs_rgb(float3 c) {
     float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
     return depth;
@@ -1284,7 +1320,7 @@ inline float umbrage_decode_threejs_rgb(float3 c) {
 export const decode_threejs_rg = { language, name: "decode_threejs_rg", summary: "three.js RG, r167 and later, to depth",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rg: depth from the RG format of three.js r167 and later, as sampled
 inline float umbrage_decode_threejs_rg(float2 c) {
     float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
     return depth;
@@ -1294,7 +1330,7 @@ inline float umbrage_decode_threejs_rg(float2 c) {
 export const decode_threejs_legacy = { language, name: "decode_threejs_legacy", summary: "three.js RGBA, r73 to r166, to depth",
     exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+// umbrage_decode_threejs_legacy: depth from the RGBA format of three.js r73 to r166, as sampled
 inline float umbrage_decode_threejs_legacy(float4 c) {
     float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
         (255.0 / 256.0);
@@ -1305,88 +1341,88 @@ inline float umbrage_decode_threejs_legacy(float4 c) {
 export const decode_base255 = { language, name: "decode_base255", summary: "base-255 RGBA to depth",
     exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+// umbrage_decode_base255: depth from base-255 RGBA, as sampled
 inline float umbrage_decode_base255(float4 c) {
     float depth = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
     return depth;
 }
 ` };
 
-export const level_rg9 = { language, name: "level_rg9", summary: "two channels to a level to compare with",
+export const level_rg9 = { language, name: "level_rg9", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg9: level of a texel from two channels of a 9-bit code, on the scale of umbrage_receiver_rg9
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg9(float2 c) {
     return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg10 = { language, name: "level_rg10", summary: "two channels to a level to compare with",
+export const level_rg10 = { language, name: "level_rg10", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg10: level of a texel from two channels of a 10-bit code, on the scale of umbrage_receiver_rg10
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg10(float2 c) {
     return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg11 = { language, name: "level_rg11", summary: "two channels to a level to compare with",
+export const level_rg11 = { language, name: "level_rg11", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg11: level of a texel from two channels of a 11-bit code, on the scale of umbrage_receiver_rg11
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg11(float2 c) {
     return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg12 = { language, name: "level_rg12", summary: "two channels to a level to compare with",
+export const level_rg12 = { language, name: "level_rg12", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg12: level of a texel from two channels of a 12-bit code, on the scale of umbrage_receiver_rg12
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg12(float2 c) {
     return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg13 = { language, name: "level_rg13", summary: "two channels to a level to compare with",
+export const level_rg13 = { language, name: "level_rg13", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg13: level of a texel from two channels of a 13-bit code, on the scale of umbrage_receiver_rg13
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg13(float2 c) {
     return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg14 = { language, name: "level_rg14", summary: "two channels to a level to compare with",
+export const level_rg14 = { language, name: "level_rg14", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg14: level of a texel from two channels of a 14-bit code, on the scale of umbrage_receiver_rg14
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg14(float2 c) {
     return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg15 = { language, name: "level_rg15", summary: "two channels to a level to compare with",
+export const level_rg15 = { language, name: "level_rg15", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg15: level of a texel from two channels of a 15-bit code, on the scale of umbrage_receiver_rg15
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg15(float2 c) {
     return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const level_rg16 = { language, name: "level_rg16", summary: "two channels to a level to compare with",
+export const level_rg16 = { language, name: "level_rg16", summary: "two channels to a level, for maps that are not decoded",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg16: level of a texel from two channels of a 16-bit code, on the scale of umbrage_receiver_rg16
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg16(float2 c) {
     return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
 }
@@ -1395,7 +1431,7 @@ inline float umbrage_level_rg16(float2 c) {
 export const receiver_rg9 = { language, name: "receiver_rg9", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+// umbrage_receiver_rg9: receiver depth on the scale of umbrage_level_rg9. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg9(float depth, float edge) {
     float level = (metal::ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
@@ -1406,7 +1442,7 @@ inline float umbrage_receiver_rg9(float depth, float edge) {
 export const receiver_rg10 = { language, name: "receiver_rg10", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+// umbrage_receiver_rg10: receiver depth on the scale of umbrage_level_rg10. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg10(float depth, float edge) {
     float level = (metal::ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
@@ -1417,7 +1453,7 @@ inline float umbrage_receiver_rg10(float depth, float edge) {
 export const receiver_rg11 = { language, name: "receiver_rg11", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+// umbrage_receiver_rg11: receiver depth on the scale of umbrage_level_rg11. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg11(float depth, float edge) {
     float level = (metal::ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
@@ -1428,7 +1464,7 @@ inline float umbrage_receiver_rg11(float depth, float edge) {
 export const receiver_rg12 = { language, name: "receiver_rg12", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+// umbrage_receiver_rg12: receiver depth on the scale of umbrage_level_rg12. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg12(float depth, float edge) {
     float level = (metal::ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
@@ -1439,7 +1475,7 @@ inline float umbrage_receiver_rg12(float depth, float edge) {
 export const receiver_rg13 = { language, name: "receiver_rg13", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+// umbrage_receiver_rg13: receiver depth on the scale of umbrage_level_rg13. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg13(float depth, float edge) {
     float level = (metal::ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
@@ -1450,7 +1486,7 @@ inline float umbrage_receiver_rg13(float depth, float edge) {
 export const receiver_rg14 = { language, name: "receiver_rg14", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+// umbrage_receiver_rg14: receiver depth on the scale of umbrage_level_rg14. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg14(float depth, float edge) {
     float level = (metal::ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
@@ -1461,7 +1497,7 @@ inline float umbrage_receiver_rg14(float depth, float edge) {
 export const receiver_rg15 = { language, name: "receiver_rg15", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+// umbrage_receiver_rg15: receiver depth on the scale of umbrage_level_rg15. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg15(float depth, float edge) {
     float level = (metal::ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
@@ -1472,7 +1508,7 @@ inline float umbrage_receiver_rg15(float depth, float edge) {
 export const receiver_rg16 = { language, name: "receiver_rg16", summary: "receiver to a level, for maps that are not decoded",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+// umbrage_receiver_rg16: receiver depth on the scale of umbrage_level_rg16. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg16(float depth, float edge) {
     float level = (metal::ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
@@ -1483,36 +1519,36 @@ inline float umbrage_receiver_rg16(float depth, float edge) {
 export const decode_ps14 = { language, name: "decode_ps14", summary: "r / 8 + g as the Radeon 8500 computed it",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
     needs: [], text: `
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+// umbrage_decode_ps14: x / 2040 from the channels of an 11-bit code, as sampled. Compare with umbrage_receiver_ps14
 //   1.0 is not the far plane on this scale
 inline float umbrage_decode_ps14(float2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
 ` };
 
-export const receiver_ps14 = { language, name: "receiver_ps14", summary: "receiver on the scale of decode_ps14",
+export const receiver_ps14 = { language, name: "receiver_ps14", summary: "receiver depth on the scale of decode_ps14",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
-//   lights
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14. Beyond the far plane every texel lights
+// it
 inline float umbrage_receiver_ps14(float depth) {
     return depth > 1.0 ? -1.0 : depth * 1.00392163;
 }
 ` };
 
-export const inside_map = { language, name: "inside_map", summary: "whether a texel is one of the map's",
+export const inside_map = { language, name: "inside_map", summary: "true if a texel lies inside the map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_inside_map: whether a texel is one of a map's of size texels
+// umbrage_inside_map: true if a texel lies inside a map of size texels
 inline bool umbrage_inside_map(float2 size, float2 texel) {
     return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
 }
 ` };
 
-export const fetch_bordered = { language, name: "fetch_bordered", summary: "texel of a map, outside a border value",
+export const fetch_bordered = { language, name: "fetch_bordered", summary: "texel of a map, or a border value outside it",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [texel], text: `
-// umbrage_fetch_bordered: texel of a map, or border outside of it
+// umbrage_fetch_bordered: texel of a map, or border outside it
 inline float4 umbrage_fetch_bordered(metal::texture2d<float> map, float2 size, float2 texel, float4 border) {
     float2 at = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, at);
@@ -1523,7 +1559,7 @@ inline float4 umbrage_fetch_bordered(metal::texture2d<float> map, float2 size, f
 export const fetch_depth = { language, name: "fetch_depth", summary: "stored depth of a texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "fetch_depth", scaled: false,
     needs: [texel], text: `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -1535,33 +1571,33 @@ inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float
 export const depth_at = { language, name: "depth_at", summary: "stored depth at a point of the map",
     exactness: "c", operations: 4, within: 0, as_written: false, lowest: "100", role: "depth_at", scaled: false,
     needs: [fetch_depth], text: `
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 inline float umbrage_depth_at(metal::texture2d<float> map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, metal::floor(uv * size));
 }
 ` };
 
-export const beyond_far_plane = { language, name: "beyond_far_plane", summary: "receivers behind the far plane",
+export const beyond_far_plane = { language, name: "beyond_far_plane", summary: "receivers beyond the far plane",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "beyond_far_plane", scaled: false,
     needs: [], text: `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
 ` };
 
-export const in_filter_domain = { language, name: "in_filter_domain", summary: "receivers that a filter compares; it takes the others as lit",
+export const in_filter_domain = { language, name: "in_filter_domain", summary: "true for receivers that a filter compares; others are lit",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space, beyond_far_plane], text: `
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 ` };
 
-export const compare = { language, name: "compare", summary: "one comparison",
+export const compare = { language, name: "compare", summary: "visibility from one comparison",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "compare", scaled: false,
     needs: [], text: `
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -1570,19 +1606,19 @@ inline float umbrage_compare(float receiver, float stored) {
 }
 ` };
 
-export const lit = { language, name: "lit", summary: "one comparison with a texel",
+export const lit = { language, name: "lit", summary: "visibility from one comparison with a texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "lit", scaled: false,
     needs: [compare, fetch_depth], text: `
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 ` };
 
-export const lit_2x2 = { language, name: "lit_2x2", summary: "comparisons with the 2x2 texels from one on",
+export const lit_2x2 = { language, name: "lit_2x2", summary: "visibility from comparisons with 2x2 texels",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "lit_2x2", scaled: false,
     needs: [lit], text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     float a = umbrage_lit(map, size, texel, receiver);
     float b = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
@@ -1592,25 +1628,25 @@ inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 t
 }
 ` };
 
-export const map_covers = { language, name: "map_covers", summary: "whether a receiver of a prefiltered map lies in it",
+export const map_covers = { language, name: "map_covers", summary: "true if a receiver lies in a prefiltered map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "map_covers", scaled: false,
     needs: [], text: `
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 inline bool umbrage_map_covers(float2 size, float2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
 ` };
 
-export const within_far_plane = { language, name: "within_far_plane", summary: "receivers up to the far plane, NaN is none",
+export const within_far_plane = { language, name: "within_far_plane", summary: "receivers up to the far plane; NaN is not",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "within_far_plane", scaled: false,
     needs: [], text: `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 inline bool umbrage_within_far_plane(float receiver) {
     return receiver <= 1.0;
 }
 ` };
 
-export const compare_dx_sdk = { language, name: "compare_dx_sdk", summary: "stored + epsilon < receiver is shadow",
+export const compare_dx_sdk = { language, name: "compare_dx_sdk", summary: "shadow if stored + epsilon < receiver",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
@@ -1620,7 +1656,7 @@ inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon)
 }
 ` };
 
-export const compare_exercise = { language, name: "compare_exercise", summary: "current < stored + epsilon is lit",
+export const compare_exercise = { language, name: "compare_exercise", summary: "lit if current < stored + epsilon",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
@@ -1630,14 +1666,16 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
 }
 ` };
 
-export const window_sum3 = { language, name: "window_sum3", summary: "weighted count of lit texels under a window of 3 x 3",
+export const window_sum3 = { language, name: "window_sum3", summary: "weighted count of lit texels under a 3x3 kernel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], text: `
-// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum3: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k1    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float steps,
                                  float k0, float k1) {
     bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
@@ -1664,14 +1702,16 @@ inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const window_sum5 = { language, name: "window_sum5", summary: "weighted count of lit texels under a window of 5 x 5",
+export const window_sum5 = { language, name: "window_sum5", summary: "weighted count of lit texels under a 5x5 kernel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], text: `
-// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum5: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k2    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 inline float umbrage_window_sum5(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float steps,
                                  float k0, float k1, float k2) {
     bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
@@ -1707,14 +1747,16 @@ inline float umbrage_window_sum5(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const window_sum7 = { language, name: "window_sum7", summary: "weighted count of lit texels under a window of 7 x 7",
+export const window_sum7 = { language, name: "window_sum7", summary: "weighted count of lit texels under a 7x7 kernel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], text: `
-// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum7: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float steps,
                                  float k0, float k1, float k2, float k3) {
     bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
@@ -1761,10 +1803,11 @@ inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const disc_rotation = { language, name: "disc_rotation", summary: "one of 16 turns for a pixel",
+export const disc_rotation = { language, name: "disc_rotation", summary: "rotation of a disc for a pixel, one of 16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space], text: `
-// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+//   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
 inline float2 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
@@ -1780,12 +1823,14 @@ inline float2 umbrage_disc_rotation(float2 pixel) {
 }
 ` };
 
-export const disc_tap = { language, name: "disc_tap", summary: "the texel that a point of a disc falls on",
+export const disc_tap = { language, name: "disc_tap", summary: "texel that a point of a disc falls on",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
@@ -1797,22 +1842,26 @@ inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float
 }
 ` };
 
-export const disc_radius = { language, name: "disc_radius", summary: "radius of a disc, down to 1/16 texel",
+export const disc_radius = { language, name: "disc_radius", summary: "radius of a disc, rounded down to 1/16 texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
 inline float umbrage_disc_radius(float radius) {
     float inside = radius > 0.0 ? metal::floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 ` };
 
-export const disc8 = { language, name: "disc8", summary: "disc of 8 points, turned by the pixel",
+export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
                            float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -1831,12 +1880,15 @@ inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
-export const disc16 = { language, name: "disc16", summary: "disc of 16 points, turned by the pixel",
+export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -1863,12 +1915,15 @@ inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coo
 }
 ` };
 
-export const disc32 = { language, name: "disc32", summary: "disc of 32 points, turned by the pixel",
+export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -1911,12 +1966,13 @@ inline float umbrage_disc32(metal::texture2d<float> map, float2 size, float2 coo
 }
 ` };
 
-export const hard = { language, name: "hard", summary: "nearest texel, one test",
+export const hard = { language, name: "hard", summary: "unfiltered shadow test of the nearest texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit], filter: { reads: "comparisons", reach: 0.5, arguments: [] }, text: `
-// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_hard: shadow test without a filter. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_hard(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 texel = compared ? metal::floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
@@ -1925,12 +1981,13 @@ inline float umbrage_hard(metal::texture2d<float> map, float2 size, float2 coord
 }
 ` };
 
-export const four_tap = { language, name: "four_tap", summary: "mean of four taps with coordinates of their own",
+export const four_tap = { language, name: "four_tap", summary: "mean of four taps, each with its own coordinates",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [lit, beyond_far_plane], filter: { reads: "comparisons", reach: 1, arguments: [], offsets: [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]] }, text: `
-// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
-//   or more in a direction;   receiver  depth, biased
+// umbrage_four_tap: mean of the shadow test at four taps. Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps in texels. All are lit where their mean magnitude is 2^15 or more along an axis
+//   receiver     receiver depth in [0, 1], bias applied
 inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                               float receiver) {
     float2 a_texel = metal::floor(a);
@@ -1938,7 +1995,7 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
     float2 c_texel = metal::floor(c);
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits on purpose: Mesa turns a single one into max(x, y) < limit, which loses a NaN
     bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
@@ -1946,17 +2003,18 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
 }
 ` };
 
-export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2, weights in steps of 1/256",
+export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2 PCF, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [] }, text: `
-// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
     float2 lo = 1.0 - hi;
     float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
@@ -1965,12 +2023,14 @@ inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 co
 }
 ` };
 
-export const pcf_2x2_dx_sdk = { language, name: "pcf_2x2_dx_sdk", summary: "bilinear 2x2 as the DirectX SDK sample, plain floats",
+export const pcf_2x2_dx_sdk = { language, name: "pcf_2x2_dx_sdk", summary: "bilinear 2x2 PCF of the DirectX SDK sample, plain floats",
     exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [compare_dx_sdk, in_filter_domain, fetch_depth], filter: { reads: "depths", reach: 1, arguments: [{ name: "epsilon", type: "float", value: 0 }] }, text: `
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+// umbrage_pcf_2x2_dx_sdk: 2x2 PCF of the DirectX SDK sample. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], no bias applied
+//   epsilon     depth added to each stored depth
 inline float umbrage_pcf_2x2_dx_sdk(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float epsilon) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -1991,12 +2051,14 @@ inline float umbrage_pcf_2x2_dx_sdk(metal::texture2d<float> map, float2 size, fl
 }
 ` };
 
-export const box_count = { language, name: "box_count", summary: "lit texels in a box of radius 0..8",
+export const box_count = { language, name: "box_count", summary: "number of lit texels in a box of radius 0..8",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit], text: `
-// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 inline float umbrage_box_count(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
@@ -2032,27 +2094,29 @@ inline float umbrage_box_scale(int radius) {
 }
 ` };
 
-export const box = { language, name: "box", summary: "lit share of a box of radius 0..8",
+export const box = { language, name: "box", summary: "lit fraction of a box of radius 0..8 (box PCF)",
     exactness: "b", operations: 290, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [box_count, box_scale], filter: { reads: "comparisons", reach: 1.5, arguments: [{ name: "radius", type: "int", value: 1 }] }, text: `
-// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+// umbrage_box: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count
 inline float umbrage_box(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
     float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
 ` };
 
-export const tent2 = { language, name: "tent2", summary: "sliding window 1 1",
+export const tent2 = { language, name: "tent2", summary: "PCF kernel 1 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
-// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_tent2: PCF over 3 x 3 texels, weights 1 1. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_tent2(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
     float2 s = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = r * 8.0;
@@ -2069,29 +2133,32 @@ inline float umbrage_tent2(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
-export const tent3 = { language, name: "tent3", summary: "sliding window 1 2 1",
+export const tent3 = { language, name: "tent3", summary: "PCF kernel 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [] }, text: `
-// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_tent3: PCF under 3 x 3 weights, 1 2 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_tent3(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
     return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 ` };
 
-export const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "quadratic B-spline of 3 x 3 texels",
+export const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "PCF kernel of the quadratic B-spline, 3x3 texels",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
-// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_quadratic_b_spline: PCF over 3 x 3 texels, weighted by the quadratic B-spline. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_quadratic_b_spline(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
     float2 s = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
     float2 r = 256.0 - s;
     float2 w0 = metal::floor(r * r * (1.0 / 32.0));
@@ -2108,83 +2175,98 @@ inline float umbrage_quadratic_b_spline(metal::texture2d<float> map, float2 size
 }
 ` };
 
-export const binomial5 = { language, name: "binomial5", summary: "sliding window 1 4 6 4 1",
+export const binomial5 = { language, name: "binomial5", summary: "PCF kernel 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
-// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_binomial5: PCF under 5 x 5 weights, 1 4 6 4 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_binomial5(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
     return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 ` };
 
-export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "sliding window 5 16 22 16 5",
+export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "PCF kernel 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
-// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano_dyadic5: PCF under 5 x 5 weights, 5 16 22 16 5, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_castano_dyadic5(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
     return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 ` };
 
-export const castano5 = { language, name: "castano5", summary: "sliding window 1 3 4 3 1",
+export const castano5 = { language, name: "castano5", summary: "PCF kernel 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
-// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano5: PCF under 5 x 5 weights, 1 3 4 3 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_castano5(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
     return n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0;
 }
 ` };
 
-export const binomial7 = { language, name: "binomial7", summary: "sliding window 1 6 15 20 15 6 1",
+export const binomial7 = { language, name: "binomial7", summary: "PCF kernel 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
-// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_binomial7: PCF under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_binomial7(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
     return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 ` };
 
-export const tent7 = { language, name: "tent7", summary: "sliding window 1 2 3 4 3 2 1",
+export const tent7 = { language, name: "tent7", summary: "PCF kernel 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
-// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_tent7: PCF under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_tent7(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
     return metal::clamp(n * (1.0 / 16777216.0), 0.0, 1.0);
 }
 ` };
 
-export const castano7 = { language, name: "castano7", summary: "sliding window 1 5 12 16 12 5 1",
+export const castano7 = { language, name: "castano7", summary: "PCF kernel 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
-// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano7: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_castano7(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 ` };
 
-export const cube_lit = { language, name: "cube_lit", summary: "one comparison with a texel of a cube",
+export const cube_lit = { language, name: "cube_lit", summary: "one comparison with a texel of a cube map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_neighbor, cube_tile, lit], text: `
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 inline float2 umbrage_cube_lit(metal::texture2d<float> map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
     float3 n = umbrage_cube_neighbor(texel, side);
@@ -2194,18 +2276,19 @@ inline float2 umbrage_cube_lit(metal::texture2d<float> map, float2 size, float3 
 }
 ` };
 
-export const pcf_2x2_cube = { language, name: "pcf_2x2_cube", summary: "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
+export const pcf_2x2_cube = { language, name: "pcf_2x2_cube", summary: "bilinear 2x2 PCF of a cube map, across its edges",
     exactness: "c", operations: 33, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, cube_lit], text: `
-// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
-//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
-//   receiver   distance from the light, biased
+// umbrage_pcf_2x2_cube: bilinear 2x2 PCF across the edges of a cube map. Returns visibility, 1.0 = lit
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   at          (s, t, face): s and t in texels of the face, from 0.0 on
+//   receiver    distance from the light, bias applied
 inline float umbrage_pcf_2x2_cube(metal::texture2d<float> map, float2 size, float3 at, float receiver) {
     float2 coord = float2(at.x, at.y);
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
     float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
@@ -2216,12 +2299,15 @@ inline float umbrage_pcf_2x2_cube(metal::texture2d<float> map, float2 size, floa
 }
 ` };
 
-export const four_tap_hardware = { language, name: "four_tap_hardware", summary: "mean of four taps that a sampler of the nearest texel takes",
+export const four_tap_hardware = { language, name: "four_tap_hardware", summary: "mean of four taps from a nearest-texel sampler",
     exactness: "c", operations: 39, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [beyond_far_plane, compare, depth_at], text: `
-// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
-//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of a nearest-texel sampler
+// Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps from (0.0, 0.0) to (1.0, 1.0) over the map
+//                All are lit where the mean of |x| + |y| is 2^15 texels or more
+//   receiver     receiver depth in [0, 1], bias applied
 inline float umbrage_four_tap_hardware(metal::texture2d<float> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                                        float receiver) {
     float2 sum = (metal::abs(a) + metal::abs(b) + metal::abs(c) + metal::abs(d)) * size;
@@ -2234,33 +2320,35 @@ inline float umbrage_four_tap_hardware(metal::texture2d<float> map, float2 size,
 }
 ` };
 
-export const lit_filtered = { language, name: "lit_filtered", summary: "comparisons around a point, weighted",
+export const lit_filtered = { language, name: "lit_filtered", summary: "weighted comparisons around a point in texels",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_filtered", scaled: false,
     needs: [pcf_2x2], text: `
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+// The sampler of this map cannot weight comparisons, so the shader does
+//   coord   in texels, no NaN. Outside texel space it is clamped
 inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     return umbrage_pcf_2x2(map, size, metal::clamp(coord, float2(-32767.0, -32767.0), float2(32767.0, 32767.0)),
                            receiver);
 }
 ` };
 
-export const lit_at = { language, name: "lit_at", summary: "comparisons around a point of the map, weighted",
+export const lit_at = { language, name: "lit_at", summary: "weighted comparisons around a point in [0, 1]",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_at", scaled: false,
     needs: [lit_filtered], text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
 }
 ` };
 
-export const pcf_2x2_hardware = { language, name: "pcf_2x2_hardware", summary: "2x2 by a comparison sampler with a linear filter",
+export const pcf_2x2_hardware = { language, name: "pcf_2x2_hardware", summary: "bilinear 2x2 PCF by a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2_hardware: bilinear 2x2 PCF by the sampler. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_pcf_2x2_hardware(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
@@ -2270,12 +2358,15 @@ inline float umbrage_pcf_2x2_hardware(metal::texture2d<float> map, float2 size, 
 }
 ` };
 
-export const window_hardware3 = { language, name: "window_hardware3", summary: "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter",
+export const window_hardware3 = { language, name: "window_hardware3", summary: "3x3 kernel, 4 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware3: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k1    weights from the edge to the middle one. The others mirror them
 inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float k0,
                                       float k1) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2304,12 +2395,15 @@ inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, 
 }
 ` };
 
-export const window_hardware5 = { language, name: "window_hardware5", summary: "window of 5 x 5 by 9 of them",
+export const window_hardware5 = { language, name: "window_hardware5", summary: "5x5 kernel, 9 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware5: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k2    weights from the edge to the middle one. The others mirror them
 inline float umbrage_window_hardware5(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float k0,
                                       float k1, float k2) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2348,12 +2442,15 @@ inline float umbrage_window_hardware5(metal::texture2d<float> map, float2 size, 
 }
 ` };
 
-export const window_hardware7 = { language, name: "window_hardware7", summary: "window of 7 x 7 by 16 of them",
+export const window_hardware7 = { language, name: "window_hardware7", summary: "7x7 kernel, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware7: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
 inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float k0,
                                       float k1, float k2, float k3) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2404,12 +2501,16 @@ inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, 
 }
 ` };
 
-export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc of 8 points by a comparison sampler with a linear filter",
+export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc PCF, 8 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2431,12 +2532,16 @@ inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, fl
 }
 ` };
 
-export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc of 16 points by one",
+export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc PCF, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                      float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2466,12 +2571,16 @@ inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, f
 }
 ` };
 
-export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc of 32 points by one",
+export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc PCF, 32 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                      float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2517,12 +2626,14 @@ inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, f
 }
 ` };
 
-export const bounds_lit = { language, name: "bounds_lit", summary: "visibility where bounds of a filter's texels suffice",
+export const bounds_lit = { language, name: "bounds_lit", summary: "visibility from depth bounds, an early exit of a filter",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, compare, fetch_clamped], text: `
-// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
-//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
-//   coord, receiver  as the filter takes them
+// umbrage_bounds_lit: early exit of a filter. Returns 1.0 where all texels are lit, 0.0 where none is
+// Returns -1.0 where the bounds do not decide it: call the filter there
+//   bounds, size      map of the texels' smallest and largest depths, and its size in texels
+//   coord, receiver   as passed to the filter
+//   place             maps a receiver to its bounds, from make_filter_bounds
 inline float umbrage_bounds_lit(metal::texture2d<float> bounds, float2 size, float2 coord, float receiver,
                                 float2 place) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2530,15 +2641,16 @@ inline float umbrage_bounds_lit(metal::texture2d<float> bounds, float2 size, flo
     float4 b = umbrage_fetch_clamped(bounds, size, metal::floor((x + place.x) * place.y));
     float all = umbrage_compare(receiver, b.x);
     float some = umbrage_compare(receiver, b.y);
-    float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    float known = b.x <= b.y && all == some ? all : -1.0;  // NaN bounds decide nothing
     return compared ? known : 1.0;
 }
 ` };
 
-export const distance_code = { language, name: "distance_code", summary: "a depth as 16 bits of distance from the near plane",
+export const distance_code = { language, name: "distance_code", summary: "distance of a depth from the near plane, 16 bits",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
     float v = depth * 65536.0;
     float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;
@@ -2547,21 +2659,21 @@ inline float umbrage_distance_code(float depth) {
 }
 ` };
 
-export const penumbra = { language, name: "penumbra", summary: "radius of a penumbra from the distance between blocker and receiver",
+export const penumbra = { language, name: "penumbra", summary: "radius of a penumbra from the distance to the blocker",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_penumbra: radius in 1/16 texel, a whole number
-//   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+//   apart      umbrage_distance_code of the receiver minus that of the blocker
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 inline float umbrage_penumbra(float apart, float3 softness) {
     return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
 }
 ` };
 
-export const blocker = { language, name: "blocker", summary: "whether a texel lies before a receiver, and how far from the light",
+export const blocker = { language, name: "blocker", summary: "count and distance code of one possible blocker",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_depth, compare, distance_code], text: `
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     float stored = umbrage_fetch_depth(map, size, texel);
     float code = umbrage_distance_code(stored);
@@ -2569,12 +2681,15 @@ inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 t
 }
 ` };
 
-export const blockers8 = { language, name: "blockers8", summary: "texels under a disc's points that lie before a receiver",
+export const blockers8 = { language, name: "blockers8", summary: "blocker search over a disc's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver, float radius,
                                 float2 rotation) {
     float2 n = float2(0.0, 0.0);
@@ -2590,12 +2705,15 @@ inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2
 }
 ` };
 
-export const blockers16 = { language, name: "blockers16", summary: "texels under a disc's points that lie before a receiver",
+export const blockers16 = { language, name: "blockers16", summary: "blocker search over a disc's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers16(metal::texture2d<float> map, float2 size, float2 position, float receiver,
                                  float radius, float2 rotation) {
     float2 n = float2(0.0, 0.0);
@@ -2619,12 +2737,15 @@ inline float2 umbrage_blockers16(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const blockers32 = { language, name: "blockers32", summary: "texels under a disc's points that lie before a receiver",
+export const blockers32 = { language, name: "blockers32", summary: "blocker search over a disc's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float2 position, float receiver,
                                  float radius, float2 rotation) {
     float2 n = float2(0.0, 0.0);
@@ -2664,12 +2785,15 @@ inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows, 8 points twice",
+export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                            float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2679,17 +2803,20 @@ inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coor
     float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    // without a blocker the radius is the search's, whose points are all lit
+    // without a blocker the radius is that of the search, whose points are all lit
     return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 ` };
 
-export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows, 16 points twice",
+export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2699,17 +2826,20 @@ inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coo
     float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    // without a blocker the radius is the search's, whose points are all lit
+    // without a blocker the radius is that of the search, whose points are all lit
     return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 ` };
 
-export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows, 32 points twice",
+export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2719,28 +2849,30 @@ inline float umbrage_pcss32(metal::texture2d<float> map, float2 size, float2 coo
     float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    // without a blocker the radius is the search's, whose points are all lit
+    // without a blocker the radius is that of the search, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }
 ` };
 
-export const blocker_at = { language, name: "blocker_at", summary: "whether what a point of the map holds lies before a receiver, and its depth",
+export const blocker_at = { language, name: "blocker_at", summary: "count and depth of one possible blocker",
     exactness: "c", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [depth_at, compare], text: `
-// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 inline float2 umbrage_blocker_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
     float stored = umbrage_depth_at(map, size, uv);
     return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
 }
 ` };
 
-export const pcss_radius = { language, name: "pcss_radius", summary: "radius of a penumbra from the mean depth of blockers",
+export const pcss_radius = { language, name: "pcss_radius", summary: "penumbra radius from the mean depth of blockers",
     exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
@@ -2750,12 +2882,15 @@ inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) 
 }
 ` };
 
-export const blockers_hardware8 = { language, name: "blockers_hardware8", summary: "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel",
+export const blockers_hardware8 = { language, name: "blockers_hardware8", summary: "blocker search, 8 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                          float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2776,12 +2911,15 @@ inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 siz
 }
 ` };
 
-export const blockers_hardware16 = { language, name: "blockers_hardware16", summary: "the same at 16 points",
+export const blockers_hardware16 = { language, name: "blockers_hardware16", summary: "blocker search, 16 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                           float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2810,12 +2948,15 @@ inline float2 umbrage_blockers_hardware16(metal::texture2d<float> map, float2 si
 }
 ` };
 
-export const blockers_hardware32 = { language, name: "blockers_hardware32", summary: "the same at 32 points",
+export const blockers_hardware32 = { language, name: "blockers_hardware32", summary: "blocker search, 32 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                           float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2860,11 +3001,12 @@ inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 si
 }
 ` };
 
-export const hardened_kernel8 = { language, name: "hardened_kernel8", summary: "a disc's share in shadow, steepened",
+export const hardened_kernel8 = { language, name: "hardened_kernel8", summary: "fraction of a disc in shadow, steepened",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel8: fraction of 8 points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 inline float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
@@ -2874,11 +3016,12 @@ inline float umbrage_hardened_kernel8(float blocked, float ratio) {
 }
 ` };
 
-export const hardened_kernel16 = { language, name: "hardened_kernel16", summary: "a disc's share in shadow, steepened",
+export const hardened_kernel16 = { language, name: "hardened_kernel16", summary: "fraction of a disc in shadow, steepened",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_hardened_kernel16: the share of 16 points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel16: fraction of 16 points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 inline float umbrage_hardened_kernel16(float blocked, float ratio) {
     float u = blocked * 2.0 - 16.0;
     float d = metal::max(16.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
@@ -2888,11 +3031,12 @@ inline float umbrage_hardened_kernel16(float blocked, float ratio) {
 }
 ` };
 
-export const hardened_kernel32 = { language, name: "hardened_kernel32", summary: "a disc's share in shadow, steepened",
+export const hardened_kernel32 = { language, name: "hardened_kernel32", summary: "fraction of a disc in shadow, steepened",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_hardened_kernel32: the share of 32 points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel32: fraction of 32 points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 inline float umbrage_hardened_kernel32(float blocked, float ratio) {
     float u = blocked * 2.0 - 32.0;
     float d = metal::max(32.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
@@ -2902,12 +3046,15 @@ inline float umbrage_hardened_kernel32(float blocked, float ratio) {
 }
 ` };
 
-export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening by 8 points",
+export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                            float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2923,12 +3070,15 @@ inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
-export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening by 16 points",
+export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2944,12 +3094,15 @@ inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coo
 }
 ` };
 
-export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening by 32 points",
+export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
-// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                             float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
@@ -2965,12 +3118,13 @@ inline float umbrage_dpcf32(metal::texture2d<float> map, float2 size, float2 coo
 }
 ` };
 
-export const box_moments = { language, name: "box_moments", summary: "mean and squared distances from it over a box, from a summed-area table",
+export const box_moments = { language, name: "box_moments", summary: "mean and squared distances over a box, from a SAT",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [texel, floor_divide], text: `
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float4 a = umbrage_texel(map, size, end);
     float4 b = umbrage_texel(map, size, float2(first.x, end.y));
@@ -2980,7 +3134,7 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
     float2 low = float2(part.x, part.z);
     float2 carry = metal::floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = metal::max(low - carry * 65536.0, float2(0.0, 0.0));
     above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;
@@ -2999,13 +3153,15 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
 }
 ` };
 
-export const summed_variance = { language, name: "summed_variance", summary: "variance shadow over a box of any size, from a summed-area table",
+export const summed_variance = { language, name: "summed_variance", summary: "variance shadow over a box of any size, from a SAT",
     exactness: "c", operations: 0, within: 1.52587890625e-05, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, cleared_depth, box_moments], text: `
-// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+// umbrage_summed_variance: variance shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_variance_table and its size: the shadow map's plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   codes       2^bits of the table
 inline float umbrage_summed_variance(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                      float radius, float codes) {
     float2 last = size - 1.0;
@@ -3026,11 +3182,12 @@ inline float umbrage_summed_variance(metal::texture2d<float> map, float2 size, f
 }
 ` };
 
-export const box_mean = { language, name: "box_mean", summary: "mean of four whole numbers over a box, from a summed-area table in two halves",
+export const box_mean = { language, name: "box_mean", summary: "mean of four integers over a box, from a SAT in two halves",
     exactness: "c", operations: 19, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [texel], text: `
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_mean(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float right = size.x * 0.5;
     float4 a = umbrage_texel(map, size, end);
@@ -3051,10 +3208,10 @@ inline float4 umbrage_box_mean(metal::texture2d<float> map, float2 size, float2 
 }
 ` };
 
-export const from_optimized_moments = { language, name: "from_optimized_moments", summary: "four channels of 16 bits to four moments",
+export const from_optimized_moments = { language, name: "from_optimized_moments", summary: "four 16-bit channels to four moments (MSM)",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+// umbrage_from_optimized_moments: four moments from the result of umbrage_to_optimized_moments
 inline float4 umbrage_from_optimized_moments(float4 o) {
     float x = o.x - 0.5;
     float z = o.z - 0.5;
@@ -3067,7 +3224,7 @@ inline float4 umbrage_from_optimized_moments(float4 o) {
 }
 ` };
 
-export const bias_moments = { language, name: "bias_moments", summary: "four moments, moved a little towards those of spread depths",
+export const bias_moments = { language, name: "bias_moments", summary: "four moments (MSM) with a bias against rounding",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
@@ -3080,20 +3237,21 @@ inline float4 umbrage_bias_moments(float4 b, float2 bias) {
 }
 ` };
 
-export const to_forward_depth = { language, name: "to_forward_depth", summary: "depth that grows with distance",
+export const to_forward_depth = { language, name: "to_forward_depth", summary: "depth that grows with the distance from the light",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 ` };
 
-export const moment_atoms = { language, name: "moment_atoms", summary: "the two depths that make four moments beside a receiver's",
+export const moment_atoms = { language, name: "moment_atoms", summary: "two depths that have the moments with the receiver's",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 inline float4 umbrage_moment_atoms(float4 b, float x) {
     float d = b.y - b.x * b.x;
     float third = b.z - b.x * b.y;
@@ -3114,12 +3272,12 @@ inline float4 umbrage_moment_atoms(float4 b, float x) {
 }
 ` };
 
-export const decode_msm = { language, name: "decode_msm", summary: "mean of four moments to visibility",
+export const decode_msm = { language, name: "decode_msm", summary: "mean of MSM texels to visibility",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [bias_moments, to_forward_depth, moment_atoms], text: `
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
@@ -3128,19 +3286,21 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float first = atoms.x < x ? atoms.z : 0.0;
     float second = atoms.y < x ? atoms.w : 0.0;
     float lit = 1.0 - (first + second);
-    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 ` };
 
-export const summed_moments = { language, name: "summed_moments", summary: "moment shadow over a box of any size, from a summed-area table",
+export const summed_moments = { language, name: "summed_moments", summary: "moment shadow over a box of any size, from a SAT",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, box_mean, from_optimized_moments, decode_msm], text: `
-// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+// umbrage_summed_moments: moment shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_moment_table and its size: twice the shadow map's width plus two, its height plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   bias        (6e-5, 0.628)
 inline float umbrage_summed_moments(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float radius, float2 bias) {
     float2 last = float2(size.x * 0.5, size.y) - 1.0;
@@ -3154,21 +3314,21 @@ inline float umbrage_summed_moments(metal::texture2d<float> map, float2 size, fl
 }
 ` };
 
-export const power_of_two = { language, name: "power_of_two", summary: "2^n of whole numbers -64 to 63",
+export const power_of_two = { language, name: "power_of_two", summary: "2^n of integers n from -64 to 63",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
 }
 ` };
 
-export const exp2_polynomial = { language, name: "exp2_polynomial", summary: "2^y to 1.8e-7 of it",
+export const exp2_polynomial = { language, name: "exp2_polynomial", summary: "2^y, off by at most 1.8e-7 of itself",
     exactness: "b", operations: 16, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [power_of_two], text: `
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
@@ -3185,8 +3345,8 @@ inline float umbrage_exp2_polynomial(float y) {
 export const exp2_steps = { language, name: "exp2_steps", summary: "2^y in steps of 12 bits",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [power_of_two], text: `
-// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_steps: 2^y, an integer below 2^12 times a power of two. y is rounded down to 1/2048
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_steps(float y) {
     float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
@@ -3198,11 +3358,13 @@ inline float umbrage_exp2_steps(float y) {
 }
 ` };
 
-export const chebyshev = { language, name: "chebyshev", summary: "most that mean and variance let be lit",
+export const chebyshev = { language, name: "chebyshev", summary: "upper bound on visibility from mean and variance",
     exactness: "c", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float difference = m.y - m.x * m.x;
     float variance = difference > min_variance ? difference : min_variance;
@@ -3213,37 +3375,39 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
 }
 ` };
 
-export const reduce_light_bleeding = { language, name: "reduce_light_bleeding", summary: "visibility without its least values",
+export const reduce_light_bleeding = { language, name: "reduce_light_bleeding", summary: "visibility above a threshold, stretched to [0, 1]",
     exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0, stretched to 0.0 to 1.0
 inline float umbrage_reduce_light_bleeding(float visibility, float amount) {
     float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;
 }
 ` };
 
-export const encode_vsm = { language, name: "encode_vsm", summary: "depth to a texel of a variance shadow map",
+export const encode_vsm = { language, name: "encode_vsm", summary: "depth to a texel of a variance shadow map (VSM)",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, to_forward_depth], text: `
-// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_vsm: texel of a variance shadow map, depth and its square. NaN counts as far
 inline float2 umbrage_encode_vsm(float depth) {
     float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return float2(d, d * d);
 }
 ` };
 
-export const decode_vsm = { language, name: "decode_vsm", summary: "mean of texels of a variance shadow map to visibility",
+export const decode_vsm = { language, name: "decode_vsm", summary: "mean of VSM texels to visibility",
     exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev, to_forward_depth], text: `
-// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+// umbrage_decode_vsm: visibility of a receiver from a variance shadow map, at least its lit fraction. 1.0 = lit
+//   m              mean of texels
+//   receiver       receiver depth, bias applied
+//   min_variance   0.0 or more
 inline float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
     return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
 ` };
 
-export const encode_deviation = { language, name: "encode_deviation", summary: "depth's two moments to mean and deviation",
+export const encode_deviation = { language, name: "encode_deviation", summary: "two moments of depth (VSM) to mean and deviation",
     exactness: "c", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
@@ -3253,7 +3417,7 @@ inline float2 umbrage_encode_deviation(float2 m) {
 }
 ` };
 
-export const decode_deviation = { language, name: "decode_deviation", summary: "mean and deviation to depth's two moments",
+export const decode_deviation = { language, name: "decode_deviation", summary: "mean and deviation to two moments of depth (VSM)",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
@@ -3264,10 +3428,11 @@ inline float2 umbrage_decode_deviation(float2 held) {
 }
 ` };
 
-export const decode_deviation_rgba8 = { language, name: "decode_deviation_rgba8", summary: "mean and deviation in four channels to depth's two moments",
+export const decode_deviation_rgba8 = { language, name: "decode_deviation_rgba8", summary: "mean and deviation in RGBA8 to two moments (VSM)",
     exactness: "b", operations: 21, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [decode_deviation, decode_rg16], text: `
-// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+// umbrage_decode_deviation_rgba8: RGBA8 mean and deviation to mean and mean square of depths
+//   c   as sampled, mean in xy and deviation in zw
 inline float2 umbrage_decode_deviation_rgba8(float4 c) {
     float mean = umbrage_decode_rg16(float2(c.x, c.y), 1.0);
     float deviation = umbrage_decode_rg16(float2(c.z, c.w), 1.0);
@@ -3285,20 +3450,22 @@ inline float umbrage_exponential_warp(float depth, float exponent) {
 }
 ` };
 
-export const encode_esm = { language, name: "encode_esm", summary: "depth to a texel of an exponential shadow map",
+export const encode_esm = { language, name: "encode_esm", summary: "depth to a texel of an exponential shadow map (ESM)",
     exactness: "b", operations: 36, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, to_forward_depth, exponential_warp], text: `
-// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+// umbrage_encode_esm: texel of an exponential shadow map, from depth in [0, 1]. NaN counts as far
 inline float umbrage_encode_esm(float depth, float exponent) {
     return umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
 }
 ` };
 
-export const decode_esm = { language, name: "decode_esm", summary: "mean of texels of an exponential shadow map to visibility",
+export const decode_esm = { language, name: "decode_esm", summary: "mean of ESM texels to visibility",
     exactness: "b", operations: 37, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [to_forward_depth, exponential_warp], text: `
-// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+// umbrage_decode_esm: visibility of a receiver from an exponential shadow map, at least its lit fraction. 1.0 = lit
+//   m          mean of texels
+//   receiver   receiver depth, bias applied
+//   exponent   same as for the texels
 inline float umbrage_decode_esm(float m, float receiver, float exponent) {
     float d = umbrage_to_forward_depth(receiver);
     float p = m * umbrage_exponential_warp(d, -exponent);
@@ -3307,20 +3474,21 @@ inline float umbrage_decode_esm(float m, float receiver, float exponent) {
 }
 ` };
 
-export const encode_evsm2 = { language, name: "encode_evsm2", summary: "depth to a texel of two components",
+export const encode_evsm2 = { language, name: "encode_evsm2", summary: "depth to an EVSM texel of two components",
     exactness: "b", operations: 73, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, to_forward_depth, exponential_warp], text: `
-// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_evsm2: texel of two components, a power of depth and its square. NaN counts as far
 inline float2 umbrage_encode_evsm2(float depth, float exponent) {
     float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return float2(w, w * w);
 }
 ` };
 
-export const encode_evsm4 = { language, name: "encode_evsm4", summary: "depth to a texel of four components",
+export const encode_evsm4 = { language, name: "encode_evsm4", summary: "depth to an EVSM texel of four components",
     exactness: "b", operations: 73, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, to_forward_depth, exponential_warp], text: `
-// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+// umbrage_encode_evsm4: texel of four components, a growing power, its square, a negative falling power, its square
+// NaN counts as far
 inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
     float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     float w = umbrage_exponential_warp(d, exponents.x);
@@ -3329,12 +3497,14 @@ inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
 }
 ` };
 
-export const decode_evsm2 = { language, name: "decode_evsm2", summary: "mean of texels of two components to visibility",
+export const decode_evsm2 = { language, name: "decode_evsm2", summary: "mean of EVSM texels of two components to visibility",
     exactness: "c", operations: 229, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev, to_forward_depth, saturate, exponential_warp], text: `
-// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power
+// umbrage_decode_evsm2: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
     float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_exponential_warp(d, exponent);
@@ -3345,12 +3515,14 @@ inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, floa
 }
 ` };
 
-export const decode_evsm4 = { language, name: "decode_evsm4", summary: "mean of texels of four components to visibility",
+export const decode_evsm4 = { language, name: "decode_evsm4", summary: "mean of EVSM texels of four components to visibility",
     exactness: "c", operations: 229, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev, to_forward_depth, saturate, exponential_warp], text: `
-// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers
+// umbrage_decode_evsm4: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
 inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
     float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_exponential_warp(d, exponents.x);
@@ -3364,10 +3536,10 @@ inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, fl
 }
 ` };
 
-export const encode_msm = { language, name: "encode_msm", summary: "depth to its first four powers on [-1, 1]",
+export const encode_msm = { language, name: "encode_msm", summary: "depth to a texel of a moment shadow map (MSM)",
     exactness: "b", operations: 15, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate, to_forward_depth], text: `
-// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, the texel of a moment shadow map. NaN counts as far
 inline float4 umbrage_encode_msm(float depth) {
     float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     float square = z * z;
@@ -3375,10 +3547,10 @@ inline float4 umbrage_encode_msm(float depth) {
 }
 ` };
 
-export const to_optimized_moments = { language, name: "to_optimized_moments", summary: "four moments to four channels of 16 bits",
+export const to_optimized_moments = { language, name: "to_optimized_moments", summary: "four moments (MSM) to four 16-bit channels",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+// umbrage_to_optimized_moments: four moments for four 16-bit channels, each over all of 0.0 to 1.0
 inline float4 umbrage_to_optimized_moments(float4 b) {
     float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     float y = (b.y - b.w) * 4.0;
@@ -3388,12 +3560,13 @@ inline float4 umbrage_to_optimized_moments(float4 b) {
 }
 ` };
 
-export const hausdorff_share = { language, name: "hausdorff_share", summary: "least share of depths before a receiver, of depths on [-1, 1]",
+export const hausdorff_share = { language, name: "hausdorff_share", summary: "smallest fraction of nearer depths, for depths on [-1, 1]",
     exactness: "c", operations: 0, within: 9.5367431640625e-07, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 inline float umbrage_hausdorff_share(float4 b, float z) {
     float variance = b.y - b.x * b.x;
     float third = b.z - b.x * b.y;
@@ -3417,11 +3590,13 @@ inline float umbrage_hausdorff_share(float4 b, float z) {
 }
 ` };
 
-export const decode_msm_hausdorff = { language, name: "decode_msm_hausdorff", summary: "mean of four moments of depths on [-1, 1] to visibility",
+export const decode_msm_hausdorff = { language, name: "decode_msm_hausdorff", summary: "mean of MSM texels to visibility, for depths on [-1, 1]",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [bias_moments, decode_msm, to_forward_depth, hausdorff_share], text: `
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_to_forward_depth(receiver);
@@ -3432,17 +3607,17 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
 }
 ` };
 
-export const fetch_bilinear = { language, name: "fetch_bilinear", summary: "mean of the four texels around a point",
+export const fetch_bilinear = { language, name: "fetch_bilinear", summary: "bilinear mean of the four texels around a point",
     exactness: "b", operations: 19, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_clamped], text: `
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
-    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    float2 lo = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
@@ -3454,12 +3629,12 @@ inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, f
 }
 ` };
 
-export const vsm = { language, name: "vsm", summary: "visibility from a map of encode_vsm's texels",
+export const vsm = { language, name: "vsm", summary: "visibility from a blurred variance shadow map (VSM)",
     exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }] }, text: `
-// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   min_variance  0.0 or more
+// umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
 inline float umbrage_vsm(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float min_variance) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
@@ -3468,12 +3643,12 @@ inline float umbrage_vsm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
-export const esm = { language, name: "esm", summary: "visibility from a map of encode_esm's texels",
+export const esm = { language, name: "esm", summary: "visibility from a blurred exponential shadow map (ESM)",
     exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }] }, text: `
-// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent  as of the texels
+// umbrage_esm: visibility from a blurred map of encode_esm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent: same as for the texels
 inline float umbrage_esm(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float exponent) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
@@ -3482,12 +3657,12 @@ inline float umbrage_esm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
-export const evsm2 = { language, name: "evsm2", summary: "visibility from a map of encode_evsm2's texels",
+export const evsm2 = { language, name: "evsm2", summary: "visibility from a blurred EVSM of two components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }] }, text: `
-// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+// umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
 inline float umbrage_evsm2(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float exponent,
                            float deviation) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -3497,12 +3672,12 @@ inline float umbrage_evsm2(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
-export const evsm4 = { language, name: "evsm4", summary: "visibility from a map of encode_evsm4's texels",
+export const evsm4 = { language, name: "evsm4", summary: "visibility from a blurred EVSM of four components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }] }, text: `
-// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+// umbrage_evsm4: visibility from a blurred map of encode_evsm4's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponents, deviations: as for decode_evsm4
 inline float umbrage_evsm4(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 exponents,
                            float2 deviations) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -3512,12 +3687,12 @@ inline float umbrage_evsm4(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
-export const msm = { language, name: "msm", summary: "visibility from a map of encode_msm's texels",
+export const msm = { language, name: "msm", summary: "visibility from a blurred moment shadow map (MSM)",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
-// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm: visibility from a blurred map of encode_msm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 inline float umbrage_msm(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
@@ -3526,12 +3701,12 @@ inline float umbrage_msm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
-export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a map of turned moments",
+export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a blurred MSM of optimized moments",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }] }, text: `
-// umbrage_msm_unorm16: visibility from a map of turned moments, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm_unorm16: visibility from a blurred map of optimized moments, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 inline float umbrage_msm_unorm16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
@@ -3540,12 +3715,12 @@ inline float umbrage_msm_unorm16(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
-export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a map of encode_msm's texels",
+export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a blurred MSM, for depths on [-1, 1]",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
-// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm_hausdorff: visibility from a blurred map of encode_msm's texels, for depths on [-1, 1]. 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 inline float umbrage_msm_hausdorff(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                    float2 bias) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
@@ -3555,11 +3730,13 @@ inline float umbrage_msm_hausdorff(metal::texture2d<float> map, float2 size, flo
 }
 ` };
 
-export const chebyshev_hardware = { language, name: "chebyshev_hardware", summary: "most that a variance lets be lit, less the light that bleeds",
+export const chebyshev_hardware = { language, name: "chebyshev_hardware", summary: "Chebyshev bound with light bleeding reduced",
     exactness: "c", operations: 0, within: 1.9073486328125e-06, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 inline float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
     float beyond = metal::max(distance, 0.0);
     float p = variance / (variance + beyond * beyond);
@@ -3567,12 +3744,14 @@ inline float umbrage_chebyshev_hardware(float variance, float distance, float am
 }
 ` };
 
-export const decode_vsm_hardware = { language, name: "decode_vsm_hardware", summary: "mean and deviation to visibility, the cheapest way",
+export const decode_vsm_hardware = { language, name: "decode_vsm_hardware", summary: "mean and deviation (VSM) to visibility, cheapest on GPUs",
     exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev_hardware, to_forward_depth], text: `
-// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
-//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+// umbrage_decode_vsm_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   held           mean and twice the standard deviation of depths, filtered
+//   receiver       receiver depth, bias applied
+//   min_variance   1e-7 or more
+//   amount         visibility that becomes 0.0, 0.0 to 0.5
 inline float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
     float variance = metal::max(held.y * held.y * 0.25, min_variance);
     float distance = umbrage_to_forward_depth(receiver) - held.x;
@@ -3581,12 +3760,15 @@ inline float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_
 }
 ` };
 
-export const decode_evsm2_hardware = { language, name: "decode_evsm2_hardware", summary: "mean of texels of two components to visibility, by the GPU's own exp2",
+export const decode_evsm2_hardware = { language, name: "decode_evsm2_hardware", summary: "EVSM of two components to visibility, by the GPU's exp2",
     exactness: "c", operations: 0, within: 0.015625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev_hardware, to_forward_depth], text: `
-// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm2_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
+//   amount      visibility that becomes 0.0, 0.0 to 0.3
 inline float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
     float d = umbrage_to_forward_depth(metal::clamp(receiver, 0.0, 1.0));
     float w = metal::exp2(exponent * (d * 2.0 - 1.0));
@@ -3597,12 +3779,15 @@ inline float umbrage_decode_evsm2_hardware(float2 m, float receiver, float expon
 }
 ` };
 
-export const decode_evsm4_hardware = { language, name: "decode_evsm4_hardware", summary: "mean of texels of four components to visibility, by the GPU's own exp2",
+export const decode_evsm4_hardware = { language, name: "decode_evsm4_hardware", summary: "EVSM of four components to visibility, by the GPU's exp2",
     exactness: "c", operations: 0, within: 0.015625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [chebyshev_hardware, to_forward_depth], text: `
-// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm4_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
+//   amount       visibility that becomes 0.0, 0.0 to 0.3
 inline float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations,
                                            float amount) {
     float d = umbrage_to_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
@@ -3617,12 +3802,13 @@ inline float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 expo
 }
 ` };
 
-export const blur_row3 = { language, name: "blur_row3", summary: "mean of texels in a row",
+export const blur_row3 = { language, name: "blur_row3", summary: "binomial mean of texels in a row, for blurs",
     exactness: "b", operations: 7, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_clamped], text: `
-// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row3: mean of 3 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 inline float4 umbrage_blur_row3(metal::texture2d<float> map, float2 size, float2 texel, float2 along) {
     float4 sum = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
     float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
@@ -3632,12 +3818,13 @@ inline float4 umbrage_blur_row3(metal::texture2d<float> map, float2 size, float2
 }
 ` };
 
-export const blur_row5 = { language, name: "blur_row5", summary: "mean of texels in a row",
+export const blur_row5 = { language, name: "blur_row5", summary: "binomial mean of texels in a row, for blurs",
     exactness: "b", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_clamped], text: `
-// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row5: mean of 5 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 inline float4 umbrage_blur_row5(metal::texture2d<float> map, float2 size, float2 texel, float2 along) {
     float4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
     float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
@@ -3650,12 +3837,13 @@ inline float4 umbrage_blur_row5(metal::texture2d<float> map, float2 size, float2
 }
 ` };
 
-export const blur_row7 = { language, name: "blur_row7", summary: "mean of texels in a row",
+export const blur_row7 = { language, name: "blur_row7", summary: "binomial mean of texels in a row, for blurs",
     exactness: "b", operations: 17, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_clamped], text: `
-// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row7: mean of 7 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 inline float4 umbrage_blur_row7(metal::texture2d<float> map, float2 size, float2 texel, float2 along) {
     float4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
     float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
@@ -3671,11 +3859,12 @@ inline float4 umbrage_blur_row7(metal::texture2d<float> map, float2 size, float2
 }
 ` };
 
-export const halve_texels = { language, name: "halve_texels", summary: "mean of 2x2 texels",
+export const halve_texels = { language, name: "halve_texels", summary: "mean of 2x2 texels, for mip chains",
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [fetch_clamped], text: `
-// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
-//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+// umbrage_halve_texels: mean of the 2x2 texels behind one texel of the next mip level
+//   map, size   map that is read, and its size in texels
+//   texel       index in the next level, integers
 inline float4 umbrage_halve_texels(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 at = texel * 2.0;
     float4 a = umbrage_fetch_clamped(map, size, at);
@@ -3687,32 +3876,34 @@ inline float4 umbrage_halve_texels(metal::texture2d<float> map, float2 size, flo
 }
 ` };
 
-export const texels_to_world = { language, name: "texels_to_world", summary: "texels across a light as world units",
+export const texels_to_world = { language, name: "texels_to_world", summary: "texels across a light to world units",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate
 inline float umbrage_texels_to_world(float texels, float2 units, float w) {
     float world = texels * units.x * w;
     return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
 }
 ` };
 
-export const clamp_bias = { language, name: "clamp_bias", summary: "clamp of a bias to [0, 1], NaN to 1",
+export const clamp_bias = { language, name: "clamp_bias", summary: "clamp of a bias to [0, 1]; NaN becomes 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 inline float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
 }
 ` };
 
-export const world_to_depth = { language, name: "world_to_depth", summary: "world units along a light as depth",
+export const world_to_depth = { language, name: "world_to_depth", summary: "world units along a light to depth",
     exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate, above 0.0
 inline float umbrage_world_to_depth(float world, float2 units, float w) {
     float along = world * units.y;
     float square = w * w;
@@ -3723,27 +3914,29 @@ inline float umbrage_world_to_depth(float world, float2 units, float w) {
 export const biased = { language, name: "biased", summary: "receiver moved towards the light",
     exactness: "b", operations: 1, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+// umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 inline float umbrage_biased(float receiver, float bias) {
     float by = metal::abs(bias) < 18446744073709551616.0 ? bias : 0.0;
     return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
 }
 ` };
 
-export const clamp_slope = { language, name: "clamp_slope", summary: "clamp of a slope to [-2, 2], NaN to 2",
+export const clamp_slope = { language, name: "clamp_slope", summary: "clamp of a slope to [-2, 2]; NaN becomes 2",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 ` };
 
-export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth from texel to texel",
+export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
     exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_slope], text: `
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
 inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
     float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     float4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
@@ -3752,10 +3945,10 @@ inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, f
 }
 ` };
 
-export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth from texel to texel",
+export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth per texel",
     exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [plane_slope], text: `
-// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
 inline float2 umbrage_receiver_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
     float2 slope = umbrage_plane_slope(plane_matrix, normal, world);
     bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
@@ -3763,11 +3956,12 @@ inline float2 umbrage_receiver_slope(metal::float4x4 plane_matrix, float3 normal
 }
 ` };
 
-export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth from texel to texel of a cascade",
+export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth per texel in a cascade",
     exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_slope], text: `
-// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
-//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+// umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
+//   normal  surface normal, rotated into the light's axes
+//   scale   scale of the cascade
 inline float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
     float2 across = float2(scale.x, scale.y) * normal.z;
@@ -3777,24 +3971,28 @@ inline float2 umbrage_cascade_slope(float3 normal, float4 scale) {
 }
 ` };
 
-export const slope_bias = { language, name: "slope_bias", summary: "bias by the greater slope, as rasterizers have it",
+export const slope_bias = { language, name: "slope_bias", summary: "slope-scaled bias, as rasterizers compute it",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+// umbrage_slope_bias: factor times the larger slope, plus a base, 0.0 to 1.0
+//   slope   change of depth per texel
+//   factor  factor of the slope, in texels
+//   base    constant bias, in depth
 inline float umbrage_slope_bias(float2 slope, float factor, float base) {
     float2 bias = metal::abs(slope) * factor + base;
-    float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    float x = umbrage_clamp_bias(bias.x);  // clamp first: GPUs differ in the maximum of a NaN
     float y = umbrage_clamp_bias(bias.y);
     return x > y ? x : y;
 }
 ` };
 
-export const dual_paraboloid_slope = { language, name: "dual_paraboloid_slope", summary: "change of distance from texel to texel of a paraboloid's map",
+export const dual_paraboloid_slope = { language, name: "dual_paraboloid_slope", summary: "change of distance per texel in a dual paraboloid map",
     exactness: "c", operations: 41, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_slope], text: `
-// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
-//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+// umbrage_dual_paraboloid_slope: change of distance per texel, the same in x and y; 0.0 without a normal
+//   way        from the light to the receiver
+//   normal     surface normal
+//   per_texel  2.0 / (range * (size - 2.0 * border))
 inline float2 umbrage_dual_paraboloid_slope(float3 way, float3 normal, float per_texel) {
     float square = way.x * way.x + way.y * way.y + way.z * way.z;
     float x = normal.y * way.z - normal.z * way.y;
@@ -3809,12 +4007,15 @@ inline float2 umbrage_dual_paraboloid_slope(float3 way, float3 normal, float per
 }
 ` };
 
-export const normal_offset = { language, name: "normal_offset", summary: "way off a surface to the point that is looked up in its place",
+export const normal_offset = { language, name: "normal_offset", summary: "offset along the normal to the point to look up",
     exactness: "c", operations: 91, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
-//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+// umbrage_normal_offset: offset to add to a surface point before its lookup, world units
+//   normal       surface normal, of length one
+//   direction    direction of the light, of length one
+//   way          from the light to the point over w; for a directional light its direction
+//   width        sqrt(2) reach texel
+//   error_world  error of the map's depths, world units
 inline float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way, float width, float error_world) {
     float x = normal.y * direction.z + normal.z * -direction.y;
     float y = normal.z * direction.x + normal.x * -direction.z;
@@ -3828,12 +4029,15 @@ inline float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way,
 }
 ` };
 
-export const kernel_bias = { language, name: "kernel_bias", summary: "bias by the kernel's width and the angle at which light falls",
+export const kernel_bias = { language, name: "kernel_bias", summary: "bias from kernel width and angle of the light",
     exactness: "c", operations: 30, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
-//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+// umbrage_kernel_bias: distance along the light that a kernel extends beyond a surface's plane, in width's unit
+//   normal     surface normal
+//   direction  direction of the light, of length one
+//   way        from the light to the point over w; for a directional light its direction
+//   width      sqrt(2) reach texel
+//   greatest   limit of the tangent
 inline float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, float width, float greatest) {
     float x = normal.y * direction.z + normal.z * -direction.y;
     float y = normal.z * direction.x + normal.x * -direction.z;
@@ -3848,11 +4052,11 @@ inline float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, fl
 }
 ` };
 
-export const receiver_plane_slope = { language, name: "receiver_plane_slope", summary: "slope of a receiver's plane from derivatives, and how far it may be off",
+export const receiver_plane_slope = { language, name: "receiver_plane_slope", summary: "slope of a receiver's plane from derivatives, and its error",
     exactness: "c", operations: 31, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_slope], text: `
-// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
 inline float3 umbrage_receiver_plane_slope(float3 dx, float3 dy) {
     float determinant = dx.x * dy.y + dx.y * -dy.x;
     float sum = metal::abs(dx.x) + metal::abs(dx.y) + metal::abs(dy.x) + metal::abs(dy.y);
@@ -3868,11 +4072,14 @@ inline float3 umbrage_receiver_plane_slope(float3 dx, float3 dy) {
 }
 ` };
 
-export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth moved along the receiver's plane to the receiver",
+export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth moved along the receiver's plane to it",
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
-//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   coord   receiver position, in texels
+//   texel   index of the texel
 inline float umbrage_apply_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
     float2 way = texel + 0.5 - coord;
     float depth = stored - (slope.x * way.x + slope.y * way.y);
@@ -3881,12 +4088,13 @@ inline float umbrage_apply_receiver_plane(float stored, float2 slope, float2 coo
 }
 ` };
 
-export const acne_free_bias = { language, name: "acne_free_bias", summary: "smallest bias without acne, for a slope, a reach and an encoding's error",
+export const acne_free_bias = { language, name: "acne_free_bias", summary: "smallest bias without acne, from slope, reach and error",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   reach  of the filter, texels
-//   error  how far a decoded depth may lie before the true one
+// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+//   slope  change of depth per texel, in x and y
+//   reach  filter radius, in texels
+//   error  largest error of a decoded depth towards the light
 inline float umbrage_acne_free_bias(float2 slope, float reach, float error) {
     float bias = reach * (metal::abs(slope.x) + metal::abs(slope.y)) + (error + (1.0 / 8388608.0));
     return umbrage_clamp_bias(bias);
@@ -3896,9 +4104,10 @@ inline float umbrage_acne_free_bias(float2 slope, float reach, float error) {
 export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "smallest bias without acne, for filters that read a disc",
     exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
-//   error   how far a decoded depth may lie before the true one
+// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+//   slope   change of depth per texel, in x and y
+//   radius  distance to the disc's farthest point, in texels
+//   error   largest error of a decoded depth towards the light
 inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
     float square = slope.x * slope.x + slope.y * slope.y;
     float beside = (metal::abs(slope.x) + metal::abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
@@ -3907,18 +4116,19 @@ inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error
 }
 ` };
 
-export const peter_panning_distance = { language, name: "peter_panning_distance", summary: "depth before a receiver within which its bias loses a caster's shadow",
+export const peter_panning_distance = { language, name: "peter_panning_distance", summary: "depth within which a bias detaches shadows (peter-panning)",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [acne_free_bias], text: `
-// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
-//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
-//   reach  of the filter, texels
+// umbrage_peter_panning_distance: depth, 0.0 to 1.0, within which casters lose their shadow or part of it
+//   bias          bias of the receiver, in depth
+//   caster_slope  change of the caster's depth per texel
+//   reach         filter radius, in texels
 inline float umbrage_peter_panning_distance(float bias, float2 caster_slope, float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }
 ` };
 
-export const spot_cone = { language, name: "spot_cone", summary: "1 inside a spot light's cone",
+export const spot_cone = { language, name: "spot_cone", summary: "1 inside a spot light's cone, else 0",
     exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
@@ -3935,14 +4145,15 @@ inline float umbrage_spot_cone(float3 direction, float3 to_point, float cos_oute
 export const diffuse_ambient = { language, name: "diffuse_ambient", summary: "diffuse plus ambient light of a surface",
     exactness: "b", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
+//   for n_dot_l <= 0.0 and NaN: albedo * ambient
 inline float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
     float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
-    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 ` };
 
-export const false_color = { language, name: "false_color", summary: "0..1 to blue, green, red",
+export const false_color = { language, name: "false_color", summary: "depth 0..1 as a color from blue over green to red",
     exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [saturate], text: `
 // umbrage_false_color: blue for 0.0, through green, to red for 1.0
@@ -3953,12 +4164,14 @@ inline float3 umbrage_false_color(float v) {
 }
 ` };
 
-export const overlay_texel = { language, name: "overlay_texel", summary: "which texel of a map stretched over the picture's corner a pixel shows, along one side",
+export const overlay_texel = { language, name: "overlay_texel", summary: "texel under a pixel of a map drawn in the picture's corner",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
-//   coord     center of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
-//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+// umbrage_overlay_texel: texel under a pixel of a map drawn in the picture's corner; -1.0 outside the overlay
+//   coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
+//   size              size of the overlay in pixels, an integer
+//   map_size          size of the map in texels, an integer, at most 65536.0; times size at most 2^23
+//   texels_per_pixel  map_size / size
 inline float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
     float texel = metal::floor(coord * texels_per_pixel - 0.5);
     texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
@@ -3966,13 +4179,21 @@ inline float umbrage_overlay_texel(float coord, float size, float map_size, floa
 }
 ` };
 
-export const probe_color = { language, name: "probe_color", summary: "debug color of a place in a map: its texels, or why it cannot be shadowed",
+export const probe_color = { language, name: "probe_color", summary: "debug color of a lookup: its texels, or why it fails",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_probe_color: what a receiver's place in a map says, as a color
-//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
-//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
-//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+// umbrage_probe_color: debug color of a receiver's position in a map
+//   at      x and y in texels, z depth
+//   size    size of the map, in texels
+//   bias    bias of the receiver, in depth
+//   number  index of the map, an integer
+//   magenta  not a number
+//   black    behind the light, or in no cascade
+//   white    outside the map
+//   cyan     beyond the far plane
+//   blue     in front of the near plane
+//   red      bias at its limit of 1.0
+//   else     squares of one texel
 inline float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
     float limit = 18446744073709551616.0;
     bool usable = metal::abs(at.x) < limit && metal::abs(at.y) < limit && metal::abs(at.z) < limit;
@@ -3994,10 +4215,12 @@ inline float3 umbrage_probe_color(float3 at, float2 size, float bias, float numb
 }
 ` };
 
-export const probe_inputs = { language, name: "probe_inputs", summary: "debug color, unless position or normal are wrong",
+export const probe_inputs = { language, name: "probe_inputs", summary: "debug color, unless position or normal is wrong",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 inline float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
     float limit = 18446744073709551616.0;
     bool usable = metal::abs(world.x) < limit && metal::abs(world.y) < limit && metal::abs(world.z) < limit;

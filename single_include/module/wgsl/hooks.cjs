@@ -10,65 +10,66 @@ fn umbrage_cleared_depth() -> f32 {
 ` };
 const map_covers_clamped = { name: "map_covers", role: "chosen", needs: [],
     text: `
-// umbrage_map_covers: always, as outside the map the nearest texel inside counts
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
 fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
     return true;
 }
 ` };
 const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver < 0.0;
 }
 ` };
 const beyond_far_plane_without = { name: "beyond_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_beyond_far_plane: never for this map; receivers behind the far plane come in as what every texel lights
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return false;
 }
 ` };
 const within_far_plane_reversed = { name: "within_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver >= 0.0;
 }
 ` };
 const within_far_plane_without = { name: "within_far_plane", role: "chosen", needs: [],
     text: `
-// umbrage_within_far_plane: whether a receiver is a number, as for this map none is behind the far plane
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
-    // a sum of choices, not an or of comparisons, which compilers take for true
+    // a sum of choices: compilers take an or of the comparisons for true
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return number > 0.5;
 }
 ` };
 const compare_reversed = { name: "compare", role: "chosen", needs: [],
     text: `
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
 fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver >= stored);
 }
 ` };
 const compare_own = { name: "compare", role: "chosen", needs: [],
     text: `
-// umbrage_compare: visibility of one comparison, the map's own
+// umbrage_compare: visibility of one comparison, by the map's own comparison
 fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
     return UMBRAGE_COMPARE;
 }
 ` };
 const decode = { name: "decode", role: "chosen", needs: [],
     text: `
-// umbrage_decode: depth of a value that the sampler gave
+// umbrage_decode: depth of a value that the sampler returned
 fn umbrage_decode(value: vec4f) -> f32 {
     return UMBRAGE_DEPTH;
 }
 ` };
 const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
     text: `
-// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
 fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
     let value: vec4f = umbrage_fetch_clamped(map, size, texel);
     return UMBRAGE_DEPTH;
@@ -76,7 +77,7 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
 ` };
 const lit_texel = { name: "lit_texel", role: "chosen", needs: [],
     text: `
-// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
 fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: f32 = UMBRAGE_LIT_TEXEL;
@@ -85,14 +86,14 @@ fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) 
 ` };
 const lit_clamped = { name: "lit", role: "chosen", needs: [lit_texel],
     text: `
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
 }
 ` };
 const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
     text: `
-// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit: visibility of one comparison with a texel, with the far plane when outside the map
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
@@ -102,7 +103,7 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
 ` };
 const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
     text: `
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
 fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: vec4f = UMBRAGE_GATHER_LIT;
@@ -139,15 +140,16 @@ fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32)
 ` };
 const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     return umbrage_gather_lit(map, size, texel, receiver);
 }
 ` };
 const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
     let low: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0) - first;
@@ -162,8 +164,8 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 ` };
 const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane, whatever the sampler has there
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let lit: vec4f = umbrage_gather_lit(map, size, texel, receiver);
     let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
@@ -176,8 +178,8 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 ` };
 const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
-//   the far plane: the gather stays inside
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
 fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
     let low: vec2f = texel - first;
@@ -196,8 +198,8 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 ` };
 const lit_filtered_clamped = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane],
     text: `
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
 fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
@@ -208,9 +210,9 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
 ` };
 const lit_filtered_bordered = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane, snippets.compare],
     text: `
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
-//   NaN is in shadow
-//   coord  in texels, no NaN
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
 fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
@@ -224,15 +226,17 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
 const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
     text: `
 // umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     return UMBRAGE_LIT_FILTERED;
 }
 ` };
 const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
     text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
@@ -243,15 +247,15 @@ fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32
 const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
     text: `
 // umbrage_depth_at: stored depth of the texel at a point, by the sampler
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_decode(UMBRAGE_SAMPLED);
 }
 ` };
 const depth_at_sampled_and_bordered = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
     text: `
-// umbrage_depth_at: stored depth of the texel at a point, by the sampler, outside the map that of the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
 fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
     let depth: f32 = umbrage_decode(UMBRAGE_SAMPLED);
     return select(UMBRAGE_BORDER, depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
@@ -276,15 +280,16 @@ const hooks = {
     unfilled: {
         texel: `
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     return UMBRAGE_TEXEL;
 }
 `,
         fetch_depth: `
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);

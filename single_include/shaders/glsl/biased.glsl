@@ -33,7 +33,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_BIASED
 #define UMBRAGE_HAS_BIASED
-// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+// umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
     return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;

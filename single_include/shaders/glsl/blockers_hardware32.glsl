@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers_hardware32: the same at 32 points. Exactness: tier C.
+// umbrage 0.1.0, blockers_hardware32: blocker search, 32 points of a nearest-texel sampler. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // blockers_hardware32, tier C: within 24 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -32,16 +32,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -49,9 +49,9 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -59,8 +59,9 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -72,7 +73,7 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
@@ -84,8 +85,8 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 
 #ifndef UMBRAGE_HAS_DEPTH_AT
 #define UMBRAGE_HAS_DEPTH_AT
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
@@ -101,8 +102,8 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 
 #ifndef UMBRAGE_HAS_BLOCKER_AT
 #define UMBRAGE_HAS_BLOCKER_AT
-// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
@@ -112,9 +113,12 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE32
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE32
-// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                                UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blur_row5: mean of texels in a row. Exactness: tier B.
+// umbrage 0.1.0, blur_row5: binomial mean of texels in a row, for blurs. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // blur_row5, tier B: within 12 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -27,8 +27,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -40,7 +41,7 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                          UMBRAGE_HIGHP vec2 texel) {
     return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
@@ -49,9 +50,10 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_BLUR_ROW5
 #define UMBRAGE_HAS_BLUR_ROW5
-// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row5: mean of 5 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 UMBRAGE_HIGHP vec4 umbrage_blur_row5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);

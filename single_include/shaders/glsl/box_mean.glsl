@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
-//   tier C.
+// umbrage 0.1.0, box_mean: mean of four integers over a box, from a SAT in two halves. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // box_mean, tier C: within 19 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -28,8 +27,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -41,8 +41,9 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_BOX_MEAN
 #define UMBRAGE_HAS_BOX_MEAN
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
                                     UMBRAGE_HIGHP vec2 end) {
     UMBRAGE_HIGHP float right = size.x * 0.5;

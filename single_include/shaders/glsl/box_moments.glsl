@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
-//   tier A.
+// umbrage 0.1.0, box_moments: mean and squared distances over a box, from a SAT. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
@@ -23,7 +22,9 @@
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float more = q + 1.0;
     UMBRAGE_HIGHP float known = more * b <= a ? more : q;
@@ -33,7 +34,9 @@ UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGH
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     return umbrage_correct_quotient(floor(a / b), a, b);
 }
@@ -42,8 +45,9 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -55,9 +59,10 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_BOX_MOMENTS
 #define UMBRAGE_HAS_BOX_MOMENTS
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
                                        UMBRAGE_HIGHP vec2 end) {
     UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
@@ -68,7 +73,7 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = max(low - carry * 65536.0, vec2(0.0, 0.0));
     above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box_shadow: lit share of a box of radius 0..8. Exactness: tier B.
+// umbrage 0.1.0, box_shadow: lit fraction of a box of radius 0..8 (box PCF). Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -30,9 +30,9 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
@@ -56,7 +56,7 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -64,16 +64,16 @@ bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
-// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 UMBRAGE_HIGHP float umbrage_lit_texel_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                              UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = textureLod(map, vec3((texel + 0.5) / size, receiver), 0.0);
@@ -91,7 +91,7 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
 UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                        UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
@@ -103,9 +103,11 @@ UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAG
 
 #ifndef UMBRAGE_HAS_BOX_COUNT_SHADOW
 #define UMBRAGE_HAS_BOX_COUNT_SHADOW
-// umbrage_box_count_shadow: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count_shadow: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 UMBRAGE_HIGHP float umbrage_box_count_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
@@ -126,7 +128,8 @@ UMBRAGE_HIGHP float umbrage_box_count_shadow(UMBRAGE_HIGHP sampler2DShadow map, 
 
 #ifndef UMBRAGE_HAS_BOX_SHADOW
 #define UMBRAGE_HAS_BOX_SHADOW
-// umbrage_box_shadow: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count_shadow
+// umbrage_box_shadow: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count_shadow
 UMBRAGE_HIGHP float umbrage_box_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                        UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver, int radius) {
     UMBRAGE_HIGHP float visibility = umbrage_box_count_shadow(map, size, coord, receiver, radius) *

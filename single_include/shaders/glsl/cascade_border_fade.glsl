@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -32,8 +32,10 @@ UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
 
 #ifndef UMBRAGE_HAS_CASCADE_BORDER_FADE
 #define UMBRAGE_HAS_CASCADE_BORDER_FADE
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
                                                 UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
     UMBRAGE_HIGHP vec2 half_size = size * 0.5;

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that holds a point and its filter. Exactness: tier
-//   B.
+// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that contains a point and its filter. Exactness:
+//   tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // cascade_by_projection_8, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +24,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_COORDINATE
 #define UMBRAGE_HAS_CASCADE_COORDINATE
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
                                               UMBRAGE_HIGHP vec4 offset) {
     UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
@@ -35,10 +35,10 @@ UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_
 
 #ifndef UMBRAGE_HAS_INSIDE_CASCADE
 #define UMBRAGE_HAS_INSIDE_CASCADE
-// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
 bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
-    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
     bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
     bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
     return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
@@ -47,10 +47,12 @@ bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 si
 
 #ifndef UMBRAGE_HAS_CASCADE_BY_PROJECTION
 #define UMBRAGE_HAS_CASCADE_BY_PROJECTION
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
                                                  UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
                                                  UMBRAGE_HIGHP float reach) {
@@ -68,7 +70,7 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRA
 
 #ifndef UMBRAGE_HAS_CASCADE_BY_PROJECTION_8
 #define UMBRAGE_HAS_CASCADE_BY_PROJECTION_8
-// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection for eight cascades, four and four; index 8.0 for none
 UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection_8(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
                                                    UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
                                                    UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec2 size,

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_column_8: one of eight columns, without an index. Exactness: tier A.
+// umbrage 0.1.0, cascade_column_8: one of eight columns, without dynamic indexing. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_COLUMN
 #define UMBRAGE_HAS_CASCADE_COLUMN
-// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+// umbrage_cascade_column: column of a matrix by its index, 0.0 to 3.0, for languages without dynamic indexing
 UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
     UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
@@ -29,7 +29,7 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_CASCADE_COLUMN_8
 #define UMBRAGE_HAS_CASCADE_COLUMN_8
-// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+// umbrage_cascade_column_8: column of two matrices by its index, 0.0 to 7.0
 UMBRAGE_HIGHP vec4 umbrage_cascade_column_8(UMBRAGE_HIGHP mat4 nearer, UMBRAGE_HIGHP mat4 farther,
                                             UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP vec4 low = umbrage_cascade_column(nearer, number);

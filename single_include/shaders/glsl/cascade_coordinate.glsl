@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_coordinate: a point in the map of one cascade. Exactness: tier B.
+// umbrage 0.1.0, cascade_coordinate: position of a point in one cascade's map. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // cascade_coordinate, tier B: within 2 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_COORDINATE
 #define UMBRAGE_HAS_CASCADE_COORDINATE
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
                                               UMBRAGE_HIGHP vec4 offset) {
     UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);

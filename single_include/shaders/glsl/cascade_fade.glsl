@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -32,7 +32,7 @@ UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
 
 #ifndef UMBRAGE_HAS_CASCADE_FADE
 #define UMBRAGE_HAS_CASCADE_FADE
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
                                          UMBRAGE_HIGHP float offset) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;

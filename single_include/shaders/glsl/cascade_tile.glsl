@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_TILE
 #define UMBRAGE_HAS_CASCADE_TILE
-// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+// umbrage_cascade_tile: first texel of a cascade in an atlas with two tiles of size texels per row
 UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 size) {
     UMBRAGE_HIGHP float row = floor(number * 0.5);
     return vec2(number - row * 2.0, row) * size;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_weight: a weight in steps of 1/256. Exactness: tier A.
+// umbrage 0.1.0, cascade_weight: weight in steps of 1/256. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, chebyshev_hardware: most that a variance lets be lit, less the light that bleeds. Exactness: tier C.
+// umbrage 0.1.0, chebyshev_hardware: Chebyshev bound with light bleeding reduced. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // chebyshev_hardware, tier C: within 1/524288 of C++.
 // SPDX-License-Identifier: MIT
@@ -21,8 +21,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
                                                UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float beyond = max(distance, 0.0);

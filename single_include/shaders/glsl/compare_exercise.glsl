@@ -1,4 +1,4 @@
-// umbrage 0.1.0, compare_exercise: current < stored + epsilon is lit. Exactness: tier B.
+// umbrage 0.1.0, compare_exercise: lit if current < stored + epsilon. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // compare_exercise, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

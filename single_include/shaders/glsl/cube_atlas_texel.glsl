@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_atlas_texel: face that a texel of an atlas belongs to, and where on it. Exactness: tier A.
+// umbrage 0.1.0, cube_atlas_texel: face of an atlas texel, and the position on it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_CUBE_ATLAS_TEXEL
 #define UMBRAGE_HAS_CUBE_ATLAS_TEXEL
-// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+// umbrage_cube_atlas_texel: (s, t, face) of a texel in an atlas of 3 x 2 tiles of size texels; integers
 UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
     UMBRAGE_HIGHP float row = texel.y < size ? 0.0 : 1.0;

@@ -19,20 +19,20 @@
 
 #ifndef UMBRAGE_HAS_CUBE_FACE
 #define UMBRAGE_HAS_CUBE_FACE
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP vec3 m = abs(direction);
     UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
     UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
     UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_PLANE
 #define UMBRAGE_HAS_CUBE_PLANE
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
     UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
@@ -44,7 +44,7 @@ UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
 
 #ifndef UMBRAGE_HAS_CUBE_POINT
 #define UMBRAGE_HAS_CUBE_POINT
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
     UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
     UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
@@ -56,7 +56,8 @@ UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP ve
 #ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
 #define UMBRAGE_HAS_CUBE_NEIGHBOR
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_evsm2: mean of texels of two components to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_evsm2: mean of EVSM texels of two components to visibility. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // decode_evsm2, tier C: within 229 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -25,8 +25,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                       UMBRAGE_HIGHP float min_variance) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
@@ -40,7 +42,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 #if __VERSION__ >= 300
     UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
@@ -66,8 +68,8 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
@@ -100,7 +102,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -110,16 +112,18 @@ UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DECODE_EVSM2
 #define UMBRAGE_HAS_DECODE_EVSM2
-// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power
+// umbrage_decode_evsm2: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(receiver));

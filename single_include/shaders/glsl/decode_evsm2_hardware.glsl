@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_evsm2_hardware: mean of texels of two components to visibility, by the GPU's own exp2.
-//   Exactness: tier C.
+// umbrage 0.1.0, decode_evsm2_hardware: EVSM of two components to visibility, by the GPU's exp2. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // decode_evsm2_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
@@ -24,8 +23,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
                                                UMBRAGE_HIGHP float amount) {
     UMBRAGE_HIGHP float beyond = max(distance, 0.0);
@@ -44,7 +45,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -52,9 +53,12 @@ UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_EVSM2_HARDWARE
 #define UMBRAGE_HAS_DECODE_EVSM2_HARDWARE
-// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm2_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
+//   amount      visibility that becomes 0.0, 0.0 to 0.3
 UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                                   UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
                                                   UMBRAGE_HIGHP float amount) {

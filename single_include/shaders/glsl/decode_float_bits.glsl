@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they are. Exactness: tier A.
+// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they hold. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
@@ -33,14 +33,14 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DECODE_FLOAT_BITS
 #define UMBRAGE_HAS_DECODE_FLOAT_BITS
-// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+// umbrage_decode_float_bits: float from the four channels of its bit pattern, as sampled, R least significant
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
     UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);

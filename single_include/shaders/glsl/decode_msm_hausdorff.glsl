@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_msm_hausdorff: mean of MSM texels to visibility, for depths on [-1, 1]. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // decode_msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -35,8 +35,9 @@ UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_MOMENT_ATOMS
 #define UMBRAGE_HAS_MOMENT_ATOMS
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
@@ -59,9 +60,10 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 
 #ifndef UMBRAGE_HAS_HAUSDORFF_SHARE
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
@@ -95,7 +97,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -103,9 +105,9 @@ UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_MSM
 #define UMBRAGE_HAS_DECODE_MSM
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(receiver);
     UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
@@ -114,7 +116,7 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
     UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
     UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
-    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -122,8 +124,10 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
 
 #ifndef UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
 #define UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
                                                  UMBRAGE_HIGHP vec2 bias) {
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_r16: one channel of 16 bits to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_r16: one 16-bit channel to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of r16: R16 UNORM, not sRGB, no blending, one sample. Clear to (65535) / 65535, with reversed depth
@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM16
 #define UMBRAGE_HAS_FROM_UNORM16
-// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+// umbrage_from_unorm16: channel 0..65535 of a value from a 16-bit texture, even if the division by 65535 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
     return floor(c * 65535.0 + 0.5);
 }
@@ -38,8 +38,8 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm16(UMBRAGE_HIGHP vec4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_R16
 #define UMBRAGE_HAS_DECODE_R16
-// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
-//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+// umbrage_decode_r16: depth from one 16-bit channel, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_r16(UMBRAGE_HIGHP float c, UMBRAGE_HIGHP float edge) {
     return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }

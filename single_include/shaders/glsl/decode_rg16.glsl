@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_rg16: two channels, R the low byte, to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_rg16: two 8-bit channels, R the low byte, to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg16: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255) / 255, with reversed depth
@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -38,8 +38,8 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_RG16
 #define UMBRAGE_HAS_DECODE_RG16
-// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg16: depth from the two channels of a 16-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);

@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM10
 #define UMBRAGE_HAS_FROM_UNORM10
-// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm10(UMBRAGE_HIGHP float c) {
     return floor(c * 1023.0 + 0.5);
 }
@@ -38,8 +38,8 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm10(UMBRAGE_HIGHP vec4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_RGB10
 #define UMBRAGE_HAS_DECODE_RGB10
-// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb10: depth from three 10-bit channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rgb10(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm10(c);
     return ((k.x * 1024.0 + k.y) * 16.0 + floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_rgb24: three channels, R most significant, to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_rgb24: three 8-bit channels, R most significant, to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -38,8 +38,8 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_RGB24
 #define UMBRAGE_HAS_DECODE_RGB24
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb24: depth from three channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);

@@ -25,7 +25,7 @@
 
 #ifndef UMBRAGE_HAS_DECODE_THREEJS_RGBA
 #define UMBRAGE_HAS_DECODE_THREEJS_RGBA
-// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgba: depth from the RGBA format of three.js r167 and later, as sampled
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
                                                 c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);

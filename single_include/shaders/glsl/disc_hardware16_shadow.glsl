@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc_hardware16_shadow: disc of 16 points by one. Exactness: tier C.
+// umbrage 0.1.0, disc_hardware16_shadow: disc PCF, 16 fetches from a linear comparison sampler. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // disc_hardware16_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -28,16 +28,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -45,16 +45,16 @@ bool umbrage_beyond_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
@@ -70,8 +70,9 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
@@ -83,9 +84,13 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 
 #ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 #define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                                    UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                                    UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc_hardware8: disc of 8 points by a comparison sampler with a linear filter. Exactness: tier C.
+// umbrage 0.1.0, disc_hardware8: disc PCF, 8 fetches from a linear comparison sampler. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // disc_hardware8, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -30,16 +30,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -47,16 +47,16 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }
@@ -73,8 +73,9 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -86,7 +87,7 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
@@ -98,7 +99,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
@@ -107,7 +108,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 
 #ifndef UMBRAGE_HAS_LIT_2X2
 #define UMBRAGE_HAS_LIT_2X2
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
@@ -120,15 +121,16 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 #ifndef UMBRAGE_HAS_PCF_2X2
 #define UMBRAGE_HAS_PCF_2X2
-// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
     UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
@@ -139,8 +141,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP v
 
 #ifndef UMBRAGE_HAS_LIT_FILTERED
 #define UMBRAGE_HAS_LIT_FILTERED
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+// The sampler of this map cannot weight comparisons, so the shader does
+//   coord   in texels, no NaN. Outside texel space it is clamped
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                          UMBRAGE_HIGHP float receiver) {
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
@@ -149,8 +152,8 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_LIT_AT
 #define UMBRAGE_HAS_LIT_AT
-// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
                                    UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
@@ -159,9 +162,13 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 #ifndef UMBRAGE_HAS_DISC_HARDWARE8
 #define UMBRAGE_HAS_DISC_HARDWARE8
-// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, dithered_cascade: a cascade, or by its weight the next one. Exactness: tier A.
+// umbrage 0.1.0, dithered_cascade: cascade of a pixel, or the next one, by its weight. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_DITHERED_CASCADE
 #define UMBRAGE_HAS_DITHERED_CASCADE
-// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+// umbrage_dithered_cascade: index of a cascade, or of the next one if its weight is above the pixel's threshold
 UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
                                              UMBRAGE_HIGHP float threshold) {
     return number + (weight > threshold ? 1.0 : 0.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, dual_paraboloid_position: a vertex of a paraboloid map's depth pass. Exactness: tier C.
+// umbrage 0.1.0, dual_paraboloid_position: position of a vertex in a paraboloid map's depth pass. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // dual_paraboloid_position, tier C: within 18 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +24,8 @@
 #ifndef UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
 #define UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
-//   direction  from the light to the vertex;   map  0.0 or 1.0
+//   direction  from the light to the vertex
+//   map        index of the map, 0.0 or 1.0
 UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
     bool behind = map > 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float square =

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, dual_paraboloid_slope: change of distance from texel to texel of a paraboloid's map. Exactness: tier
-//   C.
+// umbrage 0.1.0, dual_paraboloid_slope: change of distance per texel in a dual paraboloid map. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // dual_paraboloid_slope, tier C: within 41 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -32,8 +31,10 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 
 #ifndef UMBRAGE_HAS_DUAL_PARABOLOID_SLOPE
 #define UMBRAGE_HAS_DUAL_PARABOLOID_SLOPE
-// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
-//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+// umbrage_dual_paraboloid_slope: change of distance per texel, the same in x and y; 0.0 without a normal
+//   way        from the light to the receiver
+//   normal     surface normal
+//   per_texel  2.0 / (range * (size - 2.0 * border))
 UMBRAGE_HIGHP vec2 umbrage_dual_paraboloid_slope(UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal,
                                                  UMBRAGE_HIGHP float per_texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float square = way.x * way.x + way.y * way.y + way.z * way.z;

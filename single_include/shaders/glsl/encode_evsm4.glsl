@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_evsm4: depth to a texel of four components. Exactness: tier B.
+// umbrage 0.1.0, encode_evsm4: depth to an EVSM texel of four components. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // encode_evsm4, tier B: within 73 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -27,7 +27,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 #if __VERSION__ >= 300
     UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
@@ -53,8 +53,8 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
@@ -89,14 +89,14 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -104,7 +104,8 @@ UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
 
 #ifndef UMBRAGE_HAS_ENCODE_EVSM4
 #define UMBRAGE_HAS_ENCODE_EVSM4
-// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+// umbrage_encode_evsm4: texel of four components, a growing power, its square, a negative falling power, its square
+// NaN counts as far
 UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
     UMBRAGE_HIGHP float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     UMBRAGE_HIGHP float w = umbrage_exponential_warp(d, exponents.x);

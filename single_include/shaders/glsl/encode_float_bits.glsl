@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_float_bits: any float's bit pattern to four channels, R least significant. Exactness: tier A.
+// umbrage 0.1.0, encode_float_bits: bit pattern of a float to four channels, R least significant. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_ENCODE_FLOAT_BITS
 #define UMBRAGE_HAS_ENCODE_FLOAT_BITS
-// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, integers 0..255
 UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
     return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));

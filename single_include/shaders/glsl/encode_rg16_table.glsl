@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg16_table: depth to two channels through a look-up texture. Exactness: tier A.
+// umbrage 0.1.0, encode_rg16_table: depth to two 8-bit channels through a lookup texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -50,7 +50,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
@@ -58,8 +58,9 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -71,7 +72,7 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                          UMBRAGE_HIGHP vec2 texel) {
     return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
@@ -80,8 +81,9 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_ENCODE_RG16_TABLE
 #define UMBRAGE_HAS_ENCODE_RG16_TABLE
-// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg16_table: two channels of a 16-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg16_table(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
     UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));

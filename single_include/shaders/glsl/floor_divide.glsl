@@ -1,5 +1,4 @@
-// umbrage 0.1.0, floor_divide: whole numbers divided and rounded down, whatever the division's error. Exactness: tier
-//   A.
+// umbrage 0.1.0, floor_divide: integer division that rounds down, exact on any GPU. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -20,7 +19,9 @@
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float more = q + 1.0;
     UMBRAGE_HIGHP float known = more * b <= a ? more : q;
@@ -30,7 +31,9 @@ UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGH
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     return umbrage_correct_quotient(floor(a / b), a, b);
 }

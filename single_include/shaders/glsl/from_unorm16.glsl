@@ -1,4 +1,4 @@
-// umbrage 0.1.0, from_unorm16: value read from a 16-bit texture to channel 0..65535. Exactness: tier A.
+// umbrage 0.1.0, from_unorm16: channel 0..65535 of a value from a 16-bit texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM16
 #define UMBRAGE_HAS_FROM_UNORM16
-// umbrage_from_unorm16: channel 0..65535 behind a value read from a 16-bit texture, however the driver divides by 65535
+// umbrage_from_unorm16: channel 0..65535 of a value from a 16-bit texture, even if the division by 65535 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm16(UMBRAGE_HIGHP float c) {
     return floor(c * 65535.0 + 0.5);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, halve_texels: mean of 2x2 texels. Exactness: tier B.
+// umbrage 0.1.0, halve_texels: mean of 2x2 texels, for mip chains. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // halve_texels, tier B: within 8 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -27,8 +27,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -40,7 +41,7 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                          UMBRAGE_HIGHP vec2 texel) {
     return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
@@ -49,8 +50,9 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_HALVE_TEXELS
 #define UMBRAGE_HAS_HALVE_TEXELS
-// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
-//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+// umbrage_halve_texels: mean of the 2x2 texels behind one texel of the next mip level
+//   map, size   map that is read, and its size in texels
+//   texel       index in the next level, integers
 UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_HIGHP vec2 at = texel * 2.0;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, hausdorff_share: least share of depths before a receiver, of depths on [-1, 1]. Exactness: tier C.
+// umbrage 0.1.0, hausdorff_share: smallest fraction of nearer depths, for depths on [-1, 1]. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // hausdorff_share, tier C: within 1/1048576 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -21,9 +21,10 @@
 
 #ifndef UMBRAGE_HAS_HAUSDORFF_SHARE
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, kernel_bias: bias by the kernel's width and the angle at which light falls. Exactness: tier C.
+// umbrage 0.1.0, kernel_bias: bias from kernel width and angle of the light. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // kernel_bias, tier C: within 30 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -23,9 +23,12 @@
 
 #ifndef UMBRAGE_HAS_KERNEL_BIAS
 #define UMBRAGE_HAS_KERNEL_BIAS
-// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
-//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+// umbrage_kernel_bias: distance along the light that a kernel extends beyond a surface's plane, in width's unit
+//   normal     surface normal
+//   direction  direction of the light, of length one
+//   way        from the light to the point over w; for a directional light its direction
+//   width      sqrt(2) reach texel
+//   greatest   limit of the tangent
 UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
                                         UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;

@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_LINEAR_DEPTH
 #define UMBRAGE_HAS_LINEAR_DEPTH
-// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+// umbrage_linear_depth: distance along the light's axis, positive in front of the light, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
     return z_view * inv_z_far;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, moment_atoms: the two depths that make four moments beside a receiver's. Exactness: tier C.
+// umbrage 0.1.0, moment_atoms: two depths that have the moments with the receiver's. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // moment_atoms, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -21,8 +21,9 @@
 
 #ifndef UMBRAGE_HAS_MOMENT_ATOMS
 #define UMBRAGE_HAS_MOMENT_ATOMS
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;

@@ -23,8 +23,8 @@
 
 #ifndef UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
 #define UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
-// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
-// z_near; when reversed, exchange z_near and z_far
+// umbrage_orthographic_depth_from_view_z: orthographic depth in [0, 1] from the distance along the light's axis
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     return (z_view - z_near) / (z_far - z_near);

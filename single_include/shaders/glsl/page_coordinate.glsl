@@ -1,4 +1,4 @@
-// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// umbrage 0.1.0, page_coordinate: position of a receiver in the atlas page that holds it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
@@ -22,7 +22,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -40,8 +40,9 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -53,17 +54,20 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_PAGE_COORDINATE
 #define UMBRAGE_HAS_PAGE_COORDINATE
-// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
-//   page, gutter  side of a page and what it has around it, texels
+// umbrage_page_coordinate: (x, y) of a receiver in an atlas page with its gutter, and (z, w) the page's first texel
+//   table   page table, RGBA8, nearest filter
+//   size    size of the table, in texels
+//   coord   receiver position, 1.0 to 2.0 across the table without its border
+//   page    side of a page, in texels
+//   gutter  border around a page, in texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_HIGHP sampler2D table, UMBRAGE_HIGHP vec2 size,
                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float page,
                                            UMBRAGE_HIGHP float gutter) {
-    // not negative already; compilers cannot regroup sums across max and clamp
+    // neither max changes a value; compilers cannot regroup sums across max and clamp
     UMBRAGE_HIGHP vec2 sides = max(size - 2.0, vec2(1.0, 1.0));
     UMBRAGE_HIGHP vec2 before = max(size - 3.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * sides - before), size - 1.0);
-    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
+    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // the first texel for a NaN
     UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, vec2(texel)));
     UMBRAGE_HIGHP vec2 slot = vec2(entry.x, entry.y);
     UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;

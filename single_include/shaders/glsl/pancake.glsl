@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pancake: casters before the near plane, onto it. Exactness: tier B.
+// umbrage 0.1.0, pancake: casters clamped to the near plane (pancaking). Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // pancake, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_PANCAKE
 #define UMBRAGE_HAS_PANCAKE
-// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: clip space position, clamped to the near plane if it lies in front of it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
 UMBRAGE_HIGHP vec4 umbrage_pancake(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;

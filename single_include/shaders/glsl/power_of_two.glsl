@@ -1,4 +1,4 @@
-// umbrage 0.1.0, power_of_two: 2^n of whole numbers -64 to 63. Exactness: tier A.
+// umbrage 0.1.0, power_of_two: 2^n of integers n from -64 to 63. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 #if __VERSION__ >= 300
     UMBRAGE_HIGHP uint exponent = uint(n + 127.0);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, probe_color: debug color of a place in a map: its texels, or why it cannot be shadowed. Exactness:
-//   tier A.
+// umbrage 0.1.0, probe_color: debug color of a lookup: its texels, or why it fails. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
@@ -30,10 +29,18 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_PROBE_COLOR
 #define UMBRAGE_HAS_PROBE_COLOR
-// umbrage_probe_color: what a receiver's place in a map says, as a color
-//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
-//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
-//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+// umbrage_probe_color: debug color of a receiver's position in a map
+//   at      x and y in texels, z depth
+//   size    size of the map, in texels
+//   bias    bias of the receiver, in depth
+//   number  index of the map, an integer
+//   magenta  not a number
+//   black    behind the light, or in no cascade
+//   white    outside the map
+//   cyan     beyond the far plane
+//   blue     in front of the near plane
+//   red      bias at its limit of 1.0
+//   else     squares of one texel
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;

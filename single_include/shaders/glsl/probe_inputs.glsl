@@ -1,4 +1,4 @@
-// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal is wrong. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,9 @@
 
 #ifndef UMBRAGE_HAS_PROBE_INPUTS
 #define UMBRAGE_HAS_PROBE_INPUTS
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
                                         UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, project_coordinate: the division by w, lit behind the light. Exactness: tier C.
+// umbrage 0.1.0, project_coordinate: division by w; lit behind the light. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // project_coordinate, tier C: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_PROJECT_COORDINATE
 #define UMBRAGE_HAS_PROJECT_COORDINATE
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+// umbrage_project_coordinate: x and y in texels, and depth; w <= 0.0 gives a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
     UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
     return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and how far it may be off.
-//   Exactness: tier C.
+// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and its error. Exactness: tier
+//   C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // receiver_plane_slope, tier C: within 31 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +24,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -32,8 +32,8 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 
 #ifndef UMBRAGE_HAS_RECEIVER_PLANE_SLOPE
 #define UMBRAGE_HAS_RECEIVER_PLANE_SLOPE
-// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
 UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);

@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG10
 #define UMBRAGE_HAS_RECEIVER_RG10
-// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+// umbrage_receiver_rg10: receiver depth on the scale of umbrage_level_rg10. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg10(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;

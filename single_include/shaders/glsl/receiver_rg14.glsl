@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG14
 #define UMBRAGE_HAS_RECEIVER_RG14
-// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+// umbrage_receiver_rg14: receiver depth on the scale of umbrage_level_rg14. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg14(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;

@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG9
 #define UMBRAGE_HAS_RECEIVER_RG9
-// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+// umbrage_receiver_rg9: receiver depth on the scale of umbrage_level_rg9. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg9(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;

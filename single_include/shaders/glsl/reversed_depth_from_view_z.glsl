@@ -23,7 +23,8 @@
 
 #ifndef UMBRAGE_HAS_REVERSED_DEPTH_FROM_VIEW_Z
 #define UMBRAGE_HAS_REVERSED_DEPTH_FROM_VIEW_Z
-// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+// umbrage_reversed_depth_from_view_z: perspective depth in [0, 1], 1.0 at z_near, from the distance along the light's
+// axis
 UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);

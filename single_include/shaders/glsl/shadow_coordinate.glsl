@@ -1,4 +1,4 @@
-// umbrage 0.1.0, shadow_coordinate: world to texels and depth, before the division. Exactness: tier B.
+// umbrage 0.1.0, shadow_coordinate: world to texels and depth, before the division by w. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // shadow_coordinate, tier B: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_SHADOW_COORDINATE
 #define UMBRAGE_HAS_SHADOW_COORDINATE
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+// umbrage_shadow_coordinate: texture matrix times world position: (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a summed-area table. Exactness: tier
-//   C.
+// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a SAT. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // summed_variance, tier C: within 1/65536 of C++.
 // SPDX-License-Identifier: MIT
@@ -27,16 +26,18 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     UMBRAGE_HIGHP float more = q + 1.0;
     UMBRAGE_HIGHP float known = more * b <= a ? more : q;
@@ -46,7 +47,9 @@ UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGH
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     return umbrage_correct_quotient(floor(a / b), a, b);
 }
@@ -54,7 +57,7 @@ UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP fl
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver > 1.0;
 }
@@ -62,16 +65,16 @@ bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -88,8 +91,9 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);
@@ -101,9 +105,10 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 
 #ifndef UMBRAGE_HAS_BOX_MOMENTS
 #define UMBRAGE_HAS_BOX_MOMENTS
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
                                        UMBRAGE_HIGHP vec2 end) {
     UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
@@ -114,7 +119,7 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
     UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
     UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = max(low - carry * 65536.0, vec2(0.0, 0.0));
     above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));
     UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
@@ -135,10 +140,12 @@ UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGH
 
 #ifndef UMBRAGE_HAS_SUMMED_VARIANCE
 #define UMBRAGE_HAS_SUMMED_VARIANCE
-// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+// umbrage_summed_variance: variance shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_variance_table and its size: the shadow map's plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   codes       2^bits of the table
 UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                             UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP float codes) {

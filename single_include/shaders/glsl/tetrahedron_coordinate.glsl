@@ -1,5 +1,4 @@
-// umbrage 0.1.0, tetrahedron_coordinate: face of a tetrahedron, and where on it, that a direction meets. Exactness:
-//   tier C.
+// umbrage 0.1.0, tetrahedron_coordinate: tetrahedron face of a direction, and the position on it. Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // tetrahedron_coordinate, tier C: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
@@ -54,7 +53,9 @@ UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_COORDINATE
 #define UMBRAGE_HAS_TETRAHEDRON_COORDINATE
-// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction
+//   s  -1.0 to 1.0 along the base
+//   t  0.0 at the base to 1.0 at the apex
 UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d = p.z * 2.0 + p.y * -1.414213562;

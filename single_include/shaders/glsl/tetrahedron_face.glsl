@@ -23,7 +23,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;

@@ -23,8 +23,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
     return texelFetch(map, ivec2(texel), 0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, texels_to_world: texels across a light as world units. Exactness: tier B.
+// umbrage 0.1.0, texels_to_world: texels across a light to world units. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // texels_to_world, tier B: within 2 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -24,7 +24,8 @@
 #ifndef UMBRAGE_HAS_TEXELS_TO_WORLD
 #define UMBRAGE_HAS_TEXELS_TO_WORLD
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate
 UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
                                             UMBRAGE_HIGHP float w) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;

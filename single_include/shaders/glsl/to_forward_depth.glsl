@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_forward_depth: depth that grows with distance. Exactness: tier B.
+// umbrage 0.1.0, to_forward_depth: depth that grows with the distance from the light. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // to_forward_depth, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -33,7 +33,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 UMBRAGE_HIGHP float umbrage_to_forward_depth(UMBRAGE_HIGHP float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }

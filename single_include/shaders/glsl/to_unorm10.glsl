@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_unorm10: channel 0..1023 to the value a 10-bit target stores as it. Exactness: tier A.
+// umbrage 0.1.0, to_unorm10: value that makes a 10-bit target store channel 0..1023. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -19,7 +19,7 @@
 
 #ifndef UMBRAGE_HAS_TO_UNORM10
 #define UMBRAGE_HAS_TO_UNORM10
-// umbrage_to_unorm10: what to write so that a 10-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm10: value that makes a 10-bit target store channel k, whether it rounds or truncates
 // k * 4099 / 4194304 + 1056 / 4194304
 UMBRAGE_HIGHP float umbrage_to_unorm10(UMBRAGE_HIGHP float k) {
     return k * 0.0009772777557373046875 + 0.00025177001953125;

@@ -23,8 +23,8 @@
 
 #ifndef UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
 #define UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
-// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
-// axis; when reversed, exchange z_near and z_far
+// umbrage_view_z_from_orthographic_depth: distance along the light's axis from orthographic depth in [0, 1]
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);

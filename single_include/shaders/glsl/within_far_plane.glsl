@@ -1,4 +1,4 @@
-// umbrage 0.1.0, within_far_plane: receivers up to the far plane, NaN is none. Exactness: tier A.
+// umbrage 0.1.0, within_far_plane: receivers up to the far plane; NaN is not. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
@@ -21,7 +21,7 @@
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, write_base255: depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx. Exactness: tier B.
+// umbrage 0.1.0, write_base255: depth to base-255 RGBA of Cesium, Babylon.js, bgfx. Exactness: tier B.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // write_base255, tier B: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -37,15 +37,15 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WRITE_BASE255
 #define UMBRAGE_HAS_WRITE_BASE255
-// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_base255_repaired has neither fault
+// umbrage_write_base255: base-255 RGBA of a depth, values to write as they are. The store must round
+// 1.0 reads back as 0.0. umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);

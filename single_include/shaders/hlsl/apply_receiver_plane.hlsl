@@ -1,5 +1,4 @@
-// umbrage 0.1.0, apply_receiver_plane: stored depth moved along the receiver's plane to the receiver. Exactness: tier
-//   B.
+// umbrage 0.1.0, apply_receiver_plane: stored depth moved along the receiver's plane to it. Exactness: tier B.
 // apply_receiver_plane, tier B: within 8 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -18,8 +17,11 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_APPLY_RECEIVER_PLANE
 #define UMBRAGE_HAS_APPLY_RECEIVER_PLANE
-// umbrage_apply_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
-//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   coord   receiver position, in texels
+//   texel   index of the texel
 float umbrage_apply_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
     precise float2 way = texel + 0.5 - coord;
     precise float depth = stored - (slope.x * way.x + slope.y * way.y);

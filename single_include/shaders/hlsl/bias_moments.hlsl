@@ -1,4 +1,4 @@
-// umbrage 0.1.0, bias_moments: four moments, moved a little towards those of spread depths. Exactness: tier B.
+// umbrage 0.1.0, bias_moments: four moments (MSM) with a bias against rounding. Exactness: tier B.
 // bias_moments, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, binomial7: sliding window 1 6 15 20 15 6 1. Exactness: tier A.
+// umbrage 0.1.0, binomial7: PCF kernel 1 6 15 20 15 6 1. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,16 +13,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -30,9 +30,9 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -48,8 +48,9 @@ float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -57,7 +58,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -68,7 +69,7 @@ float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -76,7 +77,7 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 
 #ifndef UMBRAGE_HAS_LIT_2X2
 #define UMBRAGE_HAS_LIT_2X2
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 float4 umbrage_lit_2x2(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     float a = umbrage_lit(map, size, texel, receiver);
     float b = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
@@ -88,11 +89,13 @@ float4 umbrage_lit_2x2(Texture2D<float4> map, float2 size, float2 texel, float r
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM7
 #define UMBRAGE_HAS_WINDOW_SUM7
-// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum7: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, float receiver, float steps, float k0,
                           float k1, float k2, float k3) {
     bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
@@ -141,9 +144,11 @@ float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, floa
 
 #ifndef UMBRAGE_HAS_BINOMIAL7
 #define UMBRAGE_HAS_BINOMIAL7
-// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_binomial7: PCF under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 float umbrage_binomial7(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
     float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
     return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);

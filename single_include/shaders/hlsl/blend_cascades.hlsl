@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blend_cascades: two cascades' visibilities, mixed. Exactness: tier B.
+// umbrage 0.1.0, blend_cascades: blend of two cascades' visibilities. Exactness: tier B.
 // blend_cascades, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_BLEND_CASCADES
 #define UMBRAGE_HAS_BLEND_CASCADES
-// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+// umbrage_blend_cascades: blend of the visibilities of a cascade and of the next one, by the next one's weight
 float umbrage_blend_cascades(float nearer, float farther, float weight) {
     precise float sum = nearer + (farther - nearer) * weight;
     return weight < 1.0 ? sum : farther;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers8: texels under a disc's points that lie before a receiver. Exactness: tier A.
+// umbrage 0.1.0, blockers8: blocker search over a disc's points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,9 +13,11 @@
 
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
@@ -30,8 +32,9 @@ float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -39,7 +42,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -66,7 +69,8 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 float umbrage_distance_code(float depth) {
     float v = depth * 65536.0;
     float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
@@ -77,7 +81,7 @@ float umbrage_distance_code(float depth) {
 
 #ifndef UMBRAGE_HAS_BLOCKER
 #define UMBRAGE_HAS_BLOCKER
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     float stored = umbrage_fetch_depth(map, size, texel);
     float code = umbrage_distance_code(stored);
@@ -87,9 +91,12 @@ float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float r
 
 #ifndef UMBRAGE_HAS_BLOCKERS8
 #define UMBRAGE_HAS_BLOCKERS8
-// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
                          float2 rotation) {
     float2 n = float2(0.0, 0.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box_shadow: lit share of a box of radius 0..8. Exactness: tier B.
+// umbrage 0.1.0, box_shadow: lit fraction of a box of radius 0..8 (box PCF). Exactness: tier B.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -14,9 +14,9 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
@@ -40,7 +40,7 @@ float umbrage_box_scale(int radius) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -48,16 +48,16 @@ precise bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
-// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 float umbrage_lit_texel_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 texel,
                                float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, (texel + 0.5) / size, receiver);
@@ -75,7 +75,7 @@ float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
 float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 texel,
                          float receiver) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
@@ -87,9 +87,11 @@ float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sample
 
 #ifndef UMBRAGE_HAS_BOX_COUNT_SHADOW
 #define UMBRAGE_HAS_BOX_COUNT_SHADOW
-// umbrage_box_count_shadow: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count_shadow: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 float umbrage_box_count_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
                                float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
@@ -110,7 +112,8 @@ float umbrage_box_count_shadow(Texture2D<float> map, SamplerComparisonState map_
 
 #ifndef UMBRAGE_HAS_BOX_SHADOW
 #define UMBRAGE_HAS_BOX_SHADOW
-// umbrage_box_shadow: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count_shadow
+// umbrage_box_shadow: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count_shadow
 float umbrage_box_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
                          float receiver, int radius) {
     float visibility = umbrage_box_count_shadow(map, map_sampler, size, coord, receiver, radius) *

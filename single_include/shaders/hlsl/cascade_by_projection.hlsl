@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_by_projection: first cascade that holds a point and its filter. Exactness: tier B.
+// umbrage 0.1.0, cascade_by_projection: first cascade that contains a point and its filter. Exactness: tier B.
 // cascade_by_projection, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_COORDINATE
 #define UMBRAGE_HAS_CASCADE_COORDINATE
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
     float3 start = float3(offset.x, offset.y, offset.z);
     precise float3 at = light * float3(scale.x, scale.y, scale.z) + start;
@@ -17,10 +17,10 @@ float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
 
 #ifndef UMBRAGE_HAS_INSIDE_CASCADE
 #define UMBRAGE_HAS_INSIDE_CASCADE
-// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
 precise bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach) {
     precise float2 end = size - reach;
-    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
     bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
     bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
     return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
@@ -29,10 +29,12 @@ precise bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach)
 
 #ifndef UMBRAGE_HAS_CASCADE_BY_PROJECTION
 #define UMBRAGE_HAS_CASCADE_BY_PROJECTION
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 float4 umbrage_cascade_by_projection(float3 light, float4x4 scales, float4x4 offsets, float2 size, float reach) {
     float3 a = umbrage_cascade_coordinate(light, transpose(scales)[0], transpose(offsets)[0]);
     float3 b = umbrage_cascade_coordinate(light, transpose(scales)[1], transpose(offsets)[1]);

@@ -1,10 +1,10 @@
-// umbrage 0.1.0, clamp_bias: clamp of a bias to [0, 1], NaN to 1. Exactness: tier A.
+// umbrage 0.1.0, clamp_bias: clamp of a bias to [0, 1]; NaN becomes 1. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);

@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_CUBE_POINT
 #define UMBRAGE_HAS_CUBE_POINT
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
@@ -18,9 +18,9 @@ float3 umbrage_cube_point(float face, float3 p) {
 
 #ifndef UMBRAGE_HAS_CUBE_DIRECTION
 #define UMBRAGE_HAS_CUBE_DIRECTION
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 float3 umbrage_cube_direction(float face, float2 st) {
-    precise float2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    precise float2 uv = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
     return umbrage_cube_point(face, float3(uv, 1.0));
 }
 #endif

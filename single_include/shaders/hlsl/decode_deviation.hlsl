@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_deviation: mean and deviation to depth's two moments. Exactness: tier B.
+// umbrage 0.1.0, decode_deviation: mean and deviation to two moments of depth (VSM). Exactness: tier B.
 // decode_deviation, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in four channels to depth's two moments. Exactness: tier
-//   B.
+// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in RGBA8 to two moments (VSM). Exactness: tier B.
 // decode_deviation_rgba8, tier B: within 21 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -18,7 +17,7 @@ float2 umbrage_decode_deviation(float2 held) {
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 float umbrage_from_unorm(float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -35,8 +34,8 @@ float4 umbrage_from_unorm(float4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_RG16
 #define UMBRAGE_HAS_DECODE_RG16
-// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg16: depth from the two channels of a 16-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 float umbrage_decode_rg16(float2 c, float edge) {
     float2 k = umbrage_from_unorm(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
@@ -45,7 +44,8 @@ float umbrage_decode_rg16(float2 c, float edge) {
 
 #ifndef UMBRAGE_HAS_DECODE_DEVIATION_RGBA8
 #define UMBRAGE_HAS_DECODE_DEVIATION_RGBA8
-// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+// umbrage_decode_deviation_rgba8: RGBA8 mean and deviation to mean and mean square of depths
+//   c   as sampled, mean in xy and deviation in zw
 float2 umbrage_decode_deviation_rgba8(float4 c) {
     float mean = umbrage_decode_rg16(float2(c.x, c.y), 1.0);
     float deviation = umbrage_decode_rg16(float2(c.z, c.w), 1.0);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_evsm4_hardware: mean of texels of four components to visibility, by the GPU's own exp2.
-//   Exactness: tier C.
+// umbrage 0.1.0, decode_evsm4_hardware: EVSM of four components to visibility, by the GPU's exp2. Exactness: tier C.
 // decode_evsm4_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -8,8 +7,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
     float beyond = max(distance, 0.0);
     float p = variance / (variance + beyond * beyond);
@@ -27,7 +28,7 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -35,9 +36,12 @@ float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_EVSM4_HARDWARE
 #define UMBRAGE_HAS_DECODE_EVSM4_HARDWARE
-// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm4_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
+//   amount       visibility that becomes 0.0, 0.0 to 0.3
 float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations, float amount) {
     float d = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     float w = exp2(exponents.x * d);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_vsm_hardware: mean and deviation to visibility, the cheapest way. Exactness: tier C.
+// umbrage 0.1.0, decode_vsm_hardware: mean and deviation (VSM) to visibility, cheapest on GPUs. Exactness: tier C.
 // decode_vsm_hardware, tier C: within 1/1024 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -7,8 +7,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
 #define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
     float beyond = max(distance, 0.0);
     float p = variance / (variance + beyond * beyond);
@@ -26,7 +28,7 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -34,9 +36,11 @@ float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_VSM_HARDWARE
 #define UMBRAGE_HAS_DECODE_VSM_HARDWARE
-// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
-//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+// umbrage_decode_vsm_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   held           mean and twice the standard deviation of depths, filtered
+//   receiver       receiver depth, bias applied
+//   min_variance   1e-7 or more
+//   amount         visibility that becomes 0.0, 0.0 to 0.5
 float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
     float variance = max(held.y * held.y * 0.25, min_variance);
     float distance = umbrage_to_forward_depth(receiver) - held.x;

@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_DEPTH_FROM_VIEW_Z
 #define UMBRAGE_HAS_DEPTH_FROM_VIEW_Z
-// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+// umbrage_depth_from_view_z: perspective depth in [0, 1], 0.0 at z_near, from the distance along the light's axis
 float umbrage_depth_from_view_z(float z_view, float z_near, float z_far) {
     return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc16_shadow: disc of 16 points, turned by the pixel. Exactness: tier A.
+// umbrage 0.1.0, disc16_shadow: disc PCF, 16 points, rotated per pixel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float> map, SamplerComparisonState map_sampler`, a depth texture. Its sampler passes receiver <=
@@ -11,16 +11,17 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DISC_RADIUS
 #define UMBRAGE_HAS_DISC_RADIUS
-// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
 float umbrage_disc_radius(float radius) {
     float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
@@ -29,9 +30,11 @@ float umbrage_disc_radius(float radius) {
 
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
@@ -45,7 +48,7 @@ float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -53,16 +56,16 @@ precise bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
-// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 float umbrage_lit_texel_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 texel,
                                float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, (texel + 0.5) / size, receiver);
@@ -80,7 +83,7 @@ float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
 float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 texel,
                          float receiver) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
@@ -92,9 +95,12 @@ float umbrage_lit_shadow(Texture2D<float> map, SamplerComparisonState map_sample
 
 #ifndef UMBRAGE_HAS_DISC16_SHADOW
 #define UMBRAGE_HAS_DISC16_SHADOW
-// umbrage_disc16_shadow: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc16_shadow: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
                             float receiver, float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);

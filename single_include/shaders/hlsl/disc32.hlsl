@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc32: disc of 32 points, turned by the pixel. Exactness: tier A.
+// umbrage 0.1.0, disc32: disc PCF, 32 points, rotated per pixel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,16 +13,17 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DISC_RADIUS
 #define UMBRAGE_HAS_DISC_RADIUS
-// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
 float umbrage_disc_radius(float radius) {
     float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
@@ -31,9 +32,11 @@ float umbrage_disc_radius(float radius) {
 
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
@@ -47,7 +50,7 @@ float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -55,9 +58,9 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -73,8 +76,9 @@ float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -82,7 +86,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -93,7 +97,7 @@ float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -101,9 +105,12 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 
 #ifndef UMBRAGE_HAS_DISC32
 #define UMBRAGE_HAS_DISC32
-// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap

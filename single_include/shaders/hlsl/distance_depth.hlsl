@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_DISTANCE_DEPTH
 #define UMBRAGE_HAS_DISTANCE_DEPTH
-// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+// umbrage_distance_depth: length of to_point, the vector from the light, times 1 / range
 float umbrage_distance_depth(float3 to_point, float inv_range) {
     return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }

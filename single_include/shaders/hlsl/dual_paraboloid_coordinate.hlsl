@@ -1,5 +1,5 @@
-// umbrage 0.1.0, dual_paraboloid_coordinate: paraboloid map, and where in it, that sees a direction. Exactness: tier
-//   C.
+// umbrage 0.1.0, dual_paraboloid_coordinate: paraboloid map that sees a direction, and position in it. Exactness:
+//   tier C.
 // dual_paraboloid_coordinate, tier C: within 32 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_r16: depth to one channel of 16 bits. Exactness: tier A.
+// umbrage 0.1.0, encode_r16: depth to one 16-bit channel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of r16: R16 UNORM, not sRGB, no blending, one sample. Clear to (65535) / 65535, with reversed depth
@@ -18,15 +18,15 @@ float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ENCODE_R16
 #define UMBRAGE_HAS_ENCODE_R16
-// umbrage_encode_r16: depth to one channel, a whole number 0..65535 for umbrage_to_unorm16
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_r16: 16-bit channel of a depth, an integer 0..65535 for umbrage_to_unorm16
+//   depth   clamped to [0, 1]. NaN counts as far
 float umbrage_encode_r16(float depth) {
     return min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg13: depth to two channels, R the low byte. Exactness: tier A.
+// umbrage 0.1.0, encode_rg13: depth to two 8-bit channels, R the low byte. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg13: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 248) / 255, with reversed depth
@@ -18,15 +18,15 @@ float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ENCODE_RG13
 #define UMBRAGE_HAS_ENCODE_RG13
-// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg13: two channels of a 13-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 float2 umbrage_encode_rg13(float depth) {
     float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
     float high = floor(x * (1.0 / 256.0));

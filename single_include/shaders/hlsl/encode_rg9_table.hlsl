@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg9_table: depth to two channels through a look-up texture. Exactness: tier A.
+// umbrage 0.1.0, encode_rg9_table: depth to two 8-bit channels through a lookup texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 float umbrage_from_unorm(float c) {
     return floor(c * 255.0 + 0.5);
 }
@@ -35,7 +35,7 @@ float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
@@ -43,8 +43,9 @@ float umbrage_saturate(float v) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -52,7 +53,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
@@ -60,8 +61,9 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_ENCODE_RG9_TABLE
 #define UMBRAGE_HAS_ENCODE_RG9_TABLE
-// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
-//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg9_table: two channels of a 9-bit depth code through a lookup table, integers 0..255
+//   table   512 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 float2 umbrage_encode_rg9_table(Texture2D<float4> table, float depth) {
     float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
     float row = floor(x * (1.0 / 512.0));

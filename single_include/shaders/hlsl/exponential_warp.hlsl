@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return asfloat(exponent << 23);
@@ -16,8 +16,8 @@ float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? min(y, 63.0) : -64.0;
     float n = floor(x);

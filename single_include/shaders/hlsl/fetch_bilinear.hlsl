@@ -1,4 +1,4 @@
-// umbrage 0.1.0, fetch_bilinear: mean of the four texels around a point. Exactness: tier B.
+// umbrage 0.1.0, fetch_bilinear: bilinear mean of the four texels around a point. Exactness: tier B.
 // fetch_bilinear, tier B: within 19 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,8 +11,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -20,7 +21,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
@@ -28,14 +29,14 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
-    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    float2 lo = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, fetch_bordered: texel of a map, outside a border value. Exactness: tier A.
+// umbrage 0.1.0, fetch_bordered: texel of a map, or a border value outside it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, texels of the kind that the function's comment names, read unfiltered.
@@ -8,8 +8,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -17,7 +18,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_BORDERED
 #define UMBRAGE_HAS_FETCH_BORDERED
-// umbrage_fetch_bordered: texel of a map, or border outside of it
+// umbrage_fetch_bordered: texel of a map, or border outside it
 float4 umbrage_fetch_bordered(Texture2D<float4> map, float2 size, float2 texel, float4 border) {
     float2 at = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, at);

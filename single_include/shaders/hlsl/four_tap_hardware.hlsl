@@ -1,4 +1,4 @@
-// umbrage 0.1.0, four_tap_hardware: mean of four taps that a sampler of the nearest texel takes. Exactness: tier C.
+// umbrage 0.1.0, four_tap_hardware: mean of four taps from a nearest-texel sampler. Exactness: tier C.
 // four_tap_hardware, tier C: within 39 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -16,7 +16,7 @@
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -33,8 +33,9 @@ float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -42,7 +43,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -53,8 +54,8 @@ float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_DEPTH_AT
 #define UMBRAGE_HAS_DEPTH_AT
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 float umbrage_depth_at(Texture2D<float4> map, float2 size, float2 uv) {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
@@ -62,9 +63,12 @@ float umbrage_depth_at(Texture2D<float4> map, float2 size, float2 uv) {
 
 #ifndef UMBRAGE_HAS_FOUR_TAP_HARDWARE
 #define UMBRAGE_HAS_FOUR_TAP_HARDWARE
-// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
-//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of a nearest-texel sampler
+// Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps from (0.0, 0.0) to (1.0, 1.0) over the map
+//                All are lit where the mean of |x| + |y| is 2^15 texels or more
+//   receiver     receiver depth in [0, 1], bias applied
 float umbrage_four_tap_hardware(Texture2D<float4> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                                 float receiver) {
     float2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;

@@ -1,10 +1,10 @@
-// umbrage 0.1.0, from_unorm10: value read from a 10-bit texture to channel 0..1023. Exactness: tier A.
+// umbrage 0.1.0, from_unorm10: channel 0..1023 of a value from a 10-bit texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_FROM_UNORM10
 #define UMBRAGE_HAS_FROM_UNORM10
-// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
 float umbrage_from_unorm10(float c) {
     return floor(c * 1023.0 + 0.5);
 }

@@ -1,11 +1,12 @@
-// umbrage 0.1.0, hardened_kernel8: a disc's share in shadow, steepened. Exactness: tier A.
+// umbrage 0.1.0, hardened_kernel8: fraction of a disc in shadow, steepened. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_HARDENED_KERNEL8
 #define UMBRAGE_HAS_HARDENED_KERNEL8
-// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel8: fraction of 8 points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = max(8.0 - abs(u), 0.0);  // not negative already: no sum is regrouped across the max

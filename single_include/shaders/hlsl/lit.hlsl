@@ -1,4 +1,4 @@
-// umbrage 0.1.0, lit: one comparison with a texel. Exactness: tier A.
+// umbrage 0.1.0, lit: visibility from one comparison with a texel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `Texture2D<float4> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -22,8 +22,9 @@ float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -31,7 +32,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -42,7 +43,7 @@ float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pancake: casters before the near plane, onto it. Exactness: tier B.
+// umbrage 0.1.0, pancake: casters clamped to the near plane (pancaking). Exactness: tier B.
 // pancake, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_PANCAKE
 #define UMBRAGE_HAS_PANCAKE
-// umbrage_pancake: a clip space position, moved onto the near plane where it lies before it
+// umbrage_pancake: clip space position, clamped to the near plane if it lies in front of it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
 float4 umbrage_pancake(float4 position, float at_near) {
     precise float plane = at_near * position.w;

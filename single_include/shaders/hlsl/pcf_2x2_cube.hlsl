@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcf_2x2_cube: 2 x 2 comparisons of a cube, over its edges too, bilinear weights. Exactness: tier C.
+// umbrage 0.1.0, pcf_2x2_cube: bilinear 2x2 PCF of a cube map, across its edges. Exactness: tier C.
 // pcf_2x2_cube, tier C: within 33 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -16,29 +16,29 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_FACE
 #define UMBRAGE_HAS_CUBE_FACE
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 float umbrage_cube_face(float3 direction) {
     float3 m = abs(direction);
     float x = direction.x < 0.0 ? 1.0 : 0.0;
     float y = direction.y < 0.0 ? 3.0 : 2.0;
     float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_PLANE
 #define UMBRAGE_HAS_CUBE_PLANE
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 float3 umbrage_cube_plane(float3 direction) {
     float face = umbrage_cube_face(direction);
     float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
@@ -50,7 +50,7 @@ float3 umbrage_cube_plane(float3 direction) {
 
 #ifndef UMBRAGE_HAS_CUBE_POINT
 #define UMBRAGE_HAS_CUBE_POINT
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
@@ -62,7 +62,8 @@ float3 umbrage_cube_point(float face, float3 p) {
 #ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
 #define UMBRAGE_HAS_CUBE_NEIGHBOR
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = abs(uv.x) > size;
@@ -85,7 +86,7 @@ float2 umbrage_cube_tile(float face, float size) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -93,9 +94,9 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -111,8 +112,9 @@ float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -120,7 +122,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -131,7 +133,7 @@ float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -139,8 +141,11 @@ float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiv
 
 #ifndef UMBRAGE_HAS_CUBE_LIT
 #define UMBRAGE_HAS_CUBE_LIT
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 float2 umbrage_cube_lit(Texture2D<float4> map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
     float3 n = umbrage_cube_neighbor(texel, side);
@@ -152,15 +157,16 @@ float2 umbrage_cube_lit(Texture2D<float4> map, float2 size, float3 texel, float 
 
 #ifndef UMBRAGE_HAS_PCF_2X2_CUBE
 #define UMBRAGE_HAS_PCF_2X2_CUBE
-// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
-//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
-//   receiver   distance from the light, biased
+// umbrage_pcf_2x2_cube: bilinear 2x2 PCF across the edges of a cube map. Returns visibility, 1.0 = lit
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   at          (s, t, face): s and t in texels of the face, from 0.0 on
+//   receiver    distance from the light, bias applied
 float umbrage_pcf_2x2_cube(Texture2D<float4> map, float2 size, float3 at, float receiver) {
     float2 coord = float2(at.x, at.y);
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0));
     float2 lo = 1.0 - hi;
     float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);

@@ -22,16 +22,17 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DISC_ROTATION
 #define UMBRAGE_HAS_DISC_ROTATION
-// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+//   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
 float2 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
@@ -57,9 +58,11 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_PCSS_RADIUS
 #define UMBRAGE_HAS_PCSS_RADIUS
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
@@ -71,7 +74,7 @@ float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_DEPTHS
-// umbrage_beyond_far_plane_depths: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_depths: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane_depths(float receiver) {
     return receiver > 1.0;
 }
@@ -79,9 +82,9 @@ precise bool umbrage_beyond_far_plane_depths(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_DEPTHS
-// umbrage_in_filter_domain_depths: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_depths: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain_depths(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_depths(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -89,8 +92,9 @@ precise bool umbrage_in_filter_domain_depths(float2 coord, float receiver) {
 #ifndef UMBRAGE_HAS_TEXEL_DEPTHS
 #define UMBRAGE_HAS_TEXEL_DEPTHS
 // umbrage_texel_depths: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel_depths(Texture2D<float> map, float2 size, float2 texel) {
     return (float4)map.Load(int3(int2(texel), 0));
 }
@@ -98,7 +102,7 @@ float4 umbrage_texel_depths(Texture2D<float> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
-// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth_depths: stored depth of a texel, or the far plane's depth outside the map
 float umbrage_fetch_depth_depths(Texture2D<float> map, float2 size, float2 texel) {
     float2 inside = clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel_depths(map, size, inside);
@@ -109,8 +113,8 @@ float umbrage_fetch_depth_depths(Texture2D<float> map, float2 size, float2 texel
 
 #ifndef UMBRAGE_HAS_DEPTH_AT_DEPTHS
 #define UMBRAGE_HAS_DEPTH_AT_DEPTHS
-// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 float umbrage_depth_at_depths(Texture2D<float> map, float2 size, float2 uv) {
     return umbrage_fetch_depth_depths(map, size, floor(uv * size));
 }
@@ -126,8 +130,8 @@ float umbrage_compare_depths(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_BLOCKER_AT_DEPTHS
 #define UMBRAGE_HAS_BLOCKER_AT_DEPTHS
-// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 float2 umbrage_blocker_at_depths(Texture2D<float> map, float2 size, float2 uv, float receiver) {
     float stored = umbrage_depth_at_depths(map, size, uv);
     return umbrage_compare_depths(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
@@ -136,9 +140,12 @@ float2 umbrage_blocker_at_depths(Texture2D<float> map, float2 size, float2 uv, f
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
-// umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware16_depths(Texture2D<float> map, float2 size, float2 coord, float receiver, float radius,
                                           float2 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
@@ -169,7 +176,7 @@ float2 umbrage_blockers_hardware16_depths(Texture2D<float> map, float2 size, flo
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -177,16 +184,16 @@ precise bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 precise bool umbrage_within_far_plane_shadow(float receiver) {
     return receiver <= 1.0;
 }
@@ -202,8 +209,9 @@ float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
                             float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, uv, receiver);
@@ -215,9 +223,13 @@ float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sam
 
 #ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
 #define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
                                      float2 coord, float receiver, float radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, peter_panning_distance: depth before a receiver within which its bias loses a caster's shadow.
-//   Exactness: tier B.
+// umbrage 0.1.0, peter_panning_distance: depth within which a bias detaches shadows (peter-panning). Exactness: tier
+//   B.
 // peter_panning_distance, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
@@ -17,9 +17,10 @@ float umbrage_clamp_bias(float bias) {
 
 #ifndef UMBRAGE_HAS_ACNE_FREE_BIAS
 #define UMBRAGE_HAS_ACNE_FREE_BIAS
-// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   reach  of the filter, texels
-//   error  how far a decoded depth may lie before the true one
+// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+//   slope  change of depth per texel, in x and y
+//   reach  filter radius, in texels
+//   error  largest error of a decoded depth towards the light
 float umbrage_acne_free_bias(float2 slope, float reach, float error) {
     precise float bias = reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
     return umbrage_clamp_bias(bias);
@@ -28,9 +29,10 @@ float umbrage_acne_free_bias(float2 slope, float reach, float error) {
 
 #ifndef UMBRAGE_HAS_PETER_PANNING_DISTANCE
 #define UMBRAGE_HAS_PETER_PANNING_DISTANCE
-// umbrage_peter_panning_distance: a caster nearer to the receiver loses its shadow, or a part of it; depth, 0.0 to 1.0
-//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
-//   reach  of the filter, texels
+// umbrage_peter_panning_distance: depth, 0.0 to 1.0, within which casters lose their shadow or part of it
+//   bias          bias of the receiver, in depth
+//   caster_slope  change of the caster's depth per texel
+//   reach         filter radius, in texels
 float umbrage_peter_panning_distance(float bias, float2 caster_slope, float reach) {
     return umbrage_acne_free_bias(caster_slope, reach, bias);
 }

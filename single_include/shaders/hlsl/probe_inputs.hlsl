@@ -1,10 +1,12 @@
-// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal is wrong. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
 #ifndef UMBRAGE_HAS_PROBE_INPUTS
 #define UMBRAGE_HAS_PROBE_INPUTS
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
     float limit = 18446744073709551616.0;
     bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;

@@ -7,7 +7,8 @@
 
 #ifndef UMBRAGE_HAS_REVERSED_DEPTH_FROM_VIEW_Z
 #define UMBRAGE_HAS_REVERSED_DEPTH_FROM_VIEW_Z
-// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+// umbrage_reversed_depth_from_view_z: perspective depth in [0, 1], 1.0 at z_near, from the distance along the light's
+// axis
 float umbrage_reversed_depth_from_view_z(float z_view, float z_near, float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, shadow_coordinate: world to texels and depth, before the division. Exactness: tier B.
+// umbrage 0.1.0, shadow_coordinate: world to texels and depth, before the division by w. Exactness: tier B.
 // shadow_coordinate, tier B: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_SHADOW_COORDINATE
 #define UMBRAGE_HAS_SHADOW_COORDINATE
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+// umbrage_shadow_coordinate: texture matrix times world position: (x w, y w, depth w, w), x and y in texels
 float4 umbrage_shadow_coordinate(float4x4 m, float3 world) {
     precise float4 c = transpose(m)[3] + transpose(m)[0] * world.x + transpose(m)[1] * world.y + transpose(m)[2] *
         world.z;

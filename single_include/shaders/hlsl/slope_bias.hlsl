@@ -1,4 +1,4 @@
-// umbrage 0.1.0, slope_bias: bias by the greater slope, as rasterizers have it. Exactness: tier B.
+// umbrage 0.1.0, slope_bias: slope-scaled bias, as rasterizers compute it. Exactness: tier B.
 // slope_bias, tier B: within 2 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
@@ -16,11 +16,13 @@ float umbrage_clamp_bias(float bias) {
 
 #ifndef UMBRAGE_HAS_SLOPE_BIAS
 #define UMBRAGE_HAS_SLOPE_BIAS
-// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
-//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+// umbrage_slope_bias: factor times the larger slope, plus a base, 0.0 to 1.0
+//   slope   change of depth per texel
+//   factor  factor of the slope, in texels
+//   base    constant bias, in depth
 float umbrage_slope_bias(float2 slope, float factor, float base) {
     precise float2 bias = abs(slope) * factor + base;
-    float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    float x = umbrage_clamp_bias(bias.x);  // clamp first: GPUs differ in the maximum of a NaN
     float y = umbrage_clamp_bias(bias.y);
     return x > y ? x : y;
 }

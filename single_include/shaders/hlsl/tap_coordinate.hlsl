@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tap_coordinate: a tap's coordinate from the middle's, before the division. Exactness: tier B.
+// umbrage 0.1.0, tap_coordinate: coordinate of a tap from the center's, before division by w. Exactness: tier B.
 // tap_coordinate, tier B: within 2 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_TAP_COORDINATE
 #define UMBRAGE_HAS_TAP_COORDINATE
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+// umbrage_tap_coordinate: coordinate before the division by w, moved by offset texels
 float4 umbrage_tap_coordinate(float4 coordinate, float2 offset) {
     precise float2 moved = float2(coordinate.x, coordinate.y) + offset * coordinate.w;
     return float4(moved.x, moved.y, coordinate.z, coordinate.w);

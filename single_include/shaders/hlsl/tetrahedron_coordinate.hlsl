@@ -1,5 +1,4 @@
-// umbrage 0.1.0, tetrahedron_coordinate: face of a tetrahedron, and where on it, that a direction meets. Exactness:
-//   tier C.
+// umbrage 0.1.0, tetrahedron_coordinate: tetrahedron face of a direction, and the position on it. Exactness: tier C.
 // tetrahedron_coordinate, tier C: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -8,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 float umbrage_tetrahedron_face(float3 direction) {
     precise float beside = abs(direction.z) - abs(direction.x);
     precise float up = direction.y * 1.414213562;
@@ -38,7 +37,9 @@ float3 umbrage_tetrahedron_plane(float3 direction) {
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_COORDINATE
 #define UMBRAGE_HAS_TETRAHEDRON_COORDINATE
-// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction
+//   s  -1.0 to 1.0 along the base
+//   t  0.0 at the base to 1.0 at the apex
 float3 umbrage_tetrahedron_coordinate(float3 direction) {
     float3 p = umbrage_tetrahedron_plane(direction);
     precise float d = p.z * 2.0 + p.y * -1.414213562;

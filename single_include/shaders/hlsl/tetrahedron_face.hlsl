@@ -7,7 +7,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 float umbrage_tetrahedron_face(float3 direction) {
     precise float beside = abs(direction.z) - abs(direction.x);
     precise float up = direction.y * 1.414213562;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, texels_to_world: texels across a light as world units. Exactness: tier B.
+// umbrage 0.1.0, texels_to_world: texels across a light to world units. Exactness: tier B.
 // texels_to_world, tier B: within 2 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -8,7 +8,8 @@
 #ifndef UMBRAGE_HAS_TEXELS_TO_WORLD
 #define UMBRAGE_HAS_TEXELS_TO_WORLD
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate
 float umbrage_texels_to_world(float texels, float2 units, float w) {
     precise float world = texels * units.x * w;
     return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;

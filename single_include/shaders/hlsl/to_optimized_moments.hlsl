@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_optimized_moments: four moments to four channels of 16 bits. Exactness: tier B.
+// umbrage 0.1.0, to_optimized_moments: four moments (MSM) to four 16-bit channels. Exactness: tier B.
 // to_optimized_moments, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -9,7 +9,7 @@
 
 #ifndef UMBRAGE_HAS_TO_OPTIMIZED_MOMENTS
 #define UMBRAGE_HAS_TO_OPTIMIZED_MOMENTS
-// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+// umbrage_to_optimized_moments: four moments for four 16-bit channels, each over all of 0.0 to 1.0
 float4 umbrage_to_optimized_moments(float4 b) {
     precise float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     precise float y = (b.y - b.w) * 4.0;

@@ -7,8 +7,8 @@
 
 #ifndef UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
 #define UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
-// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
-// axis; when reversed, exchange z_near and z_far
+// umbrage_view_z_from_orthographic_depth: distance along the light's axis from orthographic depth in [0, 1]
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 float umbrage_view_z_from_orthographic_depth(float depth, float z_near, float z_far) {
     precise float z_view = z_near + depth * (z_far - z_near);
     return z_view;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, vsm: visibility from a map of encode_vsm's texels. Exactness: tier C.
+// umbrage 0.1.0, vsm: visibility from a blurred variance shadow map (VSM). Exactness: tier C.
 // vsm, tier C: within 165 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -14,17 +14,19 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     precise float difference = m.y - m.x * m.x;
     float variance = difference > min_variance ? difference : min_variance;
@@ -37,7 +39,7 @@ float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -45,16 +47,16 @@ precise bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 precise bool umbrage_map_covers(float2 size, float2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -63,8 +65,9 @@ precise bool umbrage_map_covers(float2 size, float2 coord) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
     return map.Load(int3(int2(texel), 0));
 }
@@ -72,7 +75,7 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
@@ -80,14 +83,14 @@ float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
 
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
     float2 x = floor(coord * 256.0) - 128.0;
     float2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
-    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    float2 lo = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
@@ -109,7 +112,7 @@ float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -117,8 +120,10 @@ float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_VSM
 #define UMBRAGE_HAS_DECODE_VSM
-// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+// umbrage_decode_vsm: visibility of a receiver from a variance shadow map, at least its lit fraction. 1.0 = lit
+//   m              mean of texels
+//   receiver       receiver depth, bias applied
+//   min_variance   0.0 or more
 float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
     return umbrage_chebyshev(m, umbrage_to_forward_depth(receiver), min_variance);
 }
@@ -126,9 +131,9 @@ float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
 
 #ifndef UMBRAGE_HAS_VSM
 #define UMBRAGE_HAS_VSM
-// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   min_variance  0.0 or more
+// umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
 float umbrage_vsm(Texture2D<float4> map, float2 size, float2 coord, float receiver, float min_variance) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;
     float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, window_hardware5_shadow: window of 5 x 5 by 9 of them. Exactness: tier C.
+// umbrage 0.1.0, window_hardware5_shadow: 5x5 kernel, 9 fetches from a linear comparison sampler. Exactness: tier C.
 // window_hardware5_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -12,16 +12,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 precise bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -29,16 +29,16 @@ precise bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 precise bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 precise bool umbrage_within_far_plane_shadow(float receiver) {
     return receiver <= 1.0;
 }
@@ -54,8 +54,9 @@ float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 uv,
                             float receiver) {
     float lit = map.SampleCmpLevelZero(map_sampler, uv, receiver);
@@ -67,9 +68,12 @@ float umbrage_lit_at_shadow(Texture2D<float> map, SamplerComparisonState map_sam
 
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE5_SHADOW
 #define UMBRAGE_HAS_WINDOW_HARDWARE5_SHADOW
-// umbrage_window_hardware5_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware5_shadow: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k2    weights from the edge to the middle one. The others mirror them
 float umbrage_window_hardware5_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
                                       float2 coord, float receiver, float k0, float k1, float k2) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, write_base255: depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx. Exactness: tier B.
+// umbrage 0.1.0, write_base255: depth to base-255 RGBA of Cesium, Babylon.js, bgfx. Exactness: tier B.
 // write_base255, tier B: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -21,15 +21,15 @@ float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WRITE_BASE255
 #define UMBRAGE_HAS_WRITE_BASE255
-// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_base255_repaired has neither fault
+// umbrage_write_base255: base-255 RGBA of a depth, values to write as they are. The store must round
+// 1.0 reads back as 0.0. umbrage_encode_base255_repaired has neither fault
 float4 umbrage_write_base255(float depth) {
     float v = umbrage_saturate(depth);
     precise float4 e = float4(v, v * 255.0, v * 65025.0, v * 16581375.0);

@@ -21,15 +21,15 @@ float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WRITE_THREEJS_LEGACY
 #define UMBRAGE_HAS_WRITE_THREEJS_LEGACY
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+// umbrage_write_threejs_legacy: RGBA of a depth, as in three.js r73 to r166, values to write as they are
+//   1.0 reads back as 255/256. umbrage_encode_threejs_legacy_repaired does not have this fault
 float4 umbrage_write_threejs_legacy(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 16777216.0 - floor(v * 16777216.0);

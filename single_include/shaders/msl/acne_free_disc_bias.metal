@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 inline float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
@@ -20,9 +20,10 @@ inline float umbrage_clamp_bias(float bias) {
 
 #ifndef UMBRAGE_HAS_ACNE_FREE_DISC_BIAS
 #define UMBRAGE_HAS_ACNE_FREE_DISC_BIAS
-// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
-//   error   how far a decoded depth may lie before the true one
+// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+//   slope   change of depth per texel, in x and y
+//   radius  distance to the disc's farthest point, in texels
+//   error   largest error of a decoded depth towards the light
 inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
     float square = slope.x * slope.x + slope.y * slope.y;
     float beside = (metal::abs(slope.x) + metal::abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));

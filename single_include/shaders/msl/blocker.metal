@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blocker: whether a texel lies before a receiver, and how far from the light. Exactness: tier A.
+// umbrage 0.1.0, blocker: count and distance code of one possible blocker. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -18,8 +18,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -27,7 +28,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -54,7 +55,8 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
     float v = depth * 65536.0;
     float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;
@@ -65,7 +67,7 @@ inline float umbrage_distance_code(float depth) {
 
 #ifndef UMBRAGE_HAS_BLOCKER
 #define UMBRAGE_HAS_BLOCKER
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     float stored = umbrage_fetch_depth(map, size, texel);
     float code = umbrage_distance_code(stored);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blur_row7: mean of texels in a row. Exactness: tier B.
+// umbrage 0.1.0, blur_row7: binomial mean of texels in a row, for blurs. Exactness: tier B.
 // blur_row7, tier B: within 17 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -15,8 +15,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -24,7 +25,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
@@ -32,9 +33,10 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 
 #ifndef UMBRAGE_HAS_BLUR_ROW7
 #define UMBRAGE_HAS_BLUR_ROW7
-// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row7: mean of 7 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 inline float4 umbrage_blur_row7(metal::texture2d<float> map, float2 size, float2 texel, float2 along) {
     float4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
     float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);

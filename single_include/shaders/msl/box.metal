@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box: lit share of a box of radius 0..8. Exactness: tier B.
+// umbrage 0.1.0, box: lit fraction of a box of radius 0..8 (box PCF). Exactness: tier B.
 // box, tier B: within 290 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -21,9 +21,9 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
@@ -47,7 +47,7 @@ inline float umbrage_box_scale(int radius) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -55,9 +55,9 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -73,8 +73,9 @@ inline float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -82,7 +83,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -93,7 +94,7 @@ inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -101,9 +102,11 @@ inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel,
 
 #ifndef UMBRAGE_HAS_BOX_COUNT
 #define UMBRAGE_HAS_BOX_COUNT
-// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 inline float umbrage_box_count(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
@@ -123,7 +126,8 @@ inline float umbrage_box_count(metal::texture2d<float> map, float2 size, float2 
 
 #ifndef UMBRAGE_HAS_BOX
 #define UMBRAGE_HAS_BOX
-// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+// umbrage_box: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count
 inline float umbrage_box(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
     float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1

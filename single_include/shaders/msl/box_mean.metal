@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
-//   tier C.
+// umbrage 0.1.0, box_mean: mean of four integers over a box, from a SAT in two halves. Exactness: tier C.
 // box_mean, tier C: within 19 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -16,8 +15,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -25,8 +25,9 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_BOX_MEAN
 #define UMBRAGE_HAS_BOX_MEAN
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_mean(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float right = size.x * 0.5;
     float4 a = umbrage_texel(map, size, end);

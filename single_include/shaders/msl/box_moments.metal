@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
-//   tier A.
+// umbrage 0.1.0, box_moments: mean and squared distances over a box, from a SAT. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
@@ -12,7 +11,9 @@
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
     float more = q + 1.0;
     float known = more * b <= a ? more : q;
@@ -22,7 +23,9 @@ inline float umbrage_correct_quotient(float q, float a, float b) {
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_floor_divide(float a, float b) {
     return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
@@ -31,8 +34,9 @@ inline float umbrage_floor_divide(float a, float b) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -40,9 +44,10 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_BOX_MOMENTS
 #define UMBRAGE_HAS_BOX_MOMENTS
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float4 a = umbrage_texel(map, size, end);
     float4 b = umbrage_texel(map, size, float2(first.x, end.y));
@@ -52,7 +57,7 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
     float2 low = float2(part.x, part.z);
     float2 carry = metal::floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = metal::max(low - carry * 65536.0, float2(0.0, 0.0));
     above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;

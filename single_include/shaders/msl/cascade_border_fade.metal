@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 inline float umbrage_cascade_weight(float v) {
     float steps = v > 0.0 && v < 1.0 ? metal::floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -20,8 +20,10 @@ inline float umbrage_cascade_weight(float v) {
 
 #ifndef UMBRAGE_HAS_CASCADE_BORDER_FADE
 #define UMBRAGE_HAS_CASCADE_BORDER_FADE
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 inline float umbrage_cascade_border_fade(float2 coordinate, float2 size, float reach, float per_texel) {
     float2 half_size = size * 0.5;
     float2 beyond = metal::abs(coordinate - half_size) - (half_size - reach);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_column_8: one of eight columns, without an index. Exactness: tier A.
+// umbrage 0.1.0, cascade_column_8: one of eight columns, without dynamic indexing. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_COLUMN
 #define UMBRAGE_HAS_CASCADE_COLUMN
-// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+// umbrage_cascade_column: column of a matrix by its index, 0.0 to 3.0, for languages without dynamic indexing
 inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
     float4 low = number < 0.5 ? columns[0] : columns[1];
     float4 high = number < 2.5 ? columns[2] : columns[3];
@@ -18,7 +18,7 @@ inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
 
 #ifndef UMBRAGE_HAS_CASCADE_COLUMN_8
 #define UMBRAGE_HAS_CASCADE_COLUMN_8
-// umbrage_cascade_column_8: a column of two matrices by its number, 0.0 to 7.0
+// umbrage_cascade_column_8: column of two matrices by its index, 0.0 to 7.0
 inline float4 umbrage_cascade_column_8(metal::float4x4 nearer, metal::float4x4 farther, float number) {
     float4 low = umbrage_cascade_column(nearer, number);
     float4 high = umbrage_cascade_column(farther, number - 4.0);

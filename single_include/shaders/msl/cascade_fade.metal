@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_WEIGHT
 #define UMBRAGE_HAS_CASCADE_WEIGHT
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 inline float umbrage_cascade_weight(float v) {
     float steps = v > 0.0 && v < 1.0 ? metal::floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
     return steps * (1.0 / 256.0);
@@ -20,7 +20,7 @@ inline float umbrage_cascade_weight(float v) {
 
 #ifndef UMBRAGE_HAS_CASCADE_FADE
 #define UMBRAGE_HAS_CASCADE_FADE
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 inline float umbrage_cascade_fade(float depth, float scale, float offset) {
     float v = depth * scale + offset;
     return umbrage_cascade_weight(v);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_slope: change of a plane's depth from texel to texel of a cascade. Exactness: tier C.
+// umbrage 0.1.0, cascade_slope: change of a plane's depth per texel in a cascade. Exactness: tier C.
 // cascade_slope, tier C: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -19,8 +19,9 @@ inline float umbrage_clamp_slope(float slope) {
 
 #ifndef UMBRAGE_HAS_CASCADE_SLOPE
 #define UMBRAGE_HAS_CASCADE_SLOPE
-// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
-//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+// umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
+//   normal  surface normal, rotated into the light's axes
+//   scale   scale of the cascade
 inline float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
     float2 across = float2(scale.x, scale.y) * normal.z;

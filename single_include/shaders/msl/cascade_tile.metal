@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_CASCADE_TILE
 #define UMBRAGE_HAS_CASCADE_TILE
-// umbrage_cascade_tile: first texel of a cascade, a whole number, in an atlas of tiles of size texels, two a row
+// umbrage_cascade_tile: first texel of a cascade in an atlas with two tiles of size texels per row
 inline float2 umbrage_cascade_tile(float number, float2 size) {
     float row = metal::floor(number * 0.5);
     return float2(number - row * 2.0, row) * size;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, castano7_shadow: sliding window 1 5 12 16 12 5 1. Exactness: tier B.
+// umbrage 0.1.0, castano7_shadow: PCF kernel 1 5 12 16 12 5 1. Exactness: tier B.
 // castano7_shadow, tier B: within 138 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -18,16 +18,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -35,16 +35,16 @@ inline bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
-// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 inline float umbrage_lit_texel_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
                                       float receiver) {
     float lit = map.sample_compare(map_sampler, (texel + 0.5) / size, receiver, metal::level(0.0));
@@ -62,7 +62,7 @@ inline float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
 inline float umbrage_lit_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
                                 float receiver) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
@@ -74,7 +74,7 @@ inline float umbrage_lit_shadow(metal::depth2d<float> map, metal::sampler map_sa
 
 #ifndef UMBRAGE_HAS_LIT_2X2_SHADOW
 #define UMBRAGE_HAS_LIT_2X2_SHADOW
-// umbrage_lit_2x2_shadow: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2_shadow: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 inline float4 umbrage_lit_2x2_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
                                      float receiver) {
     float a = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
@@ -87,11 +87,13 @@ inline float4 umbrage_lit_2x2_shadow(metal::depth2d<float> map, metal::sampler m
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM7_SHADOW
 #define UMBRAGE_HAS_WINDOW_SUM7_SHADOW
-// umbrage_window_sum7_shadow: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum7_shadow: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 inline float umbrage_window_sum7_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
                                         float2 coord, float receiver, float steps, float k0, float k1, float k2,
                                         float k3) {
@@ -141,9 +143,11 @@ inline float umbrage_window_sum7_shadow(metal::depth2d<float> map, metal::sample
 
 #ifndef UMBRAGE_HAS_CASTANO7_SHADOW
 #define UMBRAGE_HAS_CASTANO7_SHADOW
-// umbrage_castano7_shadow: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano7_shadow: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 inline float umbrage_castano7_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 coord,
                                      float receiver) {
     float n = umbrage_window_sum7_shadow(map, map_sampler, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, chebyshev: most that mean and variance let be lit. Exactness: tier C.
+// umbrage 0.1.0, chebyshev: upper bound on visibility from mean and variance. Exactness: tier C.
 // chebyshev, tier C: within 11 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,8 +11,10 @@
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float difference = m.y - m.x * m.x;
     float variance = difference > min_variance ? difference : min_variance;

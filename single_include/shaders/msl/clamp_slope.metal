@@ -1,4 +1,4 @@
-// umbrage 0.1.0, clamp_slope: clamp of a slope to [-2, 2], NaN to 2. Exactness: tier A.
+// umbrage 0.1.0, clamp_slope: clamp of a slope to [-2, 2]; NaN becomes 2. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, correct_quotient: a quotient of whole numbers, from one at most one off. Exactness: tier A.
+// umbrage 0.1.0, correct_quotient: floor of a quotient, from a guess off by at most one. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,9 @@
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
     float more = q + 1.0;
     float known = more * b <= a ? more : q;

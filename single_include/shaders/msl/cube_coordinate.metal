@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_coordinate: face, and where on it, that a direction meets. Exactness: tier C.
+// umbrage 0.1.0, cube_coordinate: face of a direction, and the position on it. Exactness: tier C.
 // cube_coordinate, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,20 +11,20 @@
 
 #ifndef UMBRAGE_HAS_CUBE_FACE
 #define UMBRAGE_HAS_CUBE_FACE
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 inline float umbrage_cube_face(float3 direction) {
     float3 m = metal::abs(direction);
     float x = direction.x < 0.0 ? 1.0 : 0.0;
     float y = direction.y < 0.0 ? 3.0 : 2.0;
     float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_VIEW_Z
 #define UMBRAGE_HAS_CUBE_VIEW_Z
-// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+// umbrage_cube_view_z: magnitude of the largest component, the input of per-face depths
 inline float umbrage_cube_view_z(float3 direction) {
     float face = umbrage_cube_face(direction);
     float side = face < 1.5 ? direction.x : direction.y;
@@ -34,7 +34,7 @@ inline float umbrage_cube_view_z(float3 direction) {
 
 #ifndef UMBRAGE_HAS_CUBE_PLANE
 #define UMBRAGE_HAS_CUBE_PLANE
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 inline float3 umbrage_cube_plane(float3 direction) {
     float face = umbrage_cube_face(direction);
     float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube. Exactness: tier A.
+// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -17,20 +17,20 @@
 
 #ifndef UMBRAGE_HAS_CUBE_FACE
 #define UMBRAGE_HAS_CUBE_FACE
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 inline float umbrage_cube_face(float3 direction) {
     float3 m = metal::abs(direction);
     float x = direction.x < 0.0 ? 1.0 : 0.0;
     float y = direction.y < 0.0 ? 3.0 : 2.0;
     float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_PLANE
 #define UMBRAGE_HAS_CUBE_PLANE
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 inline float3 umbrage_cube_plane(float3 direction) {
     float face = umbrage_cube_face(direction);
     float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
@@ -42,7 +42,7 @@ inline float3 umbrage_cube_plane(float3 direction) {
 
 #ifndef UMBRAGE_HAS_CUBE_POINT
 #define UMBRAGE_HAS_CUBE_POINT
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 inline float3 umbrage_cube_point(float face, float3 p) {
     float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
     float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
@@ -54,7 +54,8 @@ inline float3 umbrage_cube_point(float face, float3 p) {
 #ifndef UMBRAGE_HAS_CUBE_NEIGHBOR
 #define UMBRAGE_HAS_CUBE_NEIGHBOR
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 inline float3 umbrage_cube_neighbor(float3 texel, float size) {
     float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
     bool beyond_u = metal::abs(uv.x) > size;
@@ -86,8 +87,9 @@ inline float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -95,7 +97,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -106,7 +108,7 @@ inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -114,8 +116,11 @@ inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel,
 
 #ifndef UMBRAGE_HAS_CUBE_LIT
 #define UMBRAGE_HAS_CUBE_LIT
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 inline float2 umbrage_cube_lit(metal::texture2d<float> map, float2 size, float3 texel, float receiver) {
     float side = size.y * 0.5;
     float3 n = umbrage_cube_neighbor(texel, side);

@@ -15,7 +15,7 @@
 
 #ifndef UMBRAGE_HAS_DECODE_BASE255
 #define UMBRAGE_HAS_DECODE_BASE255
-// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+// umbrage_decode_base255: depth from base-255 RGBA, as sampled
 inline float umbrage_decode_base255(float4 c) {
     float depth = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
     return depth;

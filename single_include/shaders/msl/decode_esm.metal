@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_esm: mean of texels of an exponential shadow map to visibility. Exactness: tier B.
+// umbrage 0.1.0, decode_esm: mean of ESM texels to visibility. Exactness: tier B.
 // decode_esm, tier B: within 37 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -13,7 +13,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
@@ -22,8 +22,8 @@ inline float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
@@ -56,7 +56,7 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -64,8 +64,10 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_ESM
 #define UMBRAGE_HAS_DECODE_ESM
-// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+// umbrage_decode_esm: visibility of a receiver from an exponential shadow map, at least its lit fraction. 1.0 = lit
+//   m          mean of texels
+//   receiver   receiver depth, bias applied
+//   exponent   same as for the texels
 inline float umbrage_decode_esm(float m, float receiver, float exponent) {
     float d = umbrage_to_forward_depth(receiver);
     float p = m * umbrage_exponential_warp(d, -exponent);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_msm_hausdorff: mean of MSM texels to visibility, for depths on [-1, 1]. Exactness: tier C.
 // decode_msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -23,8 +23,9 @@ inline float4 umbrage_bias_moments(float4 b, float2 bias) {
 
 #ifndef UMBRAGE_HAS_MOMENT_ATOMS
 #define UMBRAGE_HAS_MOMENT_ATOMS
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 inline float4 umbrage_moment_atoms(float4 b, float x) {
     float d = b.y - b.x * b.x;
     float third = b.z - b.x * b.y;
@@ -47,9 +48,10 @@ inline float4 umbrage_moment_atoms(float4 b, float x) {
 
 #ifndef UMBRAGE_HAS_HAUSDORFF_SHARE
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 inline float umbrage_hausdorff_share(float4 b, float z) {
     float variance = b.y - b.x * b.x;
     float third = b.z - b.x * b.y;
@@ -83,7 +85,7 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -91,9 +93,9 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_MSM
 #define UMBRAGE_HAS_DECODE_MSM
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
@@ -102,7 +104,7 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float first = atoms.x < x ? atoms.z : 0.0;
     float second = atoms.y < x ? atoms.w : 0.0;
     float lit = 1.0 - (first + second);
-    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -110,8 +112,10 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 
 #ifndef UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
 #define UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_to_forward_depth(receiver);

@@ -10,7 +10,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM10
 #define UMBRAGE_HAS_FROM_UNORM10
-// umbrage_from_unorm10: channel 0..1023 behind a value read from a 10-bit texture, however the driver divides by 1023
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
 inline float umbrage_from_unorm10(float c) {
     return metal::floor(c * 1023.0 + 0.5);
 }
@@ -27,8 +27,8 @@ inline float4 umbrage_from_unorm10(float4 c) {
 
 #ifndef UMBRAGE_HAS_DECODE_RGB10
 #define UMBRAGE_HAS_DECODE_RGB10
-// umbrage_decode_rgb10: three 10-bit channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb10: depth from three 10-bit channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 inline float umbrage_decode_rgb10(float3 c, float edge) {
     float3 k = umbrage_from_unorm10(c);
     return ((k.x * 1024.0 + k.y) * 16.0 + metal::floor(k.z * (1.0 / 64.0)) + edge) * (1.0 / 16777216.0);

@@ -13,7 +13,7 @@
 
 #ifndef UMBRAGE_HAS_DECODE_THREEJS_RGB
 #define UMBRAGE_HAS_DECODE_THREEJS_RGB
-// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgb: depth from the RGB format of three.js r167 and later, as sampled
 inline float umbrage_decode_threejs_rgb(float3 c) {
     float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
     return depth;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, distance_code: a depth as 16 bits of distance from the near plane. Exactness: tier A.
+// umbrage 0.1.0, distance_code: distance of a depth from the near plane, 16 bits. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
@@ -18,7 +18,8 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
     float v = depth * 65536.0;
     float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, dpcf8: contact hardening by 8 points. Exactness: tier A.
+// umbrage 0.1.0, dpcf8: contact hardening from one pass (DPCF), 8 points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -17,18 +17,18 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_PENUMBRA
 #define UMBRAGE_HAS_PENUMBRA
-// umbrage_penumbra: radius in 1/16 texel, a whole number
-//   apart     umbrage_distance_code of the receiver less that of the blocker
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+//   apart      umbrage_distance_code of the receiver minus that of the blocker
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 inline float umbrage_penumbra(float apart, float3 softness) {
     return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
 }
@@ -36,9 +36,11 @@ inline float umbrage_penumbra(float apart, float3 softness) {
 
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
@@ -52,7 +54,9 @@ inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
     float more = q + 1.0;
     float known = more * b <= a ? more : q;
@@ -62,7 +66,9 @@ inline float umbrage_correct_quotient(float q, float a, float b) {
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_floor_divide(float a, float b) {
     return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
@@ -70,8 +76,9 @@ inline float umbrage_floor_divide(float a, float b) {
 
 #ifndef UMBRAGE_HAS_HARDENED_KERNEL8
 #define UMBRAGE_HAS_HARDENED_KERNEL8
-// umbrage_hardened_kernel8: the share of 8 points in shadow, steepened
-//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+// umbrage_hardened_kernel8: fraction of 8 points in shadow, steepened
+//   blocked   number of blockers
+//   ratio     width of the penumbra over that of the disc in 1/256, an integer. 256.0 changes nothing
 inline float umbrage_hardened_kernel8(float blocked, float ratio) {
     float u = blocked * 2.0 - 8.0;
     float d = metal::max(8.0 - metal::abs(u), 0.0);  // not negative already: no sum is regrouped across the max
@@ -83,7 +90,7 @@ inline float umbrage_hardened_kernel8(float blocked, float ratio) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -91,9 +98,9 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -108,7 +115,8 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
     float v = depth * 65536.0;
     float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;
@@ -120,8 +128,9 @@ inline float umbrage_distance_code(float depth) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -129,7 +138,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -148,7 +157,7 @@ inline float umbrage_compare(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_BLOCKER
 #define UMBRAGE_HAS_BLOCKER
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     float stored = umbrage_fetch_depth(map, size, texel);
     float code = umbrage_distance_code(stored);
@@ -158,9 +167,12 @@ inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 t
 
 #ifndef UMBRAGE_HAS_BLOCKERS8
 #define UMBRAGE_HAS_BLOCKERS8
-// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver, float radius,
                                 float2 rotation) {
     float2 n = float2(0.0, 0.0);
@@ -178,9 +190,12 @@ inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2
 
 #ifndef UMBRAGE_HAS_DPCF8
 #define UMBRAGE_HAS_DPCF8
-// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
                            float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);

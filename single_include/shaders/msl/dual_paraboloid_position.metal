@@ -1,4 +1,4 @@
-// umbrage 0.1.0, dual_paraboloid_position: a vertex of a paraboloid map's depth pass. Exactness: tier C.
+// umbrage 0.1.0, dual_paraboloid_position: position of a vertex in a paraboloid map's depth pass. Exactness: tier C.
 // dual_paraboloid_position, tier C: within 18 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -12,7 +12,8 @@
 #ifndef UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
 #define UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
 // umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
-//   direction  from the light to the vertex;   map  0.0 or 1.0
+//   direction  from the light to the vertex
+//   map        index of the map, 0.0 or 1.0
 inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
     bool behind = map > 0.5;
     float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;

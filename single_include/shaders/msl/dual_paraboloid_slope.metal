@@ -1,5 +1,4 @@
-// umbrage 0.1.0, dual_paraboloid_slope: change of distance from texel to texel of a paraboloid's map. Exactness: tier
-//   C.
+// umbrage 0.1.0, dual_paraboloid_slope: change of distance per texel in a dual paraboloid map. Exactness: tier C.
 // dual_paraboloid_slope, tier C: within 41 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -12,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -20,8 +19,10 @@ inline float umbrage_clamp_slope(float slope) {
 
 #ifndef UMBRAGE_HAS_DUAL_PARABOLOID_SLOPE
 #define UMBRAGE_HAS_DUAL_PARABOLOID_SLOPE
-// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
-//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+// umbrage_dual_paraboloid_slope: change of distance per texel, the same in x and y; 0.0 without a normal
+//   way        from the light to the receiver
+//   normal     surface normal
+//   per_texel  2.0 / (range * (size - 2.0 * border))
 inline float2 umbrage_dual_paraboloid_slope(float3 way, float3 normal, float per_texel) {
     float square = way.x * way.x + way.y * way.y + way.z * way.z;
     float x = normal.y * way.z - normal.z * way.y;

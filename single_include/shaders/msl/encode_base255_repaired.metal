@@ -1,5 +1,4 @@
-// umbrage 0.1.0, encode_base255_repaired: depth for readers of base-255 RGBA, 1.0 and truncation repaired. Exactness:
-//   tier B.
+// umbrage 0.1.0, encode_base255_repaired: depth to base-255 RGBA without its faults. Exactness: tier B.
 // encode_base255_repaired, tier B: within 7 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -26,15 +25,15 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ENCODE_BASE255_REPAIRED
 #define UMBRAGE_HAS_ENCODE_BASE255_REPAIRED
-// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_base255_repaired: channels of a depth for readers of base-255 RGBA. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 inline float4 umbrage_encode_base255_repaired(float depth) {
     float x = umbrage_saturate(depth) * 255.0;
     float y = (x - metal::floor(x)) * 255.0;

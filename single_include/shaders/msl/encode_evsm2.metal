@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_evsm2: depth to a texel of two components. Exactness: tier B.
+// umbrage 0.1.0, encode_evsm2: depth to an EVSM texel of two components. Exactness: tier B.
 // encode_evsm2, tier B: within 73 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -15,7 +15,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
@@ -24,8 +24,8 @@ inline float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
@@ -60,14 +60,14 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -75,7 +75,7 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_ENCODE_EVSM2
 #define UMBRAGE_HAS_ENCODE_EVSM2
-// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_evsm2: texel of two components, a power of depth and its square. NaN counts as far
 inline float2 umbrage_encode_evsm2(float depth, float exponent) {
     float w = umbrage_exponential_warp(umbrage_to_forward_depth(umbrage_saturate(depth)), exponent);
     return float2(w, w * w);

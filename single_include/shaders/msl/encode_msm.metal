@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_msm: depth to its first four powers on [-1, 1]. Exactness: tier B.
+// umbrage 0.1.0, encode_msm: depth to a texel of a moment shadow map (MSM). Exactness: tier B.
 // encode_msm, tier B: within 15 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -27,14 +27,14 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -42,7 +42,7 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_ENCODE_MSM
 #define UMBRAGE_HAS_ENCODE_MSM
-// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, the texel of a moment shadow map. NaN counts as far
 inline float4 umbrage_encode_msm(float depth) {
     float z = umbrage_to_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
     float square = z * z;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rgb24: depth to three channels, R most significant. Exactness: tier A.
+// umbrage 0.1.0, encode_rgb24: depth to three 8-bit channels, R most significant. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
@@ -22,15 +22,15 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ENCODE_RGB24
 #define UMBRAGE_HAS_ENCODE_RGB24
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb24: three channels of a depth, R most significant, integers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1]. NaN counts as far
 inline float3 umbrage_encode_rgb24(float depth) {
     float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     float high = metal::floor(x * (1.0 / 65536.0));

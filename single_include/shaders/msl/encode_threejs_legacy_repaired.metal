@@ -1,5 +1,5 @@
-// umbrage 0.1.0, encode_threejs_legacy_repaired: depth for readers of three.js RGBA, r73 to r166, 1.0 repaired.
-//   Exactness: tier A.
+// umbrage 0.1.0, encode_threejs_legacy_repaired: depth to three.js RGBA, r73 to r166, without its fault. Exactness:
+//   tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
@@ -24,15 +24,15 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ENCODE_THREEJS_LEGACY_REPAIRED
 #define UMBRAGE_HAS_ENCODE_THREEJS_LEGACY_REPAIRED
-// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_threejs_legacy_repaired: channels of a depth for readers of three.js r73 to r166. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
     float v = umbrage_saturate(depth);
     float x = metal::floor(v * 16777216.0);

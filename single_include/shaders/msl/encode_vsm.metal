@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_vsm: depth to a texel of a variance shadow map. Exactness: tier B.
+// umbrage 0.1.0, encode_vsm: depth to a texel of a variance shadow map (VSM). Exactness: tier B.
 // encode_vsm, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -25,14 +25,14 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -40,7 +40,7 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_ENCODE_VSM
 #define UMBRAGE_HAS_ENCODE_VSM
-// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+// umbrage_encode_vsm: texel of a variance shadow map, depth and its square. NaN counts as far
 inline float2 umbrage_encode_vsm(float depth) {
     float d = umbrage_to_forward_depth(umbrage_saturate(depth));
     return float2(d, d * d);

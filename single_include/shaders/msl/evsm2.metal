@@ -1,4 +1,4 @@
-// umbrage 0.1.0, evsm2: visibility from a map of encode_evsm2's texels. Exactness: tier C.
+// umbrage 0.1.0, evsm2: visibility from a blurred EVSM of two components. Exactness: tier C.
 // evsm2, tier C: within 267 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -18,17 +18,19 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CHEBYSHEV
 #define UMBRAGE_HAS_CHEBYSHEV
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float difference = m.y - m.x * m.x;
     float variance = difference > min_variance ? difference : min_variance;
@@ -41,7 +43,7 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
@@ -50,8 +52,8 @@ inline float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
@@ -76,7 +78,7 @@ inline float umbrage_exponential_warp(float depth, float exponent) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -84,16 +86,16 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 inline bool umbrage_map_covers(float2 size, float2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -102,8 +104,9 @@ inline bool umbrage_map_covers(float2 size, float2 coord) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -111,7 +114,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
 }
@@ -119,14 +122,14 @@ inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, fl
 
 #ifndef UMBRAGE_HAS_FETCH_BILINEAR
 #define UMBRAGE_HAS_FETCH_BILINEAR
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, float2 coord) {
     float2 x = metal::floor(coord * 256.0) - 128.0;
     float2 texel = metal::floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     float2 hi = metal::clamp(x * (1.0 / 256.0) - texel, float2(0.0, 0.0), float2(1.0, 1.0)) * 256.0;
-    float2 lo = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    float2 lo = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     float4 a = umbrage_fetch_clamped(map, size, texel);
     float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
     float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
@@ -148,7 +151,7 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -158,16 +161,18 @@ inline float umbrage_to_forward_depth(float depth) {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_DECODE_EVSM2
 #define UMBRAGE_HAS_DECODE_EVSM2
-// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power
+// umbrage_decode_evsm2: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
     float d = umbrage_to_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_exponential_warp(d, exponent);
@@ -180,9 +185,9 @@ inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, floa
 
 #ifndef UMBRAGE_HAS_EVSM2
 #define UMBRAGE_HAS_EVSM2
-// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+// umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
 inline float umbrage_evsm2(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float exponent,
                            float deviation) {
     bool compared = umbrage_map_covers(size, coord) ? umbrage_in_filter_domain(coord, receiver) : false;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, exp2_polynomial: 2^y to 1.8e-7 of it. Exactness: tier B.
+// umbrage 0.1.0, exp2_polynomial: 2^y, off by at most 1.8e-7 of itself. Exactness: tier B.
 // exp2_polynomial, tier B: within 16 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
@@ -20,8 +20,8 @@ inline float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
 #define UMBRAGE_HAS_EXP2_POLYNOMIAL
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_polynomial(float y) {
     float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);

@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_POWER_OF_TWO
 #define UMBRAGE_HAS_POWER_OF_TWO
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
     uint exponent = uint(n + 127.0);
     return as_type<float>(exponent << 23);
@@ -17,8 +17,8 @@ inline float umbrage_power_of_two(float n) {
 
 #ifndef UMBRAGE_HAS_EXP2_STEPS
 #define UMBRAGE_HAS_EXP2_STEPS
-// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_steps: 2^y, an integer below 2^12 times a power of two. y is rounded down to 1/2048
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 inline float umbrage_exp2_steps(float y) {
     float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));

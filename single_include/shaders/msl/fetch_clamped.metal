@@ -1,4 +1,4 @@
-// umbrage 0.1.0, fetch_clamped: texel of a map, outside the nearest one inside. Exactness: tier A.
+// umbrage 0.1.0, fetch_clamped: texel of a map, clamped to the nearest one inside. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, texels of the kind that the function's comment names, read unfiltered.
@@ -12,8 +12,9 @@
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -21,7 +22,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_CLAMPED
 #define UMBRAGE_HAS_FETCH_CLAMPED
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
     return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, four_tap: mean of four taps with coordinates of their own. Exactness: tier A.
+// umbrage 0.1.0, four_tap: mean of four taps, each with its own coordinates. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `texture2d<float> map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -26,8 +26,9 @@ inline float umbrage_compare(float receiver, float stored) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -35,7 +36,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -46,7 +47,7 @@ inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float
 
 #ifndef UMBRAGE_HAS_LIT
 #define UMBRAGE_HAS_LIT
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
@@ -54,7 +55,7 @@ inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel,
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -62,9 +63,10 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_FOUR_TAP
 #define UMBRAGE_HAS_FOUR_TAP
-// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
-//   or more in a direction;   receiver  depth, biased
+// umbrage_four_tap: mean of the shadow test at four taps. Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps in texels. All are lit where their mean magnitude is 2^15 or more along an axis
+//   receiver     receiver depth in [0, 1], bias applied
 inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a, float2 b, float2 c, float2 d,
                               float receiver) {
     float2 a_texel = metal::floor(a);
@@ -72,7 +74,7 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
     float2 c_texel = metal::floor(c);
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits on purpose: Mesa turns a single one into max(x, y) < limit, which loses a NaN
     bool compared = umbrage_beyond_far_plane(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);

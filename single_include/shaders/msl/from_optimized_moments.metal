@@ -1,4 +1,4 @@
-// umbrage 0.1.0, from_optimized_moments: four channels of 16 bits to four moments. Exactness: tier B.
+// umbrage 0.1.0, from_optimized_moments: four 16-bit channels to four moments (MSM). Exactness: tier B.
 // from_optimized_moments, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
 #define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
-// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+// umbrage_from_optimized_moments: four moments from the result of umbrage_to_optimized_moments
 inline float4 umbrage_from_optimized_moments(float4 o) {
     float x = o.x - 0.5;
     float z = o.z - 0.5;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, from_unorm: value read from an 8-bit texture to channel 0..255. Exactness: tier A.
+// umbrage 0.1.0, from_unorm: channel 0..255 of a value from an 8-bit texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_FROM_UNORM
 #define UMBRAGE_HAS_FROM_UNORM
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 inline float umbrage_from_unorm(float c) {
     return metal::floor(c * 255.0 + 0.5);
 }

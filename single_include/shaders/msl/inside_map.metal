@@ -1,4 +1,4 @@
-// umbrage 0.1.0, inside_map: whether a texel is one of the map's. Exactness: tier A.
+// umbrage 0.1.0, inside_map: true if a texel lies inside the map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_MAP
 #define UMBRAGE_HAS_INSIDE_MAP
-// umbrage_inside_map: whether a texel is one of a map's of size texels
+// umbrage_inside_map: true if a texel lies inside a map of size texels
 inline bool umbrage_inside_map(float2 size, float2 texel) {
     return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, level_rg11: two channels to a level to compare with. Exactness: tier B.
+// umbrage 0.1.0, level_rg11: two channels to a level, for maps that are not decoded. Exactness: tier B.
 // level_rg11, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,8 +11,8 @@
 
 #ifndef UMBRAGE_HAS_LEVEL_RG11
 #define UMBRAGE_HAS_LEVEL_RG11
-// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg11: level of a texel from two channels of a 11-bit code, on the scale of umbrage_receiver_rg11
+//   1.0 is not the far plane on this scale
 inline float umbrage_level_rg11(float2 c) {
     return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 PCF of the DirectX SDK sample, plain floats. Exactness: tier B.
 // pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -28,16 +28,16 @@ inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon)
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -45,9 +45,9 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
@@ -55,8 +55,9 @@ inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -64,7 +65,7 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
     float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
     float4 value = umbrage_texel(map, size, inside);
@@ -75,9 +76,11 @@ inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float
 
 #ifndef UMBRAGE_HAS_PCF_2X2_DX_SDK
 #define UMBRAGE_HAS_PCF_2X2_DX_SDK
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+// umbrage_pcf_2x2_dx_sdk: 2x2 PCF of the DirectX SDK sample. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], no bias applied
+//   epsilon     depth added to each stored depth
 inline float umbrage_pcf_2x2_dx_sdk(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float epsilon) {
     bool compared = umbrage_in_filter_domain(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// umbrage 0.1.0, pcss_radius: penumbra radius from the mean depth of blockers. Exactness: tier C.
 // pcss_radius, tier C: within 1/1024 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -19,9 +19,11 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_PCSS_RADIUS
 #define UMBRAGE_HAS_PCSS_RADIUS
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, plane_slope: change of a plane's depth from texel to texel. Exactness: tier C.
+// umbrage 0.1.0, plane_slope: change of a plane's depth per texel. Exactness: tier C.
 // plane_slope, tier C: within 27 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -19,8 +19,10 @@ inline float umbrage_clamp_slope(float slope) {
 
 #ifndef UMBRAGE_HAS_PLANE_SLOPE
 #define UMBRAGE_HAS_PLANE_SLOPE
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
 inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
     float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     float4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal is wrong. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,9 @@
 
 #ifndef UMBRAGE_HAS_PROBE_INPUTS
 #define UMBRAGE_HAS_PROBE_INPUTS
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 inline float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
     float limit = 18446744073709551616.0;
     bool usable = metal::abs(world.x) < limit && metal::abs(world.y) < limit && metal::abs(world.z) < limit;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, project_depth: z / w, far behind the light. Exactness: tier C.
+// umbrage 0.1.0, project_depth: z / w, and the far plane behind the light. Exactness: tier C.
 // project_depth, tier C: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_PROJECT_DEPTH
 #define UMBRAGE_HAS_PROJECT_DEPTH
-// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+// umbrage_project_depth: z / w. Returns cleared for w <= 0.0: 1.0, or 0.0 where depth is reversed
 inline float umbrage_project_depth(float z, float w, float cleared) {
     return w > 0.0 ? z / w : cleared;
 }

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and how far it may be off.
-//   Exactness: tier C.
+// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and its error. Exactness: tier
+//   C.
 // receiver_plane_slope, tier C: within 31 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -12,7 +12,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_SLOPE
 #define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 inline float umbrage_clamp_slope(float slope) {
     return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
@@ -20,8 +20,8 @@ inline float umbrage_clamp_slope(float slope) {
 
 #ifndef UMBRAGE_HAS_RECEIVER_PLANE_SLOPE
 #define UMBRAGE_HAS_RECEIVER_PLANE_SLOPE
-// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
 inline float3 umbrage_receiver_plane_slope(float3 dx, float3 dy) {
     float determinant = dx.x * dy.y + dx.y * -dy.x;
     float sum = metal::abs(dx.x) + metal::abs(dx.y) + metal::abs(dy.x) + metal::abs(dy.y);

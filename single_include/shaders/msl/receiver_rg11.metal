@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG11
 #define UMBRAGE_HAS_RECEIVER_RG11
-// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+// umbrage_receiver_rg11: receiver depth on the scale of umbrage_level_rg11. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg11(float depth, float edge) {
     float level = (metal::ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;

@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG13
 #define UMBRAGE_HAS_RECEIVER_RG13
-// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+// umbrage_receiver_rg13: receiver depth on the scale of umbrage_level_rg13. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg13(float depth, float edge) {
     float level = (metal::ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;

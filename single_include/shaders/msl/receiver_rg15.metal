@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG15
 #define UMBRAGE_HAS_RECEIVER_RG15
-// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+// umbrage_receiver_rg15: receiver depth on the scale of umbrage_level_rg15. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg15(float depth, float edge) {
     float level = (metal::ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;

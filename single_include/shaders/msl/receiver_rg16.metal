@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_RECEIVER_RG16
 #define UMBRAGE_HAS_RECEIVER_RG16
-// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+// umbrage_receiver_rg16: receiver depth on the scale of umbrage_level_rg16. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
 inline float umbrage_receiver_rg16(float depth, float edge) {
     float level = (metal::ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, reduce_light_bleeding: visibility without its least values. Exactness: tier C.
+// umbrage 0.1.0, reduce_light_bleeding: visibility above a threshold, stretched to [0, 1]. Exactness: tier C.
 // reduce_light_bleeding, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_REDUCE_LIGHT_BLEEDING
 #define UMBRAGE_HAS_REDUCE_LIGHT_BLEEDING
-// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0, stretched to 0.0 to 1.0
 inline float umbrage_reduce_light_bleeding(float visibility, float amount) {
     float stretched = (visibility - amount) / (1.0 - amount);
     return visibility > amount ? stretched : 0.0;

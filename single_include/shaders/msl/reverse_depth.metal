@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_REVERSE_DEPTH
 #define UMBRAGE_HAS_REVERSE_DEPTH
-// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+// umbrage_reverse_depth: forward depth from reversed depth, or reversed from forward
 inline float umbrage_reverse_depth(float depth) {
     return 1.0 - depth;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, saturate: clamp to [0, 1], NaN to far. Exactness: tier A.
+// umbrage 0.1.0, saturate: clamp to [0, 1]; NaN becomes the far plane. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
@@ -20,7 +20,7 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a summed-area table. Exactness: tier C.
+// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a SAT. Exactness: tier C.
 // summed_moments, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -14,16 +14,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
 #define UMBRAGE_HAS_FROM_OPTIMIZED_MOMENTS
-// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+// umbrage_from_optimized_moments: four moments from the result of umbrage_to_optimized_moments
 inline float4 umbrage_from_optimized_moments(float4 o) {
     float x = o.x - 0.5;
     float z = o.z - 0.5;
@@ -50,8 +50,9 @@ inline float4 umbrage_bias_moments(float4 b, float2 bias) {
 
 #ifndef UMBRAGE_HAS_MOMENT_ATOMS
 #define UMBRAGE_HAS_MOMENT_ATOMS
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 inline float4 umbrage_moment_atoms(float4 b, float x) {
     float d = b.y - b.x * b.x;
     float third = b.z - b.x * b.y;
@@ -74,7 +75,7 @@ inline float4 umbrage_moment_atoms(float4 b, float x) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -82,16 +83,16 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 inline bool umbrage_map_covers(float2 size, float2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -100,8 +101,9 @@ inline bool umbrage_map_covers(float2 size, float2 coord) {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -109,8 +111,9 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_BOX_MEAN
 #define UMBRAGE_HAS_BOX_MEAN
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_mean(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float right = size.x * 0.5;
     float4 a = umbrage_texel(map, size, end);
@@ -141,7 +144,7 @@ inline float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_TO_FORWARD_DEPTH
 #define UMBRAGE_HAS_TO_FORWARD_DEPTH
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 inline float umbrage_to_forward_depth(float depth) {
     return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
@@ -149,9 +152,9 @@ inline float umbrage_to_forward_depth(float depth) {
 
 #ifndef UMBRAGE_HAS_DECODE_MSM
 #define UMBRAGE_HAS_DECODE_MSM
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float d = umbrage_to_forward_depth(receiver);
     float4 m = umbrage_bias_moments(b, bias);
@@ -160,7 +163,7 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
     float first = atoms.x < x ? atoms.z : 0.0;
     float second = atoms.y < x ? atoms.w : 0.0;
     float lit = 1.0 - (first + second);
-    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
@@ -168,10 +171,12 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
 
 #ifndef UMBRAGE_HAS_SUMMED_MOMENTS
 #define UMBRAGE_HAS_SUMMED_MOMENTS
-// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+// umbrage_summed_moments: moment shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_moment_table and its size: twice the shadow map's width plus two, its height plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   bias        (6e-5, 0.628)
 inline float umbrage_summed_moments(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                     float radius, float2 bias) {
     float2 last = float2(size.x * 0.5, size.y) - 1.0;

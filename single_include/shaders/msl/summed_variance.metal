@@ -1,5 +1,4 @@
-// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a summed-area table. Exactness: tier
-//   C.
+// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a SAT. Exactness: tier C.
 // summed_variance, tier C: within 1/65536 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -15,16 +14,18 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CORRECT_QUOTIENT
 #define UMBRAGE_HAS_CORRECT_QUOTIENT
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_correct_quotient(float q, float a, float b) {
     float more = q + 1.0;
     float known = more * b <= a ? more : q;
@@ -34,7 +35,9 @@ inline float umbrage_correct_quotient(float q, float a, float b) {
 
 #ifndef UMBRAGE_HAS_FLOOR_DIVIDE
 #define UMBRAGE_HAS_FLOOR_DIVIDE
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 inline float umbrage_floor_divide(float a, float b) {
     return umbrage_correct_quotient(metal::floor(a / b), a, b);
 }
@@ -42,7 +45,7 @@ inline float umbrage_floor_divide(float a, float b) {
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane(float receiver) {
     return receiver > 1.0;
 }
@@ -50,16 +53,16 @@ inline bool umbrage_beyond_far_plane(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_MAP_COVERS
 #define UMBRAGE_HAS_MAP_COVERS
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 inline bool umbrage_map_covers(float2 size, float2 coord) {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }
@@ -76,8 +79,9 @@ inline float umbrage_cleared_depth() {
 #ifndef UMBRAGE_HAS_TEXEL
 #define UMBRAGE_HAS_TEXEL
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
     return map.read(uint2(texel));
 }
@@ -85,9 +89,10 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 
 #ifndef UMBRAGE_HAS_BOX_MOMENTS
 #define UMBRAGE_HAS_BOX_MOMENTS
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, float2 first, float2 end) {
     float4 a = umbrage_texel(map, size, end);
     float4 b = umbrage_texel(map, size, float2(first.x, end.y));
@@ -97,7 +102,7 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
     float2 low = float2(part.x, part.z);
     float2 carry = metal::floor(low * (1.0 / 65536.0));
     float2 above = float2(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = metal::max(low - carry * 65536.0, float2(0.0, 0.0));
     above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));
     float sum = above.x * 65536.0 + low.x;
@@ -118,10 +123,12 @@ inline float4 umbrage_box_moments(metal::texture2d<float> map, float2 size, floa
 
 #ifndef UMBRAGE_HAS_SUMMED_VARIANCE
 #define UMBRAGE_HAS_SUMMED_VARIANCE
-// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+// umbrage_summed_variance: variance shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_variance_table and its size: the shadow map's plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   codes       2^bits of the table
 inline float umbrage_summed_variance(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                      float radius, float codes) {
     float2 last = size - 1.0;

@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 inline float umbrage_tetrahedron_face(float3 direction) {
     float beside = metal::abs(direction.z) - metal::abs(direction.x);
     float up = direction.y * 1.414213562;

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
-//   Exactness: tier B.
+// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of a direction's face. Exactness: tier B.
 // tetrahedron_view_z, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -12,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
 #define UMBRAGE_HAS_TETRAHEDRON_FACE
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 inline float umbrage_tetrahedron_face(float3 direction) {
     float beside = metal::abs(direction.z) - metal::abs(direction.x);
     float up = direction.y * 1.414213562;
@@ -42,7 +41,7 @@ inline float3 umbrage_tetrahedron_plane(float3 direction) {
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
 #define UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
-// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+// umbrage_tetrahedron_view_z: distance along the face's normal, the input of per-face depths
 inline float umbrage_tetrahedron_view_z(float3 direction) {
     float3 p = umbrage_tetrahedron_plane(direction);
     float z = p.z * 0.816496581 + p.y * -0.577350269;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_unorm16: channel 0..65535 to the value a 16-bit target stores as it. Exactness: tier A.
+// umbrage 0.1.0, to_unorm16: value that makes a 16-bit target store channel 0..65535. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -8,7 +8,7 @@
 
 #ifndef UMBRAGE_HAS_TO_UNORM16
 #define UMBRAGE_HAS_TO_UNORM16
-// umbrage_to_unorm16: what to write so that a 16-bit target stores channel k, whether it rounds or truncates
+// umbrage_to_unorm16: value that makes a 16-bit target store channel k, whether it rounds or truncates
 inline float umbrage_to_unorm16(float k) {
     return metal::min(k + (metal::floor(k * (1.0 / 256.0)) * (1.0 / 256.0) + 0.25), 65536.0) * (1.0 / 65536.0);
 }

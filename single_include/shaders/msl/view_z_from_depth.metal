@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_VIEW_Z_FROM_DEPTH
 #define UMBRAGE_HAS_VIEW_Z_FROM_DEPTH
-// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_depth: distance along the light's axis from perspective depth in [0, 1], 0.0 at z_near
 inline float umbrage_view_z_from_depth(float depth, float z_near, float z_far) {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
 }

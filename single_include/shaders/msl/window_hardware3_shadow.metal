@@ -1,5 +1,4 @@
-// umbrage 0.1.0, window_hardware3_shadow: window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter.
-//   Exactness: tier C.
+// umbrage 0.1.0, window_hardware3_shadow: 3x3 kernel, 4 fetches from a linear comparison sampler. Exactness: tier C.
 // window_hardware3_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
@@ -17,16 +16,16 @@
 
 #ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_BEYOND_FAR_PLANE_SHADOW
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 inline bool umbrage_beyond_far_plane_shadow(float receiver) {
     return receiver > 1.0;
 }
@@ -34,16 +33,16 @@ inline bool umbrage_beyond_far_plane_shadow(float receiver) {
 
 #ifndef UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
 #define UMBRAGE_HAS_IN_FILTER_DOMAIN_SHADOW
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return umbrage_beyond_far_plane_shadow(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
 #define UMBRAGE_HAS_WITHIN_FAR_PLANE_SHADOW
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 inline bool umbrage_within_far_plane_shadow(float receiver) {
     return receiver <= 1.0;
 }
@@ -59,8 +58,9 @@ inline float umbrage_compare_shadow(float receiver, float stored) {
 
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
                                    float receiver) {
     float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
@@ -72,9 +72,12 @@ inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map
 
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
 #define UMBRAGE_HAS_WINDOW_HARDWARE3_SHADOW
-// umbrage_window_hardware3_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware3_shadow: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k1    weights from the edge to the middle one. The others mirror them
 inline float umbrage_window_hardware3_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
                                              float2 coord, float receiver, float k0, float k1) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// umbrage 0.1.0, world_to_depth: world units along a light to depth. Exactness: tier C.
 // world_to_depth, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
@@ -11,7 +11,7 @@
 
 #ifndef UMBRAGE_HAS_CLAMP_BIAS
 #define UMBRAGE_HAS_CLAMP_BIAS
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 inline float umbrage_clamp_bias(float bias) {
     float least = (1.0 / 18446744073709551616.0);
     return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
@@ -21,7 +21,8 @@ inline float umbrage_clamp_bias(float bias) {
 #ifndef UMBRAGE_HAS_WORLD_TO_DEPTH
 #define UMBRAGE_HAS_WORLD_TO_DEPTH
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate, above 0.0
 inline float umbrage_world_to_depth(float world, float2 units, float w) {
     float along = world * units.y;
     float square = w * w;

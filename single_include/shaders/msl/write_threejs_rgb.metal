@@ -25,14 +25,14 @@ inline float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_SATURATE
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_WRITE_THREEJS_RGB
 #define UMBRAGE_HAS_WRITE_THREEJS_RGB
-// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgb: RGB of a depth, as in three.js r167 and later, values to write as they are
 inline float3 umbrage_write_threejs_rgb(float depth) {
     float v = umbrage_saturate(depth);
     float x = v * 65536.0;

@@ -7,9 +7,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_bias.wgsl; or paste wgsl_joined/acne_free_disc_bias.wgsl alone.
 
-// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
-//   error   how far a decoded depth may lie before the true one
+// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+//   slope   change of depth per texel, in x and y
+//   radius  distance to the disc's farthest point, in texels
+//   error   largest error of a decoded depth towards the light
 fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
     let square: f32 = slope.x * slope.x + slope.y * slope.y;
     let beside: f32 = (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));

@@ -9,7 +9,7 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl; or paste wgsl_joined/biased.wgsl alone.
 
-// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+// umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 fn umbrage_biased(receiver: f32, bias: f32) -> f32 {
     let by: f32 = select(0.0, bias, abs(bias) < 18446744073709551616.0);
     return select(receiver + by, receiver - by, umbrage_cleared_depth() > 0.5);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blocker: whether a texel lies before a receiver, and how far from the light. Exactness: tier A.
+// umbrage 0.1.0, blocker: count and distance code of one possible blocker. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,7 +13,7 @@
 // Paste along: texel.wgsl, fetch_depth.wgsl, compare.wgsl, cleared_depth.wgsl, distance_code.wgsl; or paste
 //   wgsl_joined/blocker.wgsl alone.
 
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec2f {
     let stored: f32 = umbrage_fetch_depth(map, size, texel);
     let code: f32 = umbrage_distance_code(stored);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, blocker_at: whether what a point of the map holds lies before a receiver, and its depth. Exactness:
-//   tier C.
+// umbrage 0.1.0, blocker_at: count and depth of one possible blocker. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // blocker_at, tier C: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -17,8 +16,8 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: texel.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl; or paste wgsl_joined/blocker_at.wgsl alone.
 
-// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
     let stored: f32 = umbrage_depth_at(map, size, uv);
     return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers32: texels under a disc's points that lie before a receiver. Exactness: tier A.
+// umbrage 0.1.0, blockers32: blocker search over a disc's points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,9 +13,12 @@
 // Paste along: disc_tap.wgsl, texel.wgsl, fetch_depth.wgsl, compare.wgsl, cleared_depth.wgsl, distance_code.wgsl,
 //   blocker.wgsl; or paste wgsl_joined/blockers32.wgsl alone.
 
-// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
-//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
-//   radius     in 1/16 texel, a whole number from 0 to 4095;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
                       rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers_hardware16: the same at 16 points. Exactness: tier C.
+// umbrage 0.1.0, blockers_hardware16: blocker search, 16 points of a nearest-texel sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // blockers_hardware16, tier C: within 24 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -17,9 +17,12 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, texel.wgsl, fetch_depth.wgsl,
 //   depth_at.wgsl, compare.wgsl, blocker_at.wgsl; or paste wgsl_joined/blockers_hardware16.wgsl alone.
 
-// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                                rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blur_row3: mean of texels in a row. Exactness: tier B.
+// umbrage 0.1.0, blur_row3: binomial mean of texels in a row, for blurs. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // blur_row3, tier B: within 7 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,9 +10,10 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/blur_row3.wgsl alone.
 
-// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row3: mean of 3 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 fn umbrage_blur_row3(map: texture_2d<f32>, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
     var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
     let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);

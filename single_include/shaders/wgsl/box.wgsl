@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box: lit share of a box of radius 0..8. Exactness: tier B.
+// umbrage 0.1.0, box: lit fraction of a box of radius 0..8 (box PCF). Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // box, tier B: within 290 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -18,7 +18,8 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, box_count.wgsl, box_scale.wgsl; or paste wgsl_joined/box.wgsl alone.
 
-// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+// umbrage_box: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count
 fn umbrage_box(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let visibility: f32 = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return select(1.0, visibility, visibility < 0.999);  // 121 times the rounded 1/121 is not 1

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box_count: lit texels in a box of radius 0..8. Exactness: tier A.
+// umbrage 0.1.0, box_count: number of lit texels in a box of radius 0..8. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,9 +13,11 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/box_count.wgsl alone.
 
-// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 fn umbrage_box_count(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
     let width: i32 = 2 * r + 1;

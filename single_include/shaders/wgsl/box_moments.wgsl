@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
-//   tier A.
+// umbrage 0.1.0, box_moments: mean and squared distances over a box, from a SAT. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
@@ -7,9 +6,10 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, correct_quotient.wgsl, floor_divide.wgsl; or paste wgsl_joined/box_moments.wgsl alone.
 
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
     let a: vec4f = umbrage_texel(map, size, end);
     let b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
@@ -19,7 +19,7 @@ fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec
     var low: vec2f = vec2f(part.x, part.z);
     let carry: vec2f = floor(low * (1.0 / 65536.0));
     var above: vec2f = vec2f(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = max(low - carry * 65536.0, vec2f(0.0, 0.0));
     above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));
     let sum: f32 = above.x * 65536.0 + low.x;

@@ -7,8 +7,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_border_fade.wgsl alone.
 
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 fn umbrage_cascade_border_fade(coordinate: vec2f, size: vec2f, reach: f32, per_texel: f32) -> f32 {
     let half_size: vec2f = size * 0.5;
     let beyond: vec2f = abs(coordinate - half_size) - (half_size - reach);

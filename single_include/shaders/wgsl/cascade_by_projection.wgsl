@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_by_projection: first cascade that holds a point and its filter. Exactness: tier B.
+// umbrage 0.1.0, cascade_by_projection: first cascade that contains a point and its filter. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // cascade_by_projection, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -7,10 +7,12 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl; or paste wgsl_joined/cascade_by_projection.wgsl alone.
 
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
     let a: vec3f = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
     let b: vec3f = umbrage_cascade_coordinate(light, scales[1], offsets[1]);

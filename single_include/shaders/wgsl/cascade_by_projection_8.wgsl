@@ -1,5 +1,5 @@
-// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that holds a point and its filter. Exactness: tier
-//   B.
+// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that contains a point and its filter. Exactness:
+//   tier B.
 // WGSL lets compilers fuse or reorder sums.
 // cascade_by_projection_8, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -9,7 +9,7 @@
 // Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl, cascade_by_projection.wgsl; or paste
 //   wgsl_joined/cascade_by_projection_8.wgsl alone.
 
-// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection for eight cascades, four and four; index 8.0 for none
 fn umbrage_cascade_by_projection_8(light: vec3f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
                                    farther_offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
     let nearer: vec4f = umbrage_cascade_by_projection(light, scales, offsets, size, reach);

@@ -7,7 +7,7 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_fade.wgsl alone.
 
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {
     let v: f32 = depth * scale + offset;
     return umbrage_cascade_weight(v);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, castano5: sliding window 1 3 4 3 1. Exactness: tier B.
+// umbrage 0.1.0, castano5: PCF kernel 1 3 4 3 1. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // castano5, tier B: within 80 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -18,9 +18,11 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum5.wgsl; or paste wgsl_joined/castano5.wgsl alone.
 
-// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano5: PCF under 5 x 5 weights, 1 3 4 3 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_castano5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
     return select(1.0, n * (1.0 / 65536.0) * 0.00694444450, n < 9437184.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, castano7: sliding window 1 5 12 16 12 5 1. Exactness: tier B.
+// umbrage 0.1.0, castano7: PCF kernel 1 5 12 16 12 5 1. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // castano7, tier B: within 138 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -18,9 +18,11 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum7.wgsl; or paste wgsl_joined/castano7.wgsl alone.
 
-// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_castano7: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_castano7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
     return select(1.0, n * (1.0 / 4096.0) * 0.000369822490, n < 11075584.0);

@@ -1,11 +1,13 @@
-// umbrage 0.1.0, chebyshev_hardware: most that a variance lets be lit, less the light that bleeds. Exactness: tier C.
+// umbrage 0.1.0, chebyshev_hardware: Chebyshev bound with light bleeding reduced. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // chebyshev_hardware, tier C: within 1/524288 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 fn umbrage_chebyshev_hardware(variance: f32, distance: f32, amount: f32) -> f32 {
     let beyond: f32 = max(distance, 0.0);
     let p: f32 = variance / (variance + beyond * beyond);

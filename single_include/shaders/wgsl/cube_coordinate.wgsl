@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_coordinate: face, and where on it, that a direction meets. Exactness: tier C.
+// umbrage 0.1.0, cube_coordinate: face of a direction, and the position on it. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // cube_coordinate, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

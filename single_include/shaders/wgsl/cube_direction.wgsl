@@ -7,8 +7,8 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: cube_point.wgsl; or paste wgsl_joined/cube_direction.wgsl alone.
 
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {
-    let uv: vec2f = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    let uv: vec2f = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
     return umbrage_cube_point(face, vec3f(uv, 1.0));
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube. Exactness: tier A.
+// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,8 +13,11 @@
 // Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl, cube_neighbor.wgsl, cube_tile.wgsl, compare.wgsl,
 //   texel.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/cube_lit.wgsl alone.
 
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
     let n: vec3f = umbrage_cube_neighbor(texel, side);

@@ -4,7 +4,8 @@
 // Paste along: cube_face.wgsl, cube_plane.wgsl, cube_point.wgsl; or paste wgsl_joined/cube_neighbor.wgsl alone.
 
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 fn umbrage_cube_neighbor(texel: vec3f, size: f32) -> vec3f {
     let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
     let beyond_u: bool = abs(uv.x) > size;

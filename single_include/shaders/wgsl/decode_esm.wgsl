@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_esm: mean of texels of an exponential shadow map to visibility. Exactness: tier B.
+// umbrage 0.1.0, decode_esm: mean of ESM texels to visibility. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // decode_esm, tier B: within 37 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,8 +10,10 @@
 // Paste along: cleared_depth.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
 //   exponential_warp.wgsl; or paste wgsl_joined/decode_esm.wgsl alone.
 
-// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+// umbrage_decode_esm: visibility of a receiver from an exponential shadow map, at least its lit fraction. 1.0 = lit
+//   m          mean of texels
+//   receiver   receiver depth, bias applied
+//   exponent   same as for the texels
 fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
     let d: f32 = umbrage_to_forward_depth(receiver);
     let p: f32 = m * umbrage_exponential_warp(d, -exponent);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_evsm2_hardware: mean of texels of two components to visibility, by the GPU's own exp2.
-//   Exactness: tier C.
+// umbrage 0.1.0, decode_evsm2_hardware: EVSM of two components to visibility, by the GPU's exp2. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_evsm2_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
@@ -9,9 +8,12 @@
 // Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
 //   wgsl_joined/decode_evsm2_hardware.wgsl alone.
 
-// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm2_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
+//   amount      visibility that becomes 0.0, 0.0 to 0.3
 fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
     let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     let w: f32 = exp2(exponent * (d * 2.0 - 1.0));

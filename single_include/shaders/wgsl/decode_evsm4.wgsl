@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_evsm4: mean of texels of four components to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_evsm4: mean of EVSM texels of four components to visibility. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_evsm4, tier C: within 229 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,9 +10,11 @@
 // Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
 //   exp2_polynomial.wgsl, exponential_warp.wgsl; or paste wgsl_joined/decode_evsm4.wgsl alone.
 
-// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers
+// umbrage_decode_evsm4: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
     let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_exponential_warp(d, exponents.x);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_evsm4_hardware: mean of texels of four components to visibility, by the GPU's own exp2.
-//   Exactness: tier C.
+// umbrage 0.1.0, decode_evsm4_hardware: EVSM of four components to visibility, by the GPU's exp2. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_evsm4_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
@@ -9,9 +8,12 @@
 // Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
 //   wgsl_joined/decode_evsm4_hardware.wgsl alone.
 
-// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm4_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
+//   amount       visibility that becomes 0.0, 0.0 to 0.3
 fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
     let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
     let w: f32 = exp2(exponents.x * d);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they are. Exactness: tier A.
+// umbrage 0.1.0, decode_float_bits: four channels, R least significant, to the float they hold. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of float_bits: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (0, 0, 128, 63) / 255, with
@@ -7,7 +7,7 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/decode_float_bits.wgsl alone.
 
-// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+// umbrage_decode_float_bits: float from the four channels of its bit pattern, as sampled, R least significant
 fn umbrage_decode_float_bits(c: vec4f) -> f32 {
     let r: u32 = u32(umbrage_saturate(c.x) * 255.0 + 0.5);
     let g: u32 = u32(umbrage_saturate(c.y) * 255.0 + 0.5);

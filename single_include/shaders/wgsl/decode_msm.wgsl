@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_msm: mean of four moments to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_msm: mean of MSM texels to visibility. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_msm, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -8,9 +8,9 @@
 // Paste along: bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl; or paste
 //   wgsl_joined/decode_msm.wgsl alone.
 
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
@@ -19,7 +19,7 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let first: f32 = select(0.0, atoms.z, atoms.x < x);
     let second: f32 = select(0.0, atoms.w, atoms.y < x);
     var lit: f32 = 1.0 - (first + second);
-    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_msm_hausdorff: mean of MSM texels to visibility, for depths on [-1, 1]. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -8,8 +8,10 @@
 // Paste along: bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl,
 //   hausdorff_share.wgsl; or paste wgsl_joined/decode_msm_hausdorff.wgsl alone.
 
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
     let d: f32 = umbrage_to_forward_depth(receiver);

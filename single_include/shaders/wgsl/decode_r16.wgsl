@@ -1,12 +1,12 @@
-// umbrage 0.1.0, decode_r16: one channel of 16 bits to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_r16: one 16-bit channel to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of r16: R16 UNORM, not sRGB, no blending, one sample. Clear to (65535) / 65535, with reversed depth
 //   to (0) / 65535. Write umbrage_to_unorm16 of umbrage_encode_r16.
 // Paste along: from_unorm16.wgsl; or paste wgsl_joined/decode_r16.wgsl alone.
 
-// umbrage_decode_r16: one channel of 16 bits, as sampled, to depth
-//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the code's interval
+// umbrage_decode_r16: depth from one 16-bit channel, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 fn umbrage_decode_r16(c: f32, edge: f32) -> f32 {
     return (umbrage_from_unorm16(c) + edge) * (1.0 / 65536.0);
 }

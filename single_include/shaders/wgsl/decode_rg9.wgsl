@@ -1,12 +1,12 @@
-// umbrage 0.1.0, decode_rg9: two channels, R the low byte, to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_rg9: two 8-bit channels, R the low byte, to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg9: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 128) / 255, with reversed depth
 //   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg9.
 // Paste along: from_unorm.wgsl; or paste wgsl_joined/decode_rg9.wgsl alone.
 
-// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg9: depth from the two channels of a 9-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 fn umbrage_decode_rg9(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);

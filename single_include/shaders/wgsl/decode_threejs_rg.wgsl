@@ -8,7 +8,7 @@
 // Render target of threejs_rg: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255) / 255, with reversed
 //   depth to (0, 0) / 255. Write umbrage_write_threejs_rg.
 
-// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rg: depth from the RG format of three.js r167 and later, as sampled
 fn umbrage_decode_threejs_rg(c: vec2f) -> f32 {
     let depth: f32 = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
     return depth;

@@ -14,8 +14,8 @@
 //   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 // Paste along: texel.wgsl, fetch_depth.wgsl; or paste wgsl_joined/depth_at.wgsl alone.
 
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_depth_at(map: texture_2d<f32>, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }

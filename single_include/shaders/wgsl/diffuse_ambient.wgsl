@@ -6,8 +6,9 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
+//   for n_dot_l <= 0.0 and NaN: albedo * ambient
 fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
     let light: f32 = visibility * n_dot_l * (1.0 - ambient) + ambient;
-    return albedo * select(ambient, light, n_dot_l > 0.0);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
+    return albedo * select(ambient, light, n_dot_l > 0.0);  // max gives NaN for a signalling NaN on Mesa
 }

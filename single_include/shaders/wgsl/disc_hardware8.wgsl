@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc_hardware8: disc of 8 points by a comparison sampler with a linear filter. Exactness: tier C.
+// umbrage 0.1.0, disc_hardware8: disc PCF, 8 fetches from a linear comparison sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // disc_hardware8, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -16,9 +16,13 @@
 //   compare.wgsl, texel.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl;
 //   or paste wgsl_joined/disc_hardware8.wgsl alone.
 
-// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);

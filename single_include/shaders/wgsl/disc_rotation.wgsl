@@ -1,9 +1,10 @@
-// umbrage 0.1.0, disc_rotation: one of 16 turns for a pixel. Exactness: tier A.
+// umbrage 0.1.0, disc_rotation: rotation of a disc for a pixel, one of 16. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: inside_texel_space.wgsl; or paste wgsl_joined/disc_rotation.wgsl alone.
 
-// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+//   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
 fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;

@@ -1,9 +1,9 @@
-// umbrage 0.1.0, dither_threshold: one of 16 thresholds for a pixel. Exactness: tier A.
+// umbrage 0.1.0, dither_threshold: one of 16 dither thresholds for a pixel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: inside_texel_space.wgsl; or paste wgsl_joined/dither_threshold.wgsl alone.
 
-// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+// umbrage_dither_threshold: dither threshold of a position in pixels: 1/32 to 31/32, each once in 4x4 pixels
 fn umbrage_dither_threshold(pixel: vec2f) -> f32 {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     let high: vec2f = floor(whole * 0.5);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, dpcf16: contact hardening by 16 points. Exactness: tier A.
+// umbrage 0.1.0, dpcf16: contact hardening from one pass (DPCF), 16 points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -15,9 +15,12 @@
 //   blockers16.wgsl, correct_quotient.wgsl, floor_divide.wgsl, hardened_kernel16.wgsl; or paste
 //   wgsl_joined/dpcf16.wgsl alone.
 
-// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
                   rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);

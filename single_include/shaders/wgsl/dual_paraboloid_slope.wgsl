@@ -1,5 +1,4 @@
-// umbrage 0.1.0, dual_paraboloid_slope: change of distance from texel to texel of a paraboloid's map. Exactness: tier
-//   C.
+// umbrage 0.1.0, dual_paraboloid_slope: change of distance per texel in a dual paraboloid map. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // dual_paraboloid_slope, tier C: within 41 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -8,8 +7,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_slope.wgsl; or paste wgsl_joined/dual_paraboloid_slope.wgsl alone.
 
-// umbrage_dual_paraboloid_slope: change of distance from one texel to the next, in x and y alike; 0.0 without a normal
-//   way  from the light to the receiver;   normal  of its surface;   per_texel  2.0 / (range * (size - 2.0 * border))
+// umbrage_dual_paraboloid_slope: change of distance per texel, the same in x and y; 0.0 without a normal
+//   way        from the light to the receiver
+//   normal     surface normal
+//   per_texel  2.0 / (range * (size - 2.0 * border))
 fn umbrage_dual_paraboloid_slope(way: vec3f, normal: vec3f, per_texel: f32) -> vec2f {
     let square: f32 = way.x * way.x + way.y * way.y + way.z * way.z;
     let x: f32 = normal.y * way.z - normal.z * way.y;

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, encode_base255_repaired: depth for readers of base-255 RGBA, 1.0 and truncation repaired. Exactness:
-//   tier B.
+// umbrage 0.1.0, encode_base255_repaired: depth to base-255 RGBA without its faults. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // encode_base255_repaired, tier B: within 7 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -12,8 +11,8 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_base255_repaired.wgsl alone.
 
-// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
+// umbrage_encode_base255_repaired: channels of a depth for readers of base-255 RGBA. 1.0 decodes to 1.0
+//   Returns integers 0..255 (umbrage_to_unorm writes them)
 fn umbrage_encode_base255_repaired(depth: f32) -> vec4f {
     let x: f32 = umbrage_saturate(depth) * 255.0;
     let y: f32 = (x - floor(x)) * 255.0;

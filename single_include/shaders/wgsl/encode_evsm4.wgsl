@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_evsm4: depth to a texel of four components. Exactness: tier B.
+// umbrage 0.1.0, encode_evsm4: depth to an EVSM texel of four components. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // encode_evsm4, tier B: within 73 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -12,7 +12,8 @@
 // Paste along: cleared_depth.wgsl, saturate.wgsl, to_forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl,
 //   exponential_warp.wgsl; or paste wgsl_joined/encode_evsm4.wgsl alone.
 
-// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+// umbrage_encode_evsm4: texel of four components, a growing power, its square, a negative falling power, its square
+// NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
     let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
     let w: f32 = umbrage_exponential_warp(d, exponents.x);

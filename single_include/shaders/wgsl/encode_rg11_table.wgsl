@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg11_table: depth to two channels through a look-up texture. Exactness: tier A.
+// umbrage 0.1.0, encode_rg11_table: depth to two 8-bit channels through a lookup texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
@@ -8,8 +8,9 @@
 // Paste along: cleared_depth.wgsl, saturate.wgsl, from_unorm.wgsl, texel.wgsl, fetch_clamped.wgsl; or paste
 //   wgsl_joined/encode_rg11_table.wgsl alone.
 
-// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
-//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg11_table: two channels of a 11-bit depth code through a lookup table, integers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rg11_table(table: texture_2d<f32>, depth: f32) -> vec2f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
     let row: f32 = floor(x * (1.0 / 2048.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg14: depth to two channels, R the low byte. Exactness: tier A.
+// umbrage 0.1.0, encode_rg14: depth to two 8-bit channels, R the low byte. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg14: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 252) / 255, with reversed depth
@@ -7,8 +7,8 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_rg14.wgsl alone.
 
-// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg14: two channels of a 14-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rg14(depth: f32) -> vec2f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
     let high: f32 = floor(x * (1.0 / 256.0));

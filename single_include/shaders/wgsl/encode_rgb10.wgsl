@@ -7,9 +7,9 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_rgb10.wgsl alone.
 
-// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
-// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb10: three channels of a depth, R most significant, integers 0..1023 for umbrage_to_unorm10
+// The last four bits are the high ones of B, so a target cleared to white is at the far plane
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rgb10(depth: f32) -> vec3f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     let high: f32 = floor(x * (1.0 / 16384.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rgb24: depth to three channels, R most significant. Exactness: tier A.
+// umbrage 0.1.0, encode_rgb24: depth to three 8-bit channels, R most significant. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
@@ -7,8 +7,8 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/encode_rgb24.wgsl alone.
 
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb24: three channels of a depth, R most significant, integers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rgb24(depth: f32) -> vec3f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     let high: f32 = floor(x * (1.0 / 65536.0));

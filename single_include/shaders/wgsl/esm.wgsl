@@ -1,4 +1,4 @@
-// umbrage 0.1.0, esm: visibility from a map of encode_esm's texels. Exactness: tier B.
+// umbrage 0.1.0, esm: visibility from a blurred exponential shadow map (ESM). Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // esm, tier B: within 56 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -16,9 +16,9 @@
 //   fetch_clamped.wgsl, fetch_bilinear.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, power_of_two.wgsl,
 //   exp2_polynomial.wgsl, exponential_warp.wgsl, decode_esm.wgsl; or paste wgsl_joined/esm.wgsl alone.
 
-// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent  as of the texels
+// umbrage_esm: visibility from a blurred map of encode_esm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent: same as for the texels
 fn umbrage_esm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponent: f32) -> f32 {
     let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));

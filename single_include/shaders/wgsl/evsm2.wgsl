@@ -1,4 +1,4 @@
-// umbrage 0.1.0, evsm2: visibility from a map of encode_evsm2's texels. Exactness: tier C.
+// umbrage 0.1.0, evsm2: visibility from a blurred EVSM of two components. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // evsm2, tier C: within 267 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -17,9 +17,9 @@
 //   saturate.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, exponential_warp.wgsl, decode_evsm2.wgsl; or paste
 //   wgsl_joined/evsm2.wgsl alone.
 
-// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+// umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
 fn umbrage_evsm2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
     let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));

@@ -3,8 +3,8 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: power_of_two.wgsl; or paste wgsl_joined/exp2_steps.wgsl alone.
 
-// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_steps: 2^y, an integer below 2^12 times a power of two. y is rounded down to 1/2048
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 fn umbrage_exp2_steps(y: f32) -> f32 {
     let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));

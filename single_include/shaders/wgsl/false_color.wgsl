@@ -1,4 +1,4 @@
-// umbrage 0.1.0, false_color: 0..1 to blue, green, red. Exactness: tier B.
+// umbrage 0.1.0, false_color: depth 0..1 as a color from blue over green to red. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // false_color, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

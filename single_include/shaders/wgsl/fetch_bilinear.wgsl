@@ -1,4 +1,4 @@
-// umbrage 0.1.0, fetch_bilinear: mean of the four texels around a point. Exactness: tier B.
+// umbrage 0.1.0, fetch_bilinear: bilinear mean of the four texels around a point. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // fetch_bilinear, tier B: within 19 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,14 +10,14 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/fetch_bilinear.wgsl alone.
 
-// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
-//   coord  in texels, first center at (0.5, 0.5)
+// umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
+//   coord   in texels. (0.5, 0.5) is the center of the first texel
 fn umbrage_fetch_bilinear(map: texture_2d<f32>, size: vec2f, coord: vec2f) -> vec4f {
     let x: vec2f = floor(coord * 256.0) - 128.0;
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    // weights are in [0, 256) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 256) already. The clamp keeps compilers from regrouping sums across it
     let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
-    let lo: vec2f = 256.0 - hi;  // of 1.0 - hi compilers would make an interpolation, which rounds otherwise
+    let lo: vec2f = 256.0 - hi;  // 1.0 - hi would become an interpolation, which rounds differently
     let a: vec4f = umbrage_fetch_clamped(map, size, texel);
     let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
     let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));

@@ -10,7 +10,7 @@
 //   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 // Paste along: texel.wgsl; or paste wgsl_joined/fetch_depth.wgsl alone.
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, four_tap_hardware: mean of four taps that a sampler of the nearest texel takes. Exactness: tier C.
+// umbrage 0.1.0, four_tap_hardware: mean of four taps from a nearest-texel sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // four_tap_hardware, tier C: within 39 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -17,9 +17,12 @@
 // Paste along: beyond_far_plane.wgsl, compare.wgsl, texel.wgsl, fetch_depth.wgsl, depth_at.wgsl; or paste
 //   wgsl_joined/four_tap_hardware.wgsl alone.
 
-// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
-//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of a nearest-texel sampler
+// Returns visibility, 1.0 = lit
+//   map, size    shadow map and its size in texels
+//   a, b, c, d   taps from (0.0, 0.0) to (1.0, 1.0) over the map
+//                All are lit where the mean of |x| + |y| is 2^15 texels or more
+//   receiver     receiver depth in [0, 1], bias applied
 fn umbrage_four_tap_hardware(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
                              receiver: f32) -> f32 {
     let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, halve_texels: mean of 2x2 texels. Exactness: tier B.
+// umbrage 0.1.0, halve_texels: mean of 2x2 texels, for mip chains. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // halve_texels, tier B: within 8 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,8 +10,9 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/halve_texels.wgsl alone.
 
-// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
-//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+// umbrage_halve_texels: mean of the 2x2 texels behind one texel of the next mip level
+//   map, size   map that is read, and its size in texels
+//   texel       index in the next level, integers
 fn umbrage_halve_texels(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     let at: vec2f = texel * 2.0;
     let a: vec4f = umbrage_fetch_clamped(map, size, at);

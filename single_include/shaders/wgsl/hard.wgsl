@@ -1,4 +1,4 @@
-// umbrage 0.1.0, hard: nearest texel, one test. Exactness: tier A.
+// umbrage 0.1.0, hard: unfiltered shadow test of the nearest texel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered. For a comparison
@@ -14,9 +14,10 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/hard.wgsl alone.
 
-// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_hard: shadow test without a filter. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_hard(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let texel: vec2f = select(vec2f(0.0, 0.0), floor(coord), compared);  // no branch: fetches of several taps overlap

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+// umbrage_linear_depth: distance along the light's axis, positive in front of the light, times 1 / z_far
 fn umbrage_linear_depth(z_view: f32, inv_z_far: f32) -> f32 {
     return z_view * inv_z_far;
 }

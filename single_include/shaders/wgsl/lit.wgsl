@@ -1,4 +1,4 @@
-// umbrage 0.1.0, lit: one comparison with a texel. Exactness: tier A.
+// umbrage 0.1.0, lit: visibility from one comparison with a texel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -12,7 +12,7 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: compare.wgsl, texel.wgsl, fetch_depth.wgsl; or paste wgsl_joined/lit.wgsl alone.
 
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, lit_2x2: comparisons with the 2x2 texels from one on. Exactness: tier A.
+// umbrage 0.1.0, lit_2x2: visibility from comparisons with 2x2 texels. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -12,7 +12,7 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: compare.wgsl, texel.wgsl, fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/lit_2x2.wgsl alone.
 
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let a: f32 = umbrage_lit(map, size, texel, receiver);
     let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);

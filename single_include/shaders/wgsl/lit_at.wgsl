@@ -1,4 +1,4 @@
-// umbrage 0.1.0, lit_at: comparisons around a point of the map, weighted. Exactness: tier C.
+// umbrage 0.1.0, lit_at: weighted comparisons around a point in [0, 1]. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // lit_at, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -16,8 +16,8 @@
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl; or paste wgsl_joined/lit_at.wgsl
 //   alone.
 
-// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, lit_filtered: comparisons around a point, weighted. Exactness: tier C.
+// umbrage 0.1.0, lit_filtered: weighted comparisons around a point in texels. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // lit_filtered, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -15,8 +15,9 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl; or paste wgsl_joined/lit_filtered.wgsl alone.
 
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+// The sampler of this map cannot weight comparisons, so the shader does
+//   coord   in texels, no NaN. Outside texel space it is clamped
 fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
 }

@@ -1,10 +1,10 @@
-// umbrage 0.1.0, map_covers: whether a receiver of a prefiltered map lies in it. Exactness: tier A.
+// umbrage 0.1.0, map_covers: true if a receiver lies in a prefiltered map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 
-// umbrage_map_covers: whether a receiver of a prefiltered map or a table lies in the map; elsewhere it is lit
+// umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
     return coord.x >= 0.0 && coord.y >= 0.0 && coord.x < size.x && coord.y < size.y;
 }

@@ -1,11 +1,12 @@
-// umbrage 0.1.0, moment_atoms: the two depths that make four moments beside a receiver's. Exactness: tier C.
+// umbrage 0.1.0, moment_atoms: two depths that have the moments with the receiver's. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // moment_atoms, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
     let d: f32 = b.y - b.x * b.x;
     let third: f32 = b.z - b.x * b.y;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, msm_hausdorff: visibility from a map of encode_msm's texels. Exactness: tier C.
+// umbrage 0.1.0, msm_hausdorff: visibility from a blurred MSM, for depths on [-1, 1]. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -15,9 +15,9 @@
 //   moment_atoms.wgsl, decode_msm.wgsl, hausdorff_share.wgsl, decode_msm_hausdorff.wgsl; or paste
 //   wgsl_joined/msm_hausdorff.wgsl alone.
 
-// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   bias  as of decode_msm
+// umbrage_msm_hausdorff: visibility from a blurred map of encode_msm's texels, for depths on [-1, 1]. 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
 fn umbrage_msm_hausdorff(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
     let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));

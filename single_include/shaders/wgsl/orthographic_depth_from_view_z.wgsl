@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
-// z_near; when reversed, exchange z_near and z_far
+// umbrage_orthographic_depth_from_view_z: orthographic depth in [0, 1] from the distance along the light's axis
+// Depth is 0.0 at z_near. Exchange z_near and z_far where it is reversed
 fn umbrage_orthographic_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
     return (z_view - z_near) / (z_far - z_near);
 }

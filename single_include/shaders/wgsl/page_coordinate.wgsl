@@ -1,4 +1,4 @@
-// umbrage 0.1.0, page_coordinate: a receiver in the page of an atlas that holds it. Exactness: tier A.
+// umbrage 0.1.0, page_coordinate: position of a receiver in the atlas page that holds it. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
@@ -6,15 +6,18 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 // Paste along: texel.wgsl, from_unorm.wgsl; or paste wgsl_joined/page_coordinate.wgsl alone.
 
-// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
-//   page, gutter  side of a page and what it has around it, texels
+// umbrage_page_coordinate: (x, y) of a receiver in an atlas page with its gutter, and (z, w) the page's first texel
+//   table   page table, RGBA8, nearest filter
+//   size    size of the table, in texels
+//   coord   receiver position, 1.0 to 2.0 across the table without its border
+//   page    side of a page, in texels
+//   gutter  border around a page, in texels
 fn umbrage_page_coordinate(table: texture_2d<f32>, size: vec2f, coord: vec2f, page: f32, gutter: f32) -> vec4f {
-    // not negative already; compilers cannot regroup sums across max and clamp
+    // neither max changes a value; compilers cannot regroup sums across max and clamp
     let sides: vec2f = max(size - 2.0, vec2f(1.0, 1.0));
     let before: vec2f = max(size - 3.0, vec2f(0.0, 0.0));
     let cell: vec2f = min(max(vec2f(0.0, 0.0), coord * sides - before), size - 1.0);
-    let texel: vec2i = vec2i(cell);  // of a NaN the first
+    let texel: vec2i = vec2i(cell);  // the first texel for a NaN
     let entry: vec4f = umbrage_from_unorm_vec4f(umbrage_texel(table, size, vec2f(texel)));
     let slot: vec2f = vec2f(entry.x, entry.y);
     let across: f32 = entry.z + entry.w * 256.0;

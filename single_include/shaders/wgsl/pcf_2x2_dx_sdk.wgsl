@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 PCF of the DirectX SDK sample, plain floats. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -16,9 +16,11 @@
 // Paste along: compare_dx_sdk.wgsl, inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl,
 //   texel.wgsl, fetch_depth.wgsl; or paste wgsl_joined/pcf_2x2_dx_sdk.wgsl alone.
 
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+// umbrage_pcf_2x2_dx_sdk: 2x2 PCF of the DirectX SDK sample. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], no bias applied
+//   epsilon     depth added to each stored depth
 fn umbrage_pcf_2x2_dx_sdk(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap

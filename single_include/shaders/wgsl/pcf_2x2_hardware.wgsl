@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcf_2x2_hardware: 2x2 by a comparison sampler with a linear filter. Exactness: tier C.
+// umbrage 0.1.0, pcf_2x2_hardware: bilinear 2x2 PCF by a linear comparison sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // pcf_2x2_hardware, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -17,9 +17,10 @@
 //   compare.wgsl, texel.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl;
 //   or paste wgsl_joined/pcf_2x2_hardware.wgsl alone.
 
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2_hardware: bilinear 2x2 PCF by the sampler. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_pcf_2x2_hardware(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcss8: percentage-closer soft shadows, 8 points twice. Exactness: tier A.
+// umbrage 0.1.0, pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -15,9 +15,12 @@
 //   blockers8.wgsl, correct_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl; or paste
 //   wgsl_joined/pcss8.wgsl alone.
 
-// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   softness  of make_penumbra_params;  rotation  umbrage_disc_rotation of the pixel
+// umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   softness    from make_penumbra_params
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
                  rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
@@ -27,6 +30,6 @@ fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    // without a blocker the radius is the search's, whose points are all lit
+    // without a blocker the radius is that of the search, whose points are all lit
     return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
 }

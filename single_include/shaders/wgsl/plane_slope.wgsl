@@ -1,4 +1,4 @@
-// umbrage 0.1.0, plane_slope: change of a plane's depth from texel to texel. Exactness: tier C.
+// umbrage 0.1.0, plane_slope: change of a plane's depth per texel. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // plane_slope, tier C: within 27 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -7,8 +7,10 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Paste along: clamp_slope.wgsl; or paste wgsl_joined/plane_slope.wgsl alone.
 
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
 fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *

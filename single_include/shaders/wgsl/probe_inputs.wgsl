@@ -1,8 +1,10 @@
-// umbrage 0.1.0, probe_inputs: debug color, unless position or normal are wrong. Exactness: tier A.
+// umbrage 0.1.0, probe_inputs: debug color, unless position or normal is wrong. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_probe_inputs: color, unless the receiver is wrong; magenta  not a number;   yellow  a normal of zero
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
 fn umbrage_probe_inputs(color: vec3f, world: vec3f, normal: vec3f) -> vec3f {
     let limit: f32 = 18446744073709551616.0;
     var usable: bool = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;

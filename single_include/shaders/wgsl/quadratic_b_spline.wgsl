@@ -1,4 +1,4 @@
-// umbrage 0.1.0, quadratic_b_spline: quadratic B-spline of 3 x 3 texels. Exactness: tier A.
+// umbrage 0.1.0, quadratic_b_spline: PCF kernel of the quadratic B-spline, 3x3 texels. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,14 +13,15 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/quadratic_b_spline.wgsl alone.
 
-// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_quadratic_b_spline: PCF over 3 x 3 texels, weighted by the quadratic B-spline. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_quadratic_b_spline(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative; compilers cannot regroup sums across clamp and max
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
     let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
     let r: vec2f = 256.0 - s;
     let w0: vec2f = floor(r * r * (1.0 / 32.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, receiver_ps14: receiver on the scale of decode_ps14. Exactness: tier B.
+// umbrage 0.1.0, receiver_ps14: receiver depth on the scale of decode_ps14. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // receiver_ps14, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
-//   lights
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14. Beyond the far plane every texel lights
+// it
 fn umbrage_receiver_ps14(depth: f32) -> f32 {
     return select(depth * 1.00392163, -1.0, depth > 1.0);
 }

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+// umbrage_receiver_rg13: receiver depth on the scale of umbrage_level_rg13. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
 fn umbrage_receiver_rg13(depth: f32, edge: f32) -> f32 {
     let level: f32 = (ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+// umbrage_receiver_rg14: receiver depth on the scale of umbrage_level_rg14. It is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
 fn umbrage_receiver_rg14(depth: f32, edge: f32) -> f32 {
     let level: f32 = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;

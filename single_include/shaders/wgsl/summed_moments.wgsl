@@ -1,4 +1,4 @@
-// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a summed-area table. Exactness: tier C.
+// umbrage 0.1.0, summed_moments: moment shadow over a box of any size, from a SAT. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // summed_moments, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -12,10 +12,12 @@
 //   box_mean.wgsl, from_optimized_moments.wgsl, bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl,
 //   moment_atoms.wgsl, decode_msm.wgsl; or paste wgsl_joined/summed_moments.wgsl alone.
 
-// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+// umbrage_summed_moments: moment shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_moment_table and its size: twice the shadow map's width plus two, its height plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   bias        (6e-5, 0.628)
 fn umbrage_summed_moments(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           bias: vec2f) -> f32 {
     let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a summed-area table. Exactness: tier
-//   C.
+// umbrage 0.1.0, summed_variance: variance shadow over a box of any size, from a SAT. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // summed_variance, tier C: within 1/65536 of C++.
 // SPDX-License-Identifier: MIT
@@ -13,10 +12,12 @@
 //   cleared_depth.wgsl, texel.wgsl, correct_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl; or paste
 //   wgsl_joined/summed_variance.wgsl alone.
 
-// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
-//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
-//   coord, receiver  in texels of the shadow map, first center at (0.5, 0.5), and depth, biased
-//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+// umbrage_summed_variance: variance shadow from a summed-area table. Returns visibility, 1.0 = lit
+//   map, size   table from make_variance_table and its size: the shadow map's plus one
+//   coord       receiver in texels of the shadow map. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      an integer. The box has 2 radius + 1 texels per side
+//   codes       2^bits of the table
 fn umbrage_summed_variance(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                            codes: f32) -> f32 {
     let last: vec2f = size - 1.0;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tent3: sliding window 1 2 1. Exactness: tier A.
+// umbrage 0.1.0, tent3: PCF kernel 1 2 1. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered. For a comparison
@@ -14,9 +14,11 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum3.wgsl; or paste wgsl_joined/tent3.wgsl alone.
 
-// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_tent3: PCF under 3 x 3 weights, 1 2 1, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_tent3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let n: f32 = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
     return clamp(n * (1.0 / 16777216.0), 0.0, 1.0);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, tetrahedron_coordinate: face of a tetrahedron, and where on it, that a direction meets. Exactness:
-//   tier C.
+// umbrage 0.1.0, tetrahedron_coordinate: tetrahedron face of a direction, and the position on it. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // tetrahedron_coordinate, tier C: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -9,7 +8,9 @@
 // Paste along: tetrahedron_face.wgsl, tetrahedron_face_point.wgsl, tetrahedron_plane.wgsl; or paste
 //   wgsl_joined/tetrahedron_coordinate.wgsl alone.
 
-// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction
+//   s  -1.0 to 1.0 along the base
+//   t  0.0 at the base to 1.0 at the apex
 fn umbrage_tetrahedron_coordinate(direction: vec3f) -> vec3f {
     let p: vec3f = umbrage_tetrahedron_plane(direction);
     let d: f32 = p.z * 2.0 + p.y * -1.414213562;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tetrahedron_plane: a direction in its tetrahedron face's axes. Exactness: tier B.
+// umbrage 0.1.0, tetrahedron_plane: direction in the axes of its tetrahedron face. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // tetrahedron_plane, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

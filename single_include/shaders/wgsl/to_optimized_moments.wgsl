@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_optimized_moments: four moments to four channels of 16 bits. Exactness: tier B.
+// umbrage 0.1.0, to_optimized_moments: four moments (MSM) to four 16-bit channels. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // to_optimized_moments, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -8,7 +8,7 @@
 // Render target of msm_unorm16: RGBA16 UNORM, not sRGB, no blending, one sample. Clear to
 //   umbrage_to_optimized_moments of umbrage_encode_msm of the far plane's depth.
 
-// umbrage_to_optimized_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+// umbrage_to_optimized_moments: four moments for four 16-bit channels, each over all of 0.0 to 1.0
 fn umbrage_to_optimized_moments(b: vec4f) -> vec4f {
     let x: f32 = (b.x * 0.75 - b.z) * 2.0 + 0.5;
     let y: f32 = (b.y - b.w) * 4.0;

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+// umbrage_view_z_from_depth: distance along the light's axis from perspective depth in [0, 1], 0.0 at z_near
 fn umbrage_view_z_from_depth(depth: f32, z_near: f32, z_far: f32) -> f32 {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
 }

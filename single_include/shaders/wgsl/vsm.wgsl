@@ -1,4 +1,4 @@
-// umbrage 0.1.0, vsm: visibility from a map of encode_vsm's texels. Exactness: tier C.
+// umbrage 0.1.0, vsm: visibility from a blurred variance shadow map (VSM). Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // vsm, tier C: within 165 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -16,9 +16,9 @@
 //   fetch_clamped.wgsl, fetch_bilinear.wgsl, chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl,
 //   decode_vsm.wgsl; or paste wgsl_joined/vsm.wgsl alone.
 
-// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
-//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   min_variance  0.0 or more
+// umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
+//   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
+//   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
 fn umbrage_vsm(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, min_variance: f32) -> f32 {
     let compared: bool = select(false, umbrage_in_filter_domain(coord, receiver), umbrage_map_covers(size, coord));
     let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));

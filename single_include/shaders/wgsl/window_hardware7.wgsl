@@ -1,4 +1,4 @@
-// umbrage 0.1.0, window_hardware7: window of 7 x 7 by 16 of them. Exactness: tier C.
+// umbrage 0.1.0, window_hardware7: 7x7 kernel, 16 fetches from a linear comparison sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // window_hardware7, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -17,9 +17,12 @@
 //   compare.wgsl, texel.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl;
 //   or paste wgsl_joined/window_hardware7.wgsl alone.
 
-// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware7: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
 fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32, k2: f32,
                             k3: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, window_sum7: weighted count of lit texels under a window of 7 x 7. Exactness: tier A.
+// umbrage 0.1.0, window_sum7: weighted count of lit texels under a 7x7 kernel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -13,11 +13,13 @@
 // Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
 //   fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl; or paste wgsl_joined/window_sum7.wgsl alone.
 
-// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+// umbrage_window_sum7: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
 fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
                        k2: f32, k3: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap

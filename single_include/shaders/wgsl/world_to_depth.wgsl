@@ -1,4 +1,4 @@
-// umbrage 0.1.0, world_to_depth: world units along a light as depth. Exactness: tier C.
+// umbrage 0.1.0, world_to_depth: world units along a light to depth. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // world_to_depth, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -8,7 +8,8 @@
 // Paste along: clamp_bias.wgsl; or paste wgsl_joined/world_to_depth.wgsl alone.
 
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
-//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+//   units  (edge of a texel, depth per world unit) at w = 1.0
+//   w      w of the point's shadow coordinate, above 0.0
 fn umbrage_world_to_depth(world: f32, units: vec2f, w: f32) -> f32 {
     let along: f32 = world * units.y;
     let square: f32 = w * w;

@@ -11,8 +11,8 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_threejs_legacy.wgsl alone.
 
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+// umbrage_write_threejs_legacy: RGBA of a depth, as in three.js r73 to r166, values to write as they are
+//   1.0 reads back as 255/256. umbrage_encode_threejs_legacy_repaired does not have this fault
 fn umbrage_write_threejs_legacy(depth: f32) -> vec4f {
     let v: f32 = umbrage_saturate(depth);
     let x: f32 = v * 16777216.0 - floor(v * 16777216.0);

@@ -11,7 +11,7 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 // Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_threejs_rgba.wgsl alone.
 
-// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgba: RGBA of a depth, as in three.js r167 and later, values to write as they are
 fn umbrage_write_threejs_rgba(depth: f32) -> vec4f {
     let v: f32 = umbrage_saturate(depth);
     let x: f32 = v * 16777216.0;

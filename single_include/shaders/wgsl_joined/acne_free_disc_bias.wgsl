@@ -6,15 +6,16 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 fn umbrage_clamp_bias(bias: f32) -> f32 {
     let least: f32 = (1.0 / 18446744073709551616.0);
     return select(select(1.0, 0.0, bias < least), bias, bias >= least && bias < 1.0);
 }
 
-// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
-//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
-//   error   how far a decoded depth may lie before the true one
+// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+//   slope   change of depth per texel, in x and y
+//   radius  distance to the disc's farthest point, in texels
+//   error   largest error of a decoded depth towards the light
 fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
     let square: f32 = slope.x * slope.x + slope.y * slope.y;
     let beside: f32 = (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));

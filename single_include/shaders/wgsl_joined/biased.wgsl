@@ -13,7 +13,7 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+// umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 fn umbrage_biased(receiver: f32, bias: f32) -> f32 {
     let by: f32 = select(0.0, bias, abs(bias) < 18446744073709551616.0);
     return select(receiver + by, receiver - by, umbrage_cleared_depth() > 0.5);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blocker: whether a texel lies before a receiver, and how far from the light. Exactness: tier A.
+// umbrage 0.1.0, blocker: count and distance code of one possible blocker. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -12,13 +12,14 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -36,7 +37,8 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
 fn umbrage_distance_code(depth: f32) -> f32 {
     let v: f32 = depth * 65536.0;
     let forward: f32 = select(65535.0, floor(max(v, 0.0)), v < 65535.0);
@@ -44,7 +46,7 @@ fn umbrage_distance_code(depth: f32) -> f32 {
     return select(65535.0 - reversed, forward, umbrage_cleared_depth() > 0.5);
 }
 
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
 fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec2f {
     let stored: f32 = umbrage_fetch_depth(map, size, texel);
     let code: f32 = umbrage_distance_code(stored);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, blocker_at: whether what a point of the map holds lies before a receiver, and its depth. Exactness:
-//   tier C.
+// umbrage 0.1.0, blocker_at: count and depth of one possible blocker. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // blocker_at, tier C: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -17,13 +16,14 @@
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -31,8 +31,8 @@ fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_depth_at(map: texture_2d<f32>, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_fetch_depth(map, size, floor(uv * size));
 }
@@ -42,8 +42,8 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
     let stored: f32 = umbrage_depth_at(map, size, uv);
     return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blur_row7: mean of texels in a row. Exactness: tier B.
+// umbrage 0.1.0, blur_row7: binomial mean of texels in a row, for blurs. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // blur_row7, tier B: within 17 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,20 +10,22 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
 }
 
-// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
-//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
-//   along      (1.0, 0.0) or (0.0, 1.0)
+// umbrage_blur_row7: mean of 7 texels in a row, with the weights of a row of Pascal's triangle
+//   map, size   map that is read, and its size in texels
+//   texel       index of the texel, integers. (0, 0) is the first
+//   along       (1.0, 0.0) or (0.0, 1.0)
 fn umbrage_blur_row7(map: texture_2d<f32>, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
     var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
     let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);

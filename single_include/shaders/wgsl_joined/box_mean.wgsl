@@ -1,5 +1,4 @@
-// umbrage 0.1.0, box_mean: mean of four whole numbers over a box, from a summed-area table in two halves. Exactness:
-//   tier C.
+// umbrage 0.1.0, box_mean: mean of four integers over a box, from a SAT in two halves. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // box_mean, tier C: within 19 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -11,14 +10,16 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
-//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+// umbrage_box_mean: mean over a box of four integers below 65536.0
+//   map, size    table from make_moment_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 fn umbrage_box_mean(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
     let right: f32 = size.x * 0.5;
     var a: vec4f = umbrage_texel(map, size, end);

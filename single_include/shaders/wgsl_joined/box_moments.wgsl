@@ -1,33 +1,38 @@
-// umbrage 0.1.0, box_moments: mean and squared distances from it over a box, from a summed-area table. Exactness:
-//   tier A.
+// umbrage 0.1.0, box_moments: mean and squared distances over a box, from a SAT. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 
-// umbrage_correct_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
     let more: f32 = q + 1.0;
     let known: f32 = select(q, more, more * b <= a);
     return select(known, q - 1.0, q * b > a);
 }
 
-// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
     return umbrage_correct_quotient(floor(a / b), a, b);
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
-//   that of their squared distances from mean 4096 high + low;  whole numbers
-//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+// umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
+//   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low
+//   map, size    table from make_variance_table and its size
+//   first, end   lowest texel of the box, and one past its highest. first < end
 fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
     let a: vec4f = umbrage_texel(map, size, end);
     let b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
@@ -37,7 +42,7 @@ fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec
     var low: vec2f = vec2f(part.x, part.z);
     let carry: vec2f = floor(low * (1.0 / 65536.0));
     var above: vec2f = vec2f(part.y, part.w) + carry;
-    // nothing below is negative; compilers cannot regroup sums across a max
+    // nothing below is negative. The maxima keep compilers from regrouping sums across them
     low = max(low - carry * 65536.0, vec2f(0.0, 0.0));
     above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));
     let sum: f32 = above.x * 65536.0 + low.x;

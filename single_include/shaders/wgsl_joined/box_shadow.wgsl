@@ -1,4 +1,4 @@
-// umbrage 0.1.0, box_shadow: lit share of a box of radius 0..8. Exactness: tier B.
+// umbrage 0.1.0, box_shadow: lit fraction of a box of radius 0..8 (box PCF). Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -13,9 +13,9 @@
 //   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
@@ -33,18 +33,18 @@ fn umbrage_box_scale(radius: i32) -> f32 {
     return scale;
 }
 
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map; a NaN is in shadow
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                             receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, (texel + 0.5) / size, receiver);
@@ -56,7 +56,7 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_lit_shadow: visibility of one comparison with a texel, outside the map with the far plane
+// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
 fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                       receiver: f32) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
@@ -65,9 +65,11 @@ fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, si
     return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_box_count_shadow: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+// umbrage_box_count_shadow: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      r, clamped to 0..8. Compilers unroll the loops if it is a constant
 fn umbrage_box_count_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                             receiver: f32, radius: i32) -> f32 {
     let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
@@ -85,7 +87,8 @@ fn umbrage_box_count_shadow(map: texture_depth_2d, map_sampler: sampler_comparis
     return select(f32(width * width), count, compared);
 }
 
-// umbrage_box_shadow: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count_shadow
+// umbrage_box_shadow: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
+//   parameters as for umbrage_box_count_shadow
 fn umbrage_box_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f, receiver: f32,
                       radius: i32) -> f32 {
     let visibility: f32 = umbrage_box_count_shadow(map, map_sampler, size, coord, receiver, radius) *

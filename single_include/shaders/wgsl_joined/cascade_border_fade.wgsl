@@ -6,14 +6,16 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 fn umbrage_cascade_weight(v: f32) -> f32 {
     let steps: f32 = select(select(0.0, 256.0, v >= 1.0), floor(v * 256.0), v > 0.0 && v < 1.0);
     return steps * (1.0 / 256.0);
 }
 
-// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
-//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
+//   coordinate  position in the map, in texels
+//   size        size of the map, in texels
+//   per_texel   weight per texel: 1.0 / width of the band along the border
 fn umbrage_cascade_border_fade(coordinate: vec2f, size: vec2f, reach: f32, per_texel: f32) -> f32 {
     let half_size: vec2f = size * 0.5;
     let beyond: vec2f = abs(coordinate - half_size) - (half_size - reach);

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that holds a point and its filter. Exactness: tier
-//   B.
+// umbrage 0.1.0, cascade_by_projection_8: first of eight cascades that contains a point and its filter. Exactness:
+//   tier B.
 // WGSL lets compilers fuse or reorder sums.
 // cascade_by_projection_8, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -7,26 +7,28 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
 fn umbrage_cascade_coordinate(light: vec3f, scale: vec4f, offset: vec4f) -> vec3f {
     let start: vec3f = vec3f(offset.x, offset.y, offset.z);
     let at: vec3f = light * vec3f(scale.x, scale.y, scale.z) + start;
     return at;
 }
 
-// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
 fn umbrage_inside_cascade(coordinate: vec3f, size: vec2f, reach: f32) -> bool {
     let end: vec2f = size - reach;
-    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
     let in_x: bool = coordinate.x >= reach && coordinate.x <= end.x;
     let in_y: bool = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
     return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
 }
 
-// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
-//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
-//   light            the point, rotated into the light's directions
-//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+// umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
+//   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's axes
+//   scales, offsets  scales and offsets of the cascades
+//   size             size of each map, in texels
+//   reach            filter radius, in texels
 fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
     let a: vec3f = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
     let b: vec3f = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
@@ -39,7 +41,7 @@ fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f
     return select(found, vec4f(a, 0.0), umbrage_inside_cascade(a, size, reach));
 }
 
-// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection of eight cascades, four and four; number 8.0 for none
+// umbrage_cascade_by_projection_8: umbrage_cascade_by_projection for eight cascades, four and four; index 8.0 for none
 fn umbrage_cascade_by_projection_8(light: vec3f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
                                    farther_offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
     let nearer: vec4f = umbrage_cascade_by_projection(light, scales, offsets, size, reach);

@@ -1,8 +1,8 @@
-// umbrage 0.1.0, cascade_column: one of four columns, without an index. Exactness: tier A.
+// umbrage 0.1.0, cascade_column: one of four columns, without dynamic indexing. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+// umbrage_cascade_column: column of a matrix by its index, 0.0 to 3.0, for languages without dynamic indexing
 fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
     let low: vec4f = select(columns[1], columns[0], number < 0.5);
     let high: vec4f = select(columns[3], columns[2], number < 2.5);

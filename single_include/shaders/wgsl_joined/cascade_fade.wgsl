@@ -6,13 +6,13 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 fn umbrage_cascade_weight(v: f32) -> f32 {
     let steps: f32 = select(select(0.0, 256.0, v >= 1.0), floor(v * 256.0), v > 0.0 && v < 1.0);
     return steps * (1.0 / 256.0);
 }
 
-// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {
     let v: f32 = depth * scale + offset;
     return umbrage_cascade_weight(v);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cascade_slope: change of a plane's depth from texel to texel of a cascade. Exactness: tier C.
+// umbrage 0.1.0, cascade_slope: change of a plane's depth per texel in a cascade. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // cascade_slope, tier C: within 6 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,13 +6,14 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 fn umbrage_clamp_slope(slope: f32) -> f32 {
     return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
 }
 
-// umbrage_cascade_slope: change of depth from one texel to the next; (0.0, 0.0) for a normal of zero
-//   normal  of the surface, rotated into the light's directions;   scale  of the cascade
+// umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
+//   normal  surface normal, rotated into the light's axes
+//   scale   scale of the cascade
 fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
     let across: vec2f = vec2f(scale.x, scale.y) * normal.z;

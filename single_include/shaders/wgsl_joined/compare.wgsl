@@ -1,4 +1,4 @@
-// umbrage 0.1.0, compare: one comparison. Exactness: tier A.
+// umbrage 0.1.0, compare: visibility from one comparison. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, compare_dx_sdk: stored + epsilon < receiver is shadow. Exactness: tier B.
+// umbrage 0.1.0, compare_dx_sdk: shadow if stored + epsilon < receiver. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // compare_dx_sdk, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
     let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
@@ -14,8 +14,8 @@ fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     return select(select(z, y, face < 3.5), x, face < 1.5);
 }
 
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {
-    let uv: vec2f = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    let uv: vec2f = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
     return umbrage_cube_point(face, vec3f(uv, 1.0));
 }

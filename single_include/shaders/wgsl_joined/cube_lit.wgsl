@@ -1,4 +1,4 @@
-// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube. Exactness: tier A.
+// umbrage 0.1.0, cube_lit: one comparison with a texel of a cube map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -11,17 +11,17 @@
 //   compare    one comparison, in place of receiver <= stored
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 fn umbrage_cube_face(direction: vec3f) -> f32 {
     let m: vec3f = abs(direction);
     let x: f32 = select(0.0, 1.0, direction.x < 0.0);
     let y: f32 = select(2.0, 3.0, direction.y < 0.0);
     let z: f32 = select(4.0, 5.0, direction.z < 0.0);
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
     return select(select(z, y, m.y >= m.z), select(z, x, m.x >= m.z), m.x >= m.y);
 }
 
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
 fn umbrage_cube_plane(direction: vec3f) -> vec3f {
     let face: f32 = umbrage_cube_face(direction);
     let x: vec3f = vec3f(select(direction.z, -direction.z, face < 0.5), -direction.y, face);
@@ -30,7 +30,7 @@ fn umbrage_cube_plane(direction: vec3f) -> vec3f {
     return select(select(z, y, face < 3.5), x, face < 1.5);
 }
 
-// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
 fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
     let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
     let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
@@ -39,7 +39,8 @@ fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
 }
 
 // umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
 fn umbrage_cube_neighbor(texel: vec3f, size: f32) -> vec3f {
     let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
     let beyond_u: bool = abs(uv.x) > size;
@@ -62,13 +63,14 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -76,13 +78,16 @@ fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 
-// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
-//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
 fn umbrage_cube_lit(map: texture_2d<f32>, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
     let side: f32 = size.y * 0.5;
     let n: vec3f = umbrage_cube_neighbor(texel, side);

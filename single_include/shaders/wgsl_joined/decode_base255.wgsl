@@ -10,7 +10,7 @@
 // Render target of base255_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255,
 //   with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_base255_repaired.
 
-// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+// umbrage_decode_base255: depth from base-255 RGBA, as sampled
 fn umbrage_decode_base255(c: vec4f) -> f32 {
     let depth: f32 = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
     return depth;

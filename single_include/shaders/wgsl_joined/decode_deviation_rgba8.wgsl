@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in four channels to depth's two moments. Exactness: tier
-//   B.
+// umbrage 0.1.0, decode_deviation_rgba8: mean and deviation in RGBA8 to two moments (VSM). Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // decode_deviation_rgba8, tier B: within 21 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -14,7 +13,7 @@ fn umbrage_decode_deviation(held: vec2f) -> vec2f {
     return vec2f(held.x, square);
 }
 
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 fn umbrage_from_unorm(c: f32) -> f32 {
     return floor(c * 255.0 + 0.5);
 }
@@ -28,14 +27,15 @@ fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
     return floor(c * 255.0 + 0.5);
 }
 
-// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, center, upper edge of the code's interval
+// umbrage_decode_rg16: depth from the two channels of a 16-bit code, as sampled
+//   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step
 fn umbrage_decode_rg16(c: vec2f, edge: f32) -> f32 {
     let k: vec2f = umbrage_from_unorm_vec2f(c);
     return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
 }
 
-// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+// umbrage_decode_deviation_rgba8: RGBA8 mean and deviation to mean and mean square of depths
+//   c   as sampled, mean in xy and deviation in zw
 fn umbrage_decode_deviation_rgba8(c: vec4f) -> vec2f {
     let mean: f32 = umbrage_decode_rg16(vec2f(c.x, c.y), 1.0);
     let deviation: f32 = umbrage_decode_rg16(vec2f(c.z, c.w), 1.0);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_esm: mean of texels of an exponential shadow map to visibility. Exactness: tier B.
+// umbrage 0.1.0, decode_esm: mean of ESM texels to visibility. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // decode_esm, tier B: within 37 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -8,14 +8,14 @@
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {
     let exponent: u32 = u32(n + 127.0);
     return bitcast<f32>(exponent << 23);
 }
 
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
     let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);
@@ -39,13 +39,15 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
-// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+// umbrage_decode_esm: visibility of a receiver from an exponential shadow map, at least its lit fraction. 1.0 = lit
+//   m          mean of texels
+//   receiver   receiver depth, bias applied
+//   exponent   same as for the texels
 fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
     let d: f32 = umbrage_to_forward_depth(receiver);
     let p: f32 = m * umbrage_exponential_warp(d, -exponent);

@@ -1,5 +1,4 @@
-// umbrage 0.1.0, decode_evsm2_hardware: mean of texels of two components to visibility, by the GPU's own exp2.
-//   Exactness: tier C.
+// umbrage 0.1.0, decode_evsm2_hardware: EVSM of two components to visibility, by the GPU's exp2. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_evsm2_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
@@ -7,8 +6,10 @@
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
-//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
 fn umbrage_chebyshev_hardware(variance: f32, distance: f32, amount: f32) -> f32 {
     let beyond: f32 = max(distance, 0.0);
     let p: f32 = variance / (variance + beyond * beyond);
@@ -20,14 +21,17 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
-// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
-//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+// umbrage_decode_evsm2_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
+//   m           mean of texels
+//   receiver    receiver depth in [0, 1], bias applied
+//   exponent    same as for the texels
+//   deviation   minimum standard deviation, relative to the receiver's power
+//   amount      visibility that becomes 0.0, 0.0 to 0.3
 fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
     let d: f32 = umbrage_to_forward_depth(clamp(receiver, 0.0, 1.0));
     let w: f32 = exp2(exponent * (d * 2.0 - 1.0));

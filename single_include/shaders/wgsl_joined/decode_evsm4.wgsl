@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_evsm4: mean of texels of four components to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_evsm4: mean of EVSM texels of four components to visibility. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_evsm4, tier C: within 229 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -8,8 +8,10 @@
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
-//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
 fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     let difference: f32 = m.y - m.x * m.x;
     let variance: f32 = select(min_variance, difference, difference > min_variance);
@@ -19,14 +21,14 @@ fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
 }
 
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {
     let exponent: u32 = u32(n + 127.0);
     return bitcast<f32>(exponent << 23);
 }
 
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
     let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);
@@ -50,20 +52,22 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
-//   deviations  least standard deviations, as parts of the receiver's powers
+// umbrage_decode_evsm4: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
+//   m            mean of texels
+//   receiver     receiver depth in [0, 1], bias applied
+//   exponents    same as for the texels
+//   deviations   minimum standard deviations, relative to the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
     let d: f32 = umbrage_to_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_exponential_warp(d, exponents.x);

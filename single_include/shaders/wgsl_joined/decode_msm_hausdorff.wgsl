@@ -1,4 +1,4 @@
-// umbrage 0.1.0, decode_msm_hausdorff: mean of four moments of depths on [-1, 1] to visibility. Exactness: tier C.
+// umbrage 0.1.0, decode_msm_hausdorff: mean of MSM texels to visibility, for depths on [-1, 1]. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // decode_msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
@@ -15,8 +15,9 @@ fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
     return vec4f(x, y, z, w);
 }
 
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
 fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
     let d: f32 = b.y - b.x * b.x;
     let third: f32 = b.z - b.x * b.y;
@@ -36,9 +37,10 @@ fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
     return vec4f(t.x, t.y, least / sum.x, least / sum.y);
 }
 
-// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
-//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
-//   negative where the share is that of umbrage_moment_atoms
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
 fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
     let variance: f32 = b.y - b.x * b.x;
     let third: f32 = b.z - b.x * b.y;
@@ -66,14 +68,14 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
 fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let d: f32 = umbrage_to_forward_depth(receiver);
     let m: vec4f = umbrage_bias_moments(b, bias);
@@ -82,13 +84,15 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let first: f32 = select(0.0, atoms.z, atoms.x < x);
     let second: f32 = select(0.0, atoms.w, atoms.y < x);
     var lit: f32 = 1.0 - (first + second);
-    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
     lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }
 
-// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b          mean of texels
+//   receiver   receiver depth in [0, 1], bias applied
+//   bias       (3e-6, 0.375)
 fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
     let d: f32 = umbrage_to_forward_depth(receiver);

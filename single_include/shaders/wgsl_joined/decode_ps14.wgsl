@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+// umbrage_decode_ps14: x / 2040 from the channels of an 11-bit code, as sampled. Compare with umbrage_receiver_ps14
 //   1.0 is not the far plane on this scale
 fn umbrage_decode_ps14(c: vec2f) -> f32 {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once

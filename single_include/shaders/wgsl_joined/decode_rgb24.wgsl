@@ -1,10 +1,10 @@
-// umbrage 0.1.0, decode_rgb24: three channels, R most significant, to depth. Exactness: tier A.
+// umbrage 0.1.0, decode_rgb24: three 8-bit channels, R most significant, to depth. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb24: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
 //   reversed depth to (0, 0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rgb24.
 
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 fn umbrage_from_unorm(c: f32) -> f32 {
     return floor(c * 255.0 + 0.5);
 }
@@ -18,8 +18,8 @@ fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
     return floor(c * 255.0 + 0.5);
 }
 
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+// umbrage_decode_rgb24: depth from three channels, as sampled
+//   edge   0.0 or 1.0: lower or upper edge of the quantization step
 fn umbrage_decode_rgb24(c: vec3f, edge: f32) -> f32 {
     let k: vec3f = umbrage_from_unorm_vec3f(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);

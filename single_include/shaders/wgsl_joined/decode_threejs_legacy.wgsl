@@ -11,7 +11,7 @@
 //   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
 //   umbrage_encode_threejs_legacy_repaired.
 
-// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+// umbrage_decode_threejs_legacy: depth from the RGBA format of three.js r73 to r166, as sampled
 fn umbrage_decode_threejs_legacy(c: vec4f) -> f32 {
     let depth: f32 = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
         (255.0 / 256.0);

@@ -8,7 +8,7 @@
 // Render target of threejs_rgb: RGB8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255) / 255, with
 //   reversed depth to (0, 0, 0) / 255. Write umbrage_write_threejs_rgb.
 
-// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+// umbrage_decode_threejs_rgb: depth from the RGB format of three.js r167 and later, as sampled
 fn umbrage_decode_threejs_rgb(c: vec3f) -> f32 {
     let depth: f32 = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
     return depth;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc16: disc of 16 points, turned by the pixel. Exactness: tier A.
+// umbrage 0.1.0, disc16: disc PCF, 16 points, rotated per pixel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered. For a comparison
@@ -12,21 +12,24 @@
 //   compare    one comparison, in place of receiver <= stored
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
 fn umbrage_disc_radius(radius: f32) -> f32 {
     let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0);
     return select(inside, 4095.0, radius >= 255.9375);
 }
 
-// umbrage_disc_tap: the texel that a point of a disc falls on
-//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   rotation  of umbrage_disc_rotation
-//   radius    in 1/16 texel, a whole number from 0 to 4095
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
 fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
@@ -37,14 +40,14 @@ fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> 
     return texel + floor(vec2f(x, y));
 }
 
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
@@ -54,13 +57,14 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -68,14 +72,17 @@ fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 
-// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, disc_hardware8: disc of 8 points by a comparison sampler with a linear filter. Exactness: tier C.
+// umbrage 0.1.0, disc_hardware8: disc PCF, 8 fetches from a linear comparison sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // disc_hardware8, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -13,24 +13,24 @@
 //   compare    one comparison, in place of receiver <= stored
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
-// umbrage_within_far_plane: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
@@ -41,13 +41,14 @@ fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -55,12 +56,12 @@ fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_lit: visibility of one comparison with a texel
+// umbrage_lit: visibility from one comparison with a texel
 fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// umbrage_lit_2x2: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let a: f32 = umbrage_lit(map, size, texel, receiver);
     let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
@@ -69,14 +70,15 @@ fn umbrage_lit_2x2(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
     return vec4f(a, b, c, d);
 }
 
-// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased
+// umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
 fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
     let texel: vec2f = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already; compilers cannot regroup sums across the clamp
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
     let hi: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let lo: vec2f = 1.0 - hi;
     let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
@@ -84,21 +86,26 @@ fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f3
     return select(1.0, visibility, compared);
 }
 
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+// The sampler of this map cannot weight comparisons, so the shader does
+//   coord   in texels, no NaN. Outside texel space it is clamped
 fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
 }
 
-// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
 }
 
-// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                           rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+// umbrage_distance_depth: length of to_point, the vector from the light, times 1 / range
 fn umbrage_distance_depth(to_point: vec3f, inv_range: f32) -> f32 {
     return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_deviation: depth's two moments to mean and deviation. Exactness: tier C.
+// umbrage 0.1.0, encode_deviation: two moments of depth (VSM) to mean and deviation. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // encode_deviation, tier C: within 7 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

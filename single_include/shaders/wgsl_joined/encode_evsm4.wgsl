@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_evsm4: depth to a texel of four components. Exactness: tier B.
+// umbrage 0.1.0, encode_evsm4: depth to an EVSM texel of four components. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // encode_evsm4, tier B: within 73 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -10,14 +10,14 @@
 // For other maps, bind() of the library or of its npm package prints this text, with
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {
     let exponent: u32 = u32(n + 127.0);
     return bitcast<f32>(exponent << 23);
 }
 
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
     let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);
@@ -43,16 +43,17 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 
-// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+// umbrage_encode_evsm4: texel of four components, a growing power, its square, a negative falling power, its square
+// NaN counts as far
 fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
     let d: f32 = umbrage_to_forward_depth(umbrage_saturate(depth));
     let w: f32 = umbrage_exponential_warp(d, exponents.x);

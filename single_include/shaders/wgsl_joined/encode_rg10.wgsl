@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg10: depth to two channels, R the low byte. Exactness: tier A.
+// umbrage 0.1.0, encode_rg10: depth to two 8-bit channels, R the low byte. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg10: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 192) / 255, with reversed depth
@@ -13,12 +13,12 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg10: two channels of a 10-bit depth code, integers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rg10(depth: f32) -> vec2f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
     let high: f32 = floor(x * (1.0 / 256.0));

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, encode_rg10_table: depth to two channels through a look-up texture. Exactness: tier A.
+// umbrage 0.1.0, encode_rg10_table: depth to two 8-bit channels through a lookup texture. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
@@ -6,7 +6,7 @@
 //   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
 fn umbrage_from_unorm(c: f32) -> f32 {
     return floor(c * 255.0 + 0.5);
 }
@@ -27,24 +27,26 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
 fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
 }
 
-// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
-//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rg10_table: two channels of a 10-bit depth code through a lookup table, integers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rg10_table(table: texture_2d<f32>, depth: f32) -> vec2f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
     let row: f32 = floor(x * (1.0 / 1024.0));

@@ -13,13 +13,13 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_encode_rgb10: depth to three channels, R most significant, whole numbers 0..1023 for umbrage_to_unorm10
-// the last four bits are the high ones of B, so that a target cleared to white is at the far plane
-//   depth   clamped to [0, 1], NaN counts as far
+// umbrage_encode_rgb10: three channels of a depth, R most significant, integers 0..1023 for umbrage_to_unorm10
+// The last four bits are the high ones of B, so a target cleared to white is at the far plane
+//   depth   clamped to [0, 1]. NaN counts as far
 fn umbrage_encode_rgb10(depth: f32) -> vec3f {
     let x: f32 = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     let high: f32 = floor(x * (1.0 / 16384.0));

@@ -6,14 +6,14 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {
     let exponent: u32 = u32(n + 127.0);
     return bitcast<f32>(exponent << 23);
 }
 
-// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
-//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
     let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, from_optimized_moments: four channels of 16 bits to four moments. Exactness: tier B.
+// umbrage 0.1.0, from_optimized_moments: four 16-bit channels to four moments (MSM). Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // from_optimized_moments, tier B: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_from_optimized_moments: four moments of what umbrage_to_optimized_moments made of them
+// umbrage_from_optimized_moments: four moments from the result of umbrage_to_optimized_moments
 fn umbrage_from_optimized_moments(o: vec4f) -> vec4f {
     let x: f32 = o.x - 0.5;
     let z: f32 = o.z - 0.5;

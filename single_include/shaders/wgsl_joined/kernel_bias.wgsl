@@ -1,4 +1,4 @@
-// umbrage 0.1.0, kernel_bias: bias by the kernel's width and the angle at which light falls. Exactness: tier C.
+// umbrage 0.1.0, kernel_bias: bias from kernel width and angle of the light. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // kernel_bias, tier C: within 30 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,9 +6,12 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
-//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
-//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+// umbrage_kernel_bias: distance along the light that a kernel extends beyond a surface's plane, in width's unit
+//   normal     surface normal
+//   direction  direction of the light, of length one
+//   way        from the light to the point over w; for a directional light its direction
+//   width      sqrt(2) reach texel
+//   greatest   limit of the tangent
 fn umbrage_kernel_bias(normal: vec3f, direction: vec3f, way: vec3f, width: f32, greatest: f32) -> f32 {
     let x: f32 = normal.y * direction.z + normal.z * -direction.y;
     let y: f32 = normal.z * direction.x + normal.x * -direction.z;

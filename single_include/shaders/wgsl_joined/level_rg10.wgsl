@@ -1,4 +1,4 @@
-// umbrage 0.1.0, level_rg10: two channels to a level to compare with. Exactness: tier B.
+// umbrage 0.1.0, level_rg10: two channels to a level, for maps that are not decoded. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // level_rg10, tier B: within 4 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
-//   not the far plane
+// umbrage_level_rg10: level of a texel from two channels of a 10-bit code, on the scale of umbrage_receiver_rg10
+//   1.0 is not the far plane on this scale
 fn umbrage_level_rg10(c: vec2f) -> f32 {
     return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 as the DirectX SDK sample, plain floats. Exactness: tier B.
+// umbrage 0.1.0, pcf_2x2_dx_sdk: bilinear 2x2 PCF of the DirectX SDK sample, plain floats. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -20,31 +20,32 @@ fn umbrage_compare_dx_sdk(receiver: f32, stored: f32, epsilon: f32) -> f32 {
     return select(1.0, 0.0, limit < receiver);
 }
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_plane: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
 }
 
 // umbrage_texel: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
-// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel(map, size, inside);
@@ -52,9 +53,11 @@ fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+// umbrage_pcf_2x2_dx_sdk: 2x2 PCF of the DirectX SDK sample. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], no bias applied
+//   epsilon     depth added to each stored depth
 fn umbrage_pcf_2x2_dx_sdk(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap

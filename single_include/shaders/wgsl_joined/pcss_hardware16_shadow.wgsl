@@ -21,13 +21,14 @@
 //   compare    one comparison, in place of receiver <= stored
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_disc_rotation: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+//   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
 fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
@@ -47,9 +48,11 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
@@ -58,25 +61,26 @@ fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
 }
 
-// umbrage_beyond_far_plane_depths: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_depths: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane_depths(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain_depths: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_depths: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain_depths(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_depths(receiver));
 }
 
 // umbrage_texel_depths: value of a texel inside the map
-//   map    where its texels lie; a sampler that reads them filters by nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
 fn umbrage_texel_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> vec4f {
     return vec4f(textureLoad(map, vec2i(texel), 0));
 }
 
-// umbrage_fetch_depth_depths: stored depth of a texel, outside the map that of the far plane
+// umbrage_fetch_depth_depths: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> f32 {
     let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
     let value: vec4f = umbrage_texel_depths(map, size, inside);
@@ -84,8 +88,8 @@ fn umbrage_fetch_depth_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) 
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
 }
 
-// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_depth_at_depths: stored depth of the texel at a point; on a border it may be the neighbor's
+//   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_depth_at_depths(map: texture_depth_2d, size: vec2f, uv: vec2f) -> f32 {
     return umbrage_fetch_depth_depths(map, size, floor(uv * size));
 }
@@ -95,16 +99,19 @@ fn umbrage_compare_depths(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+// umbrage_blocker_at_depths: (1.0, depth) of the texel at a point if it is nearer to the light, else (0.0, 0.0)
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
 fn umbrage_blocker_at_depths(map: texture_depth_2d, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
     let stored: f32 = umbrage_depth_at_depths(map, size, uv);
     return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare_depths(receiver, stored) > 0.5);
 }
 
-// umbrage_blockers_hardware16_depths: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of a disc
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
                                       rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain_depths(coord, receiver);
@@ -132,18 +139,18 @@ fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord:
     return select(vec2f(0.0, 0.0), n, compared);
 }
 
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
@@ -153,8 +160,9 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
                          receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
@@ -163,9 +171,13 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
     return outside + inside.x * inside.y * (lit - outside);
 }
 
-// umbrage_disc_hardware16_shadow: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   radius  in texels, at most 255.9375;   rotation  umbrage_disc_rotation of the pixel
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                                   receiver: f32, radius: f32, rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, pcss_radius: radius of a penumbra from the mean depth of blockers. Exactness: tier C.
+// umbrage 0.1.0, pcss_radius: penumbra radius from the mean depth of blockers. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // pcss_radius, tier C: within 1/1024 of C++.
 // SPDX-License-Identifier: MIT
@@ -11,9 +11,11 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
-//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
-//   softness  (1/16 texel a code, min_radius, max_radius), of make_penumbra_params
+// umbrage_pcss_radius: radius of a penumbra in texels
+// Without a blocker it is the radius for one at the near plane
+//   found      (number of blockers, sum of their depths)
+//   receiver   receiver depth in [0, 1], bias applied
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
 fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);

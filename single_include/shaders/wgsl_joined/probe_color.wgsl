@@ -1,5 +1,4 @@
-// umbrage 0.1.0, probe_color: debug color of a place in a map: its texels, or why it cannot be shadowed. Exactness:
-//   tier A.
+// umbrage 0.1.0, probe_color: debug color of a lookup: its texels, or why it fails. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // For other maps, bind() of the library or of its npm package prints this text, with
@@ -10,10 +9,18 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_probe_color: what a receiver's place in a map says, as a color
-//   at    (x, y) in texels, z depth;   size  of the map;   bias  of the receiver;   number  of the map, whole
-//   magenta  not a number;   black  behind the light, in no cascade;   white  outside the map
-//   cyan  beyond the far plane;   blue  before the near plane;   red  bias at its limit;   else texels
+// umbrage_probe_color: debug color of a receiver's position in a map
+//   at      x and y in texels, z depth
+//   size    size of the map, in texels
+//   bias    bias of the receiver, in depth
+//   number  index of the map, an integer
+//   magenta  not a number
+//   black    behind the light, or in no cascade
+//   white    outside the map
+//   cyan     beyond the far plane
+//   blue     in front of the near plane
+//   red      bias at its limit of 1.0
+//   else     squares of one texel
 fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f {
     let limit: f32 = 18446744073709551616.0;
     let usable: bool = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;

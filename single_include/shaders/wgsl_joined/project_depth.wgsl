@@ -1,4 +1,4 @@
-// umbrage 0.1.0, project_depth: z / w, far behind the light. Exactness: tier C.
+// umbrage 0.1.0, project_depth: z / w, and the far plane behind the light. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // project_depth, tier C: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+// umbrage_project_depth: z / w. Returns cleared for w <= 0.0: 1.0, or 0.0 where depth is reversed
 fn umbrage_project_depth(z: f32, w: f32, cleared: f32) -> f32 {
     return select(cleared, z / w, w > 0.0);
 }

@@ -1,5 +1,5 @@
-// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and how far it may be off.
-//   Exactness: tier C.
+// umbrage 0.1.0, receiver_plane_slope: slope of a receiver's plane from derivatives, and its error. Exactness: tier
+//   C.
 // WGSL lets compilers fuse or reorder sums.
 // receiver_plane_slope, tier C: within 31 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -7,13 +7,13 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 fn umbrage_clamp_slope(slope: f32) -> f32 {
     return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
 }
 
-// umbrage_receiver_plane_slope: change of a receiver's depth a texel in x and y, and by how much their sum may be off
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
 fn umbrage_receiver_plane_slope(dx: vec3f, dy: vec3f) -> vec3f {
     let determinant: f32 = dx.x * dy.y + dx.y * -dy.x;
     let sum: f32 = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, receiver_slope: change of a receiver's depth from texel to texel. Exactness: tier C.
+// umbrage 0.1.0, receiver_slope: change of a receiver's depth per texel. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // receiver_slope, tier C: within 27 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,13 +6,15 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 fn umbrage_clamp_slope(slope: f32) -> f32 {
     return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
 }
 
-// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
 fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
@@ -20,7 +22,7 @@ fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> ve
     return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 
-// umbrage_receiver_slope: umbrage_plane_slope, and (0.0, 0.0) for a normal of zero, of a caller who has none
+// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
     let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, reduce_light_bleeding: visibility without its least values. Exactness: tier C.
+// umbrage 0.1.0, reduce_light_bleeding: visibility above a threshold, stretched to [0, 1]. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // reduce_light_bleeding, tier C: within 5 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_reduce_light_bleeding: visibility from amount to 1.0 stretched to 0.0 to 1.0: less light bleeds
+// umbrage_reduce_light_bleeding: visibility from amount to 1.0, stretched to 0.0 to 1.0
 fn umbrage_reduce_light_bleeding(visibility: f32, amount: f32) -> f32 {
     let stretched: f32 = (visibility - amount) / (1.0 - amount);
     return select(0.0, stretched, visibility > amount);

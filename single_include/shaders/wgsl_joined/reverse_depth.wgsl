@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+// umbrage_reverse_depth: forward depth from reversed depth, or reversed from forward
 fn umbrage_reverse_depth(depth: f32) -> f32 {
     return 1.0 - depth;
 }

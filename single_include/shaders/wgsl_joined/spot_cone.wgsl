@@ -1,4 +1,4 @@
-// umbrage 0.1.0, spot_cone: 1 inside a spot light's cone. Exactness: tier B.
+// umbrage 0.1.0, spot_cone: 1 inside a spot light's cone, else 0. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // spot_cone, tier B: within 11 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.

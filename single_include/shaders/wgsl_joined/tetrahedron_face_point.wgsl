@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tetrahedron_face_point: a direction in the axes of a tetrahedron's face. Exactness: tier A.
+// umbrage 0.1.0, tetrahedron_face_point: direction in the axes of a tetrahedron's face. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 

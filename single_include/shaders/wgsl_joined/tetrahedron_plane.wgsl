@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tetrahedron_plane: a direction in its tetrahedron face's axes. Exactness: tier B.
+// umbrage 0.1.0, tetrahedron_plane: direction in the axes of its tetrahedron face. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // tetrahedron_plane, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
     let beside: f32 = abs(direction.z) - abs(direction.x);
     let up: f32 = direction.y * 1.414213562;

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, tetrahedron_texel: a point of a tetrahedron's face in the map. Exactness: tier B.
+// umbrage 0.1.0, tetrahedron_texel: position in the map of a point on a tetrahedron's face. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // tetrahedron_texel, tier B: within 9 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -6,15 +6,16 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_tetrahedron_turned: a vector of face 0's side of the map on that of a face, 0.0 to 3.0
+// umbrage_tetrahedron_turned: vector from face 0's part of the map, rotated to the part of a face, 0.0 to 3.0
 fn umbrage_tetrahedron_turned(face: f32, v: vec2f) -> vec2f {
     let z: vec2f = select(vec2f(-v.x, -v.y), v, face < 0.5);
     let x: vec2f = select(vec2f(v.y, -v.x), vec2f(-v.y, v.x), face < 2.5);
     return select(x, z, face < 1.5);
 }
 
-// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
-//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+// umbrage_tetrahedron_texel: position in a square map, in texels, from (s, t, face) on a tetrahedron
+//   size    size of the map, in texels
+//   border  border along the sides of each triangle, in texels
 fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
     let half_size: f32 = size * 0.5;
     let scale: f32 = half_size - border * 3.0;

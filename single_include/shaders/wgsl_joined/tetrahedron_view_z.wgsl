@@ -1,5 +1,4 @@
-// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of the tetrahedron's face that a direction meets.
-//   Exactness: tier B.
+// umbrage 0.1.0, tetrahedron_view_z: distance along the normal of a direction's face. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // tetrahedron_view_z, tier B: within 3 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -7,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+// umbrage_tetrahedron_face: face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
 fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
     let beside: f32 = abs(direction.z) - abs(direction.x);
     let up: f32 = direction.y * 1.414213562;
@@ -28,7 +27,7 @@ fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
     return umbrage_tetrahedron_face_point(umbrage_tetrahedron_face(direction), direction);
 }
 
-// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+// umbrage_tetrahedron_view_z: distance along the face's normal, the input of per-face depths
 fn umbrage_tetrahedron_view_z(direction: vec3f) -> f32 {
     let p: vec3f = umbrage_tetrahedron_plane(direction);
     let z: f32 = p.z * 0.816496581 + p.y * -0.577350269;

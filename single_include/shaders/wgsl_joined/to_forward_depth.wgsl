@@ -1,4 +1,4 @@
-// umbrage 0.1.0, to_forward_depth: depth that grows with distance. Exactness: tier B.
+// umbrage 0.1.0, to_forward_depth: depth that grows with the distance from the light. Exactness: tier B.
 // WGSL lets compilers fuse or reorder sums.
 // to_forward_depth, tier B: within 1 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -13,7 +13,7 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
 fn umbrage_to_forward_depth(depth: f32) -> f32 {
     return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, window_hardware7_shadow: window of 7 x 7 by 16 of them. Exactness: tier C.
+// umbrage 0.1.0, window_hardware7_shadow: 7x7 kernel, 16 fetches from a linear comparison sampler. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // window_hardware7_shadow, tier C: within 1/128 of C++.
 // SPDX-License-Identifier: MIT
@@ -11,24 +11,24 @@
 //   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
 //   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
 
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 
-// umbrage_beyond_far_plane_shadow: whether a receiver is behind the far plane
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
 fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
     return receiver > 1.0;
 }
 
-// umbrage_in_filter_domain_shadow: whether a filter compares; outside texel space and beyond the far plane all is lit
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
-    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
-// umbrage_within_far_plane_shadow: whether a receiver is a number, and not behind the far plane
+// umbrage_within_far_plane_shadow: true if a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
@@ -38,8 +38,9 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
     return select(0.0, 1.0, receiver <= stored);
 }
 
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
 fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
                          receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
@@ -48,9 +49,12 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
     return outside + inside.x * inside.y * (lit - outside);
 }
 
-// umbrage_window_hardware7_shadow: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first center at (0.5, 0.5)
-//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+// umbrage_window_hardware7_shadow: PCF under a kernel that slides over the map, by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   k0 .. k3    weights from the edge to the middle one. The others mirror them
 fn umbrage_window_hardware7_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
                                    receiver: f32, k0: f32, k1: f32, k2: f32, k3: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);

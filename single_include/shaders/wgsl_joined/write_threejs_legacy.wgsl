@@ -17,12 +17,12 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+// umbrage_write_threejs_legacy: RGBA of a depth, as in three.js r73 to r166, values to write as they are
+//   1.0 reads back as 255/256. umbrage_encode_threejs_legacy_repaired does not have this fault
 fn umbrage_write_threejs_legacy(depth: f32) -> vec4f {
     let v: f32 = umbrage_saturate(depth);
     let x: f32 = v * 16777216.0 - floor(v * 16777216.0);

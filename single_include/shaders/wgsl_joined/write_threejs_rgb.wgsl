@@ -17,11 +17,11 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 fn umbrage_saturate(v: f32) -> f32 {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
 }
 
-// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+// umbrage_write_threejs_rgb: RGB of a depth, as in three.js r167 and later, values to write as they are
 fn umbrage_write_threejs_rgb(depth: f32) -> vec3f {
     let v: f32 = umbrage_saturate(depth);
     let x: f32 = v * 65536.0;
