@@ -46,7 +46,7 @@ std::string opening_sentence(const std::string& header) {
         words += (words.empty() ? "" : " ") + header.substr(at + 3, header.find('\n', at) - at - 3);
         for (std::size_t i = 1; i < words.size(); ++i)
             if (words[i] == '.' && (i + 1 == words.size() || words[i + 1] == ' ') &&
-                std::isalnum(static_cast<unsigned char>(words[i - 1])))
+                (std::isalnum(static_cast<unsigned char>(words[i - 1])) || words[i - 1] == ')' || words[i - 1] == ']'))
                 return words.substr(0, i);
     }
     throw std::runtime_error("no header comment with a sentence: " + header.substr(0, 200));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel (clamped and bordered).
+// Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel, clamped and bordered.
 //
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
 //     umbrage::image_view<const float> view(pixels, {width, height}, bytes_per_row);
