@@ -81,7 +81,7 @@ public:
     }
     [[nodiscard]] double depth(glm::dvec3 p) const { return placed(p).z / placed(p).w; }
     [[nodiscard]] glm::vec2 slope(glm::vec3 normal, glm::dvec3 p) const {
-        if (!bent_) return umbrage::plane_slope(planes(), normal, glm::vec3(p));
+        if (!bent_) return umbrage::plane_slope(planes_, normal, glm::vec3(p));
         const double inner = bent_->map_size - 2 * bent_->border;
         return umbrage::dual_paraboloid_slope(glm::vec3(p - bent_->position), normal,
                                               float(2 / (bent_->range * inner)));
@@ -103,10 +103,9 @@ public:
     }
 
 private:
-    [[nodiscard]] glm::mat4 planes() const { return glm::mat4(planes_); }
-
     bool reversed_;
-    glm::dmat4 to_texels_, planes_;
+    glm::dmat4 to_texels_;
+    glm::mat4 planes_;
     std::optional<umbrage::dual_paraboloid_light<double>> bent_{};
     int number_ = 0;
 };
@@ -119,9 +118,8 @@ struct any_shadow {
     std::function<float(glm::vec3, glm::vec3, const std::function<void(const umbrage::map_place&)>&)> places;
     std::function<const traced_map&(const umbrage::map_place&, glm::vec3)> map_of;
     umbrage::shadow_terms terms;
-    double reach;   ///< of the filter alone, texels
-    bool bordered;  ///< beside its maps all is lit
-    bool reversed;
+    double reach;             ///< of the filter alone, texels
+    bool bordered, reversed;  ///< bordered: beside its maps all is lit
 
     template <class Shadow>
     explicit any_shadow(const Shadow& s)
@@ -149,11 +147,13 @@ struct any_shadow {
                 maps.emplace_back(s.set_up().light, static_cast<int>(maps.size()));
             else maps.emplace_back(light, s.map_size());
         }
-        map_of = [s, maps](const umbrage::map_place& place, glm::vec3 p) -> const traced_map& {
-            if constexpr (std::is_same_v<set_up, umbrage::tetrahedron_map>)
-                return maps[std::size_t(umbrage::tetrahedron_face(p - glm::vec3(s.set_up().light.position)))];
-            else return maps[std::size_t(place.number)];
-        };
+        if constexpr (std::is_same_v<set_up, umbrage::tetrahedron_map>)
+            map_of = [ maps, from = glm::vec3(s.set_up().light.position) ](const auto&, glm::vec3 p) -> const auto& {
+                return maps[std::size_t(umbrage::tetrahedron_face(p - from))];
+            };
+        else map_of = [maps](const auto& place, glm::vec3) -> const auto& {
+                return maps[std::size_t(place.number)];
+            };
     }
 
 private:
