@@ -2756,7 +2756,7 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 }  // namespace umbrage
 
 // ---- umbrage/core/image.hpp
-// Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel (clamped and bordered).
+// Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel, clamped and bordered.
 //
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
 //     umbrage::image_view<const float> view(pixels, {width, height}, bytes_per_row);
@@ -11201,7 +11201,8 @@ inline constexpr snippet probe_color{
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
-    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(at.x) < limit && abs(at.y) * 2.0 < limit * 2.0 && abs(at.z) * 4.0 < limit * 4.0;
     bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
     bool forward = umbrage_cleared_depth() > 0.5;
     bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
@@ -11232,8 +11233,10 @@ inline constexpr snippet probe_inputs{
 UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
                                         UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
-    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
-    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(world.x) < limit && abs(world.y) * 2.0 < limit * 2.0 && abs(world.z) * 4.0 < limit * 4.0;
+    usable = usable && abs(normal.x) * 8.0 < limit * 8.0;
+    usable = usable && abs(normal.y) * 16.0 < limit * 16.0 && abs(normal.z) * 32.0 < limit * 32.0;
     bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
     UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
     return usable ? given : vec3(1.0, 0.0, 1.0);

@@ -4182,7 +4182,8 @@ export const probe_color = { language, name: "probe_color", summary: "debug colo
 //   else     squares of one texel
 float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
     float limit = 18446744073709551616.0;
-    bool usable = abs(at.x) < limit && abs(at.y) < limit && abs(at.z) < limit;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(at.x) < limit && abs(at.y) * 2.0 < limit * 2.0 && abs(at.z) * 4.0 < limit * 4.0;
     bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
     bool forward = umbrage_cleared_depth() > 0.5;
     bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
@@ -4209,8 +4210,10 @@ export const probe_inputs = { language, name: "probe_inputs", summary: "debug co
 //   yellow   a normal of zero
 float3 umbrage_probe_inputs(float3 color, float3 world, float3 normal) {
     float limit = 18446744073709551616.0;
-    bool usable = abs(world.x) < limit && abs(world.y) < limit && abs(world.z) < limit;
-    usable = usable && abs(normal.x) < limit && abs(normal.y) < limit && abs(normal.z) < limit;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(world.x) < limit && abs(world.y) * 2.0 < limit * 2.0 && abs(world.z) * 4.0 < limit * 4.0;
+    usable = usable && abs(normal.x) * 8.0 < limit * 8.0;
+    usable = usable && abs(normal.y) * 16.0 < limit * 16.0 && abs(normal.z) * 32.0 < limit * 32.0;
     bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
     float3 given = zero ? float3(1.0, 1.0, 0.0) : color;
     return usable ? given : float3(1.0, 0.0, 1.0);

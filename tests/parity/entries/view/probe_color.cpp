@@ -9,6 +9,21 @@
 namespace parity {
 namespace {
 
+/// Either side of 2^64, from which on nothing is usable, and far from there.
+float around_limit(random& r) {
+    constexpr float limit = 0x1p64f;
+    const float values[]{limit,
+                         std::nextafter(limit, 0.0f),
+                         std::nextafter(limit, 2 * limit),
+                         0.75f * limit,
+                         0.9f * limit,
+                         1.1f * limit,
+                         1.5f * limit,
+                         0x1p54f,
+                         0x1p74f};
+    return (r.below(2) == 0 ? 1.0f : -1.0f) * values[r.below(9)];
+}
+
 /// (x, y, depth, bias) and (size, number) of receivers inside, and on both sides of every border.
 std::vector<input_class> places() {
     constexpr float width = 40, height = 24;
@@ -18,7 +33,8 @@ std::vector<input_class> places() {
     };
     std::vector<input_class> classes{
         {"random", [=](std::uint64_t, random& r, sample& s) { fill(r, s); }},
-        {"borders", [=](std::uint64_t i, random& r, sample& s) {
+        {"borders",
+         [=](std::uint64_t i, random& r, sample& s) {
              fill(r, s);
              const float edges[][4]{{0, 0, 0, 1}, {width, height, 1, 1}, {65536, 65536, 0, 1}};
              const int axis = r.below(4);
@@ -27,6 +43,10 @@ std::vector<input_class> places() {
                                   edge + 0.25f};
              s.x[0][axis] = beside[r.below(5)];
              if (i % 7 == 0) s.x[0][r.below(4)] = static_cast<float>(r.below(3)) * 65536.0f;
+         }},
+        {"usable", [=](std::uint64_t i, random& r, sample& s) {
+             fill(r, s);
+             s.x[0][static_cast<int>(i % 3)] = around_limit(r);
          }}};
     for (const value_class& kind : large_values())
         classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
@@ -44,7 +64,10 @@ std::vector<input_class> inputs() {
         s.x[2] = i % 3 ? vec4(r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0) : vec4(0);
         if (i % 3 == 0 && i % 2) s.x[2][r.below(3)] = 1;
     };
-    std::vector<input_class> classes{{"random", fill}};
+    std::vector<input_class> classes{{"random", fill}, {"usable", [=](std::uint64_t i, random& r, sample& s) {
+                                                            fill(i, r, s);
+                                                            s.x[1 + i % 2][r.below(3)] = around_limit(r);
+                                                        }}};
     for (const value_class& kind : large_values())
         classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
                                fill(i, r, s);
