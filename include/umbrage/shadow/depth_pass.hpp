@@ -51,6 +51,14 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
     return write;
 }
 
+/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
+template <prefilter Prefilter>
+[[nodiscard]] own_text write_moments_text() {
+    const bool of_moments = Prefilter::writer == &to_optimized_moments;
+    return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
+                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
+}
+
 /// umbrage_vertex: a vertex in clip space.
 [[nodiscard]] inline own_text vertex_text(std::string_view parameters, std::string_view statements,
                                           std::vector<const snippet*> needs) {
@@ -75,9 +83,7 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (prefilter<Filter>)
-        item.texts = {detail::write_text(*Filter::writer, nullptr, detail::channels_of<typename Filter::texel>,
-                                         umbrage::detail::writer_arguments<Filter>())};
+    if constexpr (prefilter<Filter>) item.texts = {detail::write_moments_text<Filter>()};
     else {
         const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
         item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};

@@ -47,6 +47,9 @@ TEST_CASE("depth_pass: it writes the map's texels, packed or moments, in each la
     const shadow single(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::esm{});
     CHECK(tells(glsl::text({glsl::bind_depth_pass(single, "lamp")}, version::v330),
                 "return vec4(texel, 0.0, 0.0, 0.0);"));
+    const shadow turned(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::msm_unorm16{});
+    CHECK(tells(glsl::text({glsl::bind_depth_pass(turned, "lamp")}, version::v330),
+                "umbrage_to_optimized_moments(umbrage_encode_msm_lamp(depth))"));
     CHECK(refused_pass([&] {
               (void)glsl::bind_depth_pass(packed_lamp, "a b");
           }).starts_with("umbrage::glsl::bind_depth_pass: name must be letters"));
