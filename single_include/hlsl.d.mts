@@ -1,17 +1,23 @@
 // umbrage 0.1.0, MIT License. Types of the texts in one language.
-import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, SnippetOf, Texture, WithReversed } from './module/types.mjs';
+import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, LightOf, ShadowOf, ShadowOptionsOf,
+    SnippetOf, Texture, WithReversed } from './module/types.mjs';
 
 export type { Exactness, Filter, FilterArgument, Texture };
 export type Snippet = SnippetOf<'hlsl'>;
 export type Binding = BindingOf<'hlsl'>;
 export type Bound = BoundOf<'hlsl'>;
 export type Encoding = WithReversed<EncodingOf<'hlsl'>>;
+export type Light = LightOf<'hlsl'>;
+export type ShadowOptions = ShadowOptionsOf<'hlsl'>;
+export type Shadow = ShadowOf<'hlsl'>;
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export function bind(what: Snippet, name: string, map?: Binding): Bound;
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
  *  binding says in the shader's own language has no tier. */
 export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
+/** A light's shadow as functions of a shader, its maps' target and its depth pass. */
+export function shadow(name: string, options: ShadowOptions): Shadow;
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export function text(items: readonly (Snippet | Bound)[]): string;
 
@@ -59,6 +65,20 @@ export const threejs_legacy_repaired: Encoding;
 export const base255: Encoding;
 /** For readers of base 255, written without the fault. */
 export const base255_repaired: Encoding;
+/** One map of a spot light. */
+export const spot_light: Light;
+/** One map of a directional light. */
+export const directional_light: Light;
+/** One to four cascades of a directional light. */
+export const cascades: Light;
+/** Five to eight cascades of a directional light. */
+export const cascades_8: Light;
+/** Six maps around a point light. */
+export const point_light: Light;
+/** Four maps around a point light in one square. */
+export const tetrahedron_light: Light;
+/** Two maps around a point light. */
+export const dual_paraboloid_light: Light;
 /** world to texels and depth, before the division by w */
 export const shadow_coordinate: Snippet;
 /** coordinate of a tap from the center's, before division by w */

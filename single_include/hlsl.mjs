@@ -6,16 +6,23 @@
 // Written by the C++ library's build, with which every text agrees to the character.
 import { bind_in } from './module/bind.mjs';
 import { compose, exactness_in } from './module/compose.mjs';
+import { declare_in_hlsl } from './module/declare.mjs';
+import { depth32f } from './module/hlsl/encodings.mjs';
 import { hooks } from './module/hlsl/hooks.mjs';
 import { language } from './module/hlsl/language.mjs';
+import { looks } from './module/hlsl/looks.mjs';
+import { shadow_in } from './module/shadow.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
+/** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
+export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_hlsl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
 export * from './module/hlsl/encodings.mjs';
+export * from './module/hlsl/kinds.mjs';
 export * from './module/hlsl/snippets.mjs';
 export * as encodings from './module/hlsl/encodings.mjs';
 export * as snippets from './module/hlsl/snippets.mjs';

@@ -6,11 +6,17 @@
 // Written by the C++ library's build, with which every text agrees to the character.
 const { bind_in } = require('./module/bind.cjs');
 const { compose, exactness_in } = require('./module/compose.cjs');
+const { declare_in_msl } = require('./module/declare.cjs');
+const { depth32f } = require('./module/msl/encodings.cjs');
 const { hooks } = require('./module/msl/hooks.cjs');
 const { language } = require('./module/msl/language.cjs');
+const { looks } = require('./module/msl/looks.cjs');
+const { shadow_in } = require('./module/shadow.cjs');
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 const bind = /*#__PURE__*/ bind_in(hooks);
+/** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
+const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_msl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
@@ -20,11 +26,14 @@ const text = items => compose(language, items);
 
 
 
+
 module.exports = {
     bind,
+    shadow,
     exactness,
     text,
     ...require('./module/msl/encodings.cjs'),
+    ...require('./module/msl/kinds.cjs'),
     ...require('./module/msl/snippets.cjs'),
     encodings: require('./module/msl/encodings.cjs'),
     snippets: require('./module/msl/snippets.cjs'),

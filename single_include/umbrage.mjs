@@ -7,15 +7,22 @@
 // Written by the C++ library's build, with which every text agrees to the character.
 import { bind_in } from './module/bind.mjs';
 import { exactness_in } from './module/compose.mjs';
+import { declare_in_glsl } from './module/declare.mjs';
+import { depth32f } from './module/glsl/encodings.mjs';
 import { hooks } from './module/glsl/hooks.mjs';
 import { language } from './module/glsl/language.mjs';
+import { looks } from './module/glsl/looks.mjs';
+import { shadow_in } from './module/shadow.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
+/** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
+export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_glsl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 export const exactness = items => exactness_in(language, items);
 export { source, supports, text, versions } from './module/versions.mjs';
 export * from './module/glsl/encodings.mjs';
+export * from './module/glsl/kinds.mjs';
 export * from './module/glsl/snippets.mjs';
 export * as encodings from './module/glsl/encodings.mjs';
 export * as snippets from './module/glsl/snippets.mjs';

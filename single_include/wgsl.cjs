@@ -6,11 +6,17 @@
 // Written by the C++ library's build, with which every text agrees to the character.
 const { bind_in } = require('./module/bind.cjs');
 const { compose, exactness_in } = require('./module/compose.cjs');
+const { declare_in_wgsl } = require('./module/declare.cjs');
+const { depth32f } = require('./module/wgsl/encodings.cjs');
 const { hooks } = require('./module/wgsl/hooks.cjs');
 const { language } = require('./module/wgsl/language.cjs');
+const { looks } = require('./module/wgsl/looks.cjs');
+const { shadow_in } = require('./module/shadow.cjs');
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 const bind = /*#__PURE__*/ bind_in(hooks);
+/** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
+const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_wgsl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
@@ -21,12 +27,15 @@ const { functions } = require('./module/functions.cjs');
 
 
 
+
 module.exports = {
     bind,
+    shadow,
     exactness,
     text,
     functions,
     ...require('./module/wgsl/encodings.cjs'),
+    ...require('./module/wgsl/kinds.cjs'),
     ...require('./module/wgsl/snippets.cjs'),
     encodings: require('./module/wgsl/encodings.cjs'),
     snippets: require('./module/wgsl/snippets.cjs'),

@@ -1,6 +1,6 @@
 // Snippets bound to maps: which function a map has for each hook, and what cannot be. fill.mjs makes the texts.
 const { is_of_map } = require('./compose.cjs');
-const { is_expression, laid_out, for_map, words_of } = require('./fill.cjs');
+const { declarations, for_map, is_expression, laid_out, words_of } = require('./fill.cjs');
 
 const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
 const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'lit_filtered', 'lit_at', 'depth_at']);
@@ -17,15 +17,17 @@ const bind_in = hooks => (what, name, ...rest) => {
     return bound(hooks, what, name, map);
 };
 
-/** An item of what is known to go together. */
-function bound(hooks, what, name, map) {
+/** An item of what is known to go together; a shadow's has texts of its own in place of the snippet's. */
+function bound(hooks, what, name, map, own = [what]) {
     const suffix = name === '' ? '' : `_${name}`, words = { ...no_words, ...hooks.textures[map.texture] }, key = key_of(map);
-    const parts = [...map.needs, ...words.needs, what];
+    const fill = (s, plane) => laid_out(for_map(hooks, s, suffix, map, words, plane));
     return {
-        what, suffix, map, parts,
+        what, suffix, map,
+        parts: [...map.needs, ...words.needs, ...own],
         map_key: key === key_of(defaults) ? '' : key,
         chosen: s => chosen(hooks, s, map),
-        fill: s => laid_out(for_map(hooks, s, suffix, map, words)),
+        fill: s => fill(s, map.receiver_plane && !(own.length > 1 && own.includes(s)) ? hooks.receiver_plane : ''),
+        declarations: () => declarations(map, words),
     };
 }
 
@@ -141,7 +143,7 @@ function chosen(hooks, s, map) {
 module.exports = {
     bind_in,
     bound,
-    check_hooks,
+    check,
     complete,
     has_region,
 };

@@ -67,11 +67,12 @@ function bound_in_words(s) {
 /** Lines of comment that bound what each function returns; none for a text of tier A. */
 function bounds_note(items, may_reorder) {
     const lines = new Set();
-    for (const item of items) {
-        const worst = worst_promise([item]);
-        if (worst.exactness !== 'a') lines.add(
-            `// ${item.what.name}${item.suffix}, tier ${worst.exactness.toUpperCase()}: ${bound_in_words(worst)}\n`);
-    }
+    const add = (name, s) => {
+        if ((s.exactness ?? 'a') !== 'a') lines.add(`// ${name}, tier ${s.exactness.toUpperCase()}: ${bound_in_words(s)}\n`);
+    };
+    for (const item of items)
+        if (item.declared) for_each_part([item], s => add(s.name, s));  // a chain, of which each part keeps its own bound
+        else add(item.what.name + item.suffix, worst_promise([item]));
     const note = [...lines].join('');
     if (note === '') return '';
     return (may_reorder && `// ${may_reorder} lets compilers fuse or reorder sums.\n`) + note
@@ -79,19 +80,30 @@ function bounds_note(items, may_reorder) {
             + '// Inside the bound, a comparison or floor may fall on either side.\n' : '');
 }
 
-/** The parts of a text in order, as use(body, guard). */
+/** The parts of a text in order, as use(body, guard, name). */
 function for_each_body(language, items, use) {
-    for_each_part(checked(language, items), (s, item, guard) => use(is_of_map(s) ? item.fill(s) : s.text, guard));
+    for_each_part(checked(language, items), (s, item, guard) => {
+        const of_map = is_of_map(s);
+        use(of_map ? item.fill(s) : s.text, guard, s.name + (of_map ? item.suffix : ''));
+    });
 }
 
 /** The items and all they need, each once. What is known of a dialect stands in place of the language's own. */
-function compose(language, items, { prelude, may_reorder } = language) {
-    const all = checked(language, items), names = [...new Set(all.map(item => item.what.name + item.suffix))];
+function compose(language, items, { prelude, may_reorder, version } = language) {
+    const all = checked(language, items), made = new Set();
+    const names = [...new Set(all.map(item => item.declared?.name ?? item.what.name + item.suffix))];
     let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n`
         + bounds_note(all, may_reorder) + prelude;
-    for_each_body(language, items, (body, guard) => {
+    for_each_body(language, items, (body, guard, name) => {
         text += language.preprocessor ? `\n#ifndef ${guard}\n#define ${guard}${body}#endif\n` : body;
+        made.add(name);
     });
+    for (const { declared } of all.filter(item => item.declared)) {
+        if (made.has(declared.name))
+            throw new Error(`umbrage: text: name must be another than a snippet's or shadow's of the text; got ${declared.name}`);
+        made.add(declared.name);
+        text += declared.text(version);
+    }
     return text;
 }
 

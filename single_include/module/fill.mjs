@@ -50,8 +50,23 @@ function unfilled(hooks, s) {
     return (s.role !== 'chosen' && hooks.unfilled[s.name]) || s.text.replace(parameters, 'UMBRAGE_MAP $1');
 }
 
-/** A snippet's text with what a map fills in. */
-export function for_map(hooks, s, suffix, map, words) {
+const with_sampler = (map, ordinary, sampler) => map.gather ? ordinary.replace(/^[^,]*/, first => first + sampler) : ordinary;
+/** Parameters that declare a map: its own, or those of its kind of texture, with a sampler for gathers. */
+const parameters_of = (map, words) => map.parameters || with_sampler(map, words.parameters, words.sampler);
+
+/** Those that stand for the map and its sampler, without what chooses one of several. */
+export function declarations(map, words) {
+    const all = members(parameters_of(map, words)).map(parameter => parameter.trim());
+    const named = name => all.find(parameter => declared(parameter)[0] === name) ?? '';
+    return { map: named('map'), sampler: named('map_sampler') };
+}
+
+/** The parameters but for those that a text declares itself: the layer, or the origin, of a map that it chooses. */
+const not_declared_in = (text, parameters) => members(parameters)
+    .filter(parameter => [' = ', ': '].every(sign => !text.includes(` ${declared(parameter)[0]}${sign}`))).join(',');
+
+/** A snippet's text with what a map fills in; what declares the receiver's plane stands behind the map. */
+export function for_map(hooks, s, suffix, map, words, receiver_plane) {
     let text = unfilled(hooks, s);
     const origin = map.texture === 'atlas' ? map.origin || 'origin' : map.origin;
     const is_scaled = map.needs.some(need => need.scaled);
@@ -62,9 +77,7 @@ export function for_map(hooks, s, suffix, map, words) {
     if (origin === '') text = text.replace(/\n.*UMBRAGE_ORIGIN.*/, '');
     const own_map = text.match(/UMBRAGE_MAP (\w+)/)?.[1] ?? 'map';
     text = text.replaceAll(`UMBRAGE_MAP ${own_map}`, 'UMBRAGE_PARAMETERS');
-    const with_sampler = (ordinary, sampler) => map.gather ? ordinary.replace(/^[^,]*/, first => first + sampler) : ordinary;
-    const ordinary = with_sampler(words.arguments, words.sampler_argument);
-    const parameters = map.parameters || with_sampler(words.parameters, words.sampler);
+    const ordinary = with_sampler(map, words.arguments, words.sampler_argument), parameters = parameters_of(map, words);
     const all_arguments = map.arguments || ordinary;
     must(members(parameters).length === members(all_arguments).length, 'map.arguments must be as many as map.parameters',
         `"${all_arguments}" for "${parameters}"`);
@@ -80,8 +93,8 @@ export function for_map(hooks, s, suffix, map, words) {
         return expression;
     };
     if (map.arguments === '') ours(all_arguments);
-    const behind_map = map.receiver_plane ? `, ${hooks.receiver_plane}` : '';
-    const plane = map.receiver_plane ? ', receiver_slope, receiver_coord' : '';
+    const passes_plane = receiver_plane !== '' || words_of(text).includes('receiver_slope');
+    const plane = map.receiver_plane && passes_plane ? ', receiver_slope, receiver_coord' : '';
     const depth = map.depth || 'value.x';
     const list = all => replace_words(all, word => word === 'map' ? own_map : word);
 
@@ -100,7 +113,7 @@ export function for_map(hooks, s, suffix, map, words) {
         if (word.startsWith('umbrage_')) return suffixed(word);
         if (word === own_map && !comment) return list(all_arguments) + plane;
         switch (word) {
-            case 'UMBRAGE_PARAMETERS': return list(parameters) + behind_map;
+            case 'UMBRAGE_PARAMETERS': return list(not_declared_in(text, parameters)) + (receiver_plane && `, ${receiver_plane}`);
             case 'UMBRAGE_BORDER': return border;
             case 'UMBRAGE_COMPARE': return of_texture(map.compare);
             case 'UMBRAGE_DEPTH': return of_texture(map.receiver_plane

@@ -50,7 +50,7 @@ function text(items, version) {
     const number = parseInt(version), es = version === '100' || version.endsWith('es'), has_precise = number >= (es ? 320 : 400);
     const prelude = `\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP${es ? ' highp' : ''}\n#endif\n`
         + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${has_precise ? ' precise' : ''}\n#endif\n`;
-    return resolved(compose(language, items, { prelude, may_reorder: has_precise ? '' : `GLSL ${version}` }), number);
+    return resolved(compose(language, items, { prelude, may_reorder: has_precise ? '' : `GLSL ${version}`, version }), number);
 }
 
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */

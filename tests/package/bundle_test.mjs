@@ -21,6 +21,8 @@ const programs = {
     // Which function a map has is known when the program runs: it carries those of every kind of map.
     bound: [`import { bind, pcf_2x2, source } from 'umbrage';
         globalThis.text = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]);`, 9],
+    shadow: [`import { shadow, source, spot_light, tent3 } from 'umbrage';
+        globalThis.text = source('300 es', [shadow('sun', { kind: spot_light, filter: tent3, map_size: 1024 })]);`, 5],
 };
 
 /** The bundle's text of each bundler. */
@@ -61,13 +63,14 @@ for (const [name, bundle] of Object.entries(bundlers)) {
         continue;
     }
     for (const [program, [code, times]] of Object.entries(programs)) {
+        if (name !== 'esbuild' && !['one', 'bound'].includes(program)) continue;  // the others take their time
         const input = join(folder, `${program}.js`);
         writeFileSync(input, code);
         const bundled = await bundle(input), file = join(folder, `${name}.${program}.mjs`);
         writeFileSync(file, bundled);
         await import(pathToFileURL(file).href);
         const size = Buffer.byteLength(bundled), limit = times * globalThis.text.length + 2048;
-        const good = globalThis.text.includes('umbrage_pcf_2x2') && size <= limit;
+        const good = /umbrage_(pcf_2x2|tent3)/.test(globalThis.text) && size <= limit;
         console.log(`${good ? 'ok' : 'FAILED'}: ${name}, ${program}: ${size} bytes for a text of ${globalThis.text.length}, at most ${limit}`);
         delete globalThis.text;
         ++tried;

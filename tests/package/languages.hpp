@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <umbrage/depth/encodings.hpp>
@@ -44,6 +45,19 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
+/// A light of a shadow: what the package calls it, and its maps.
+struct kind_of_light {
+    std::string_view name, maps, summary;
+};
+inline constexpr std::array kinds{
+    kind_of_light{"spot_light", "one_map", "One map of a spot light."},
+    kind_of_light{"directional_light", "one_map", "One map of a directional light."},
+    kind_of_light{"cascades", "cascaded_maps", "One to four cascades of a directional light."},
+    kind_of_light{"cascades_8", "cascaded_maps_8", "Five to eight cascades of a directional light."},
+    kind_of_light{"point_light", "cube_maps", "Six maps around a point light."},
+    kind_of_light{"tetrahedron_light", "tetrahedron_map", "Four maps around a point light in one square."},
+    kind_of_light{"dual_paraboloid_light", "paraboloid_maps", "Two maps around a point light."}};
+
 /// A channel of a cleared map, value / most to a color attachment.
 struct cleared_channel {
     long value = 0, most = 1;
@@ -61,6 +75,15 @@ template <umbrage::known_encoding Encoding>
         channels[static_cast<std::size_t>(c)] = {std::lround(values[c] * static_cast<float>(most)), most};
     }
     return channels;
+}
+
+/// The render target of a prefiltered map.
+template <class Prefilter>
+[[nodiscard]] std::string format_of_moments() {
+    constexpr std::string_view channels[]{"R", "RG", "RGB", "RGBA"};
+    int count = 1;
+    if constexpr (!std::is_same_v<typename Prefilter::texel, float>) count = Prefilter::texel::length();
+    return std::string(channels[count - 1]) + (Prefilter::name == std::string_view("msm_unorm16") ? "16" : "32F");
 }
 
 /// A string of JavaScript and of JSON.

@@ -26,13 +26,12 @@ inline bool has_words_of_map(std::string_view text) {
 inline std::string snippets_module(const shader_language& l) {
     std::string out = "import { language } from './language.mjs';\n";
     for (const snippet* s : glsl::registry()) {
-        std::string needs = "[";
-        for (const snippet* need : s->needs) needs += (needs.size() > 1 ? ", " : "") + std::string(need->name);
+        out += before_filter(l, *s);
         out += "\nexport const " + std::string(s->name) + " = " + "{ language, name: " + literal(s->name) +
                ", summary: " + literal(s->summary) + ",\n    " + promise_of(*s, glsl::exactness({*s})) +
                ", lowest: " + literal(directive(s->lowest)) + ", role: " + literal(role(s->role)) +
-               ", scaled: " + (s->scaled ? "true" : "false") + ",\n    needs: " + needs + "]," + filter_of(*s) +
-               " text: " + template_literal(plain_text(l, *s)) + " };\n";
+               ", scaled: " + (s->scaled ? "true" : "false") + ",\n    needs: " + references(s->needs, "") + "," +
+               filter_of(*s) + " text: " + template_literal(plain_text(l, *s)) + " };\n";
     }
     return out;
 }

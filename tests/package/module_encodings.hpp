@@ -14,17 +14,6 @@
 
 namespace package {
 
-/// A snippet that is made where it is used, with what it needs from a module that imports all.
-inline std::string own_snippet(const shader_language& l, const glsl::own_text& own, std::string_view summary) {
-    glsl::version lowest = glsl::version::v100;
-    for (const snippet* need : own.needs) lowest = std::max(lowest, need->lowest);
-    const snippet s{.name = own.name, .needs = own.needs, .source = own.source.c_str()};
-    return "{ language, name: " + literal(s.name) + ", summary: " + literal(summary) + ",\n    " +
-           promise_of(s, glsl::exactness({s})) + ", lowest: " + literal(directive(lowest)) +
-           ", role: \"none\", scaled: false,\n    needs: " + snippets(s.needs) +
-           ", text: " + template_literal(plain_text(l, s)) + " }";
-}
-
 inline std::string encoding_of_module(const auto& encoding) {
     const glsl::binding map = glsl::stored_as(encoding);
     std::string cleared;
@@ -48,8 +37,10 @@ inline std::string encodings_module(const shader_language& l) {
     std::string out = "import { language } from './language.mjs';\nimport * as snippets from './snippets.mjs';\n";
     umbrage::for_each_encoding([&](auto encoding) {
         const std::string name(encoding.name), write = "write_" + name;
-        out += "\nconst " + write + " = " +
-               own_snippet(l, write_of<decltype(encoding)>(), "color of a depth, for a target of " + name) + ";\n";
+        out +=
+            "\nconst " + write + " = " +
+            own_snippet(l, write_of<decltype(encoding)>(), "color of a depth, for a target of " + name, "snippets.") +
+            ";\n";
         out += "export const " + name + " = " + encoding_of_module(encoding) + ", write: " + write;
         encoding = {.direction = umbrage::depth_direction::reversed};
         out += ",\n    reversed: " + encoding_of_module(encoding) + ", write: " + write + " } };\n";

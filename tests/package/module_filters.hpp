@@ -12,11 +12,12 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/depth_pass.hpp>
 
 #include "module_words.hpp"
 
@@ -65,26 +66,54 @@ template <class Filter>
     } catch (const std::invalid_argument&) { return "depths"; }
 }
 
-/// What a filter's function takes behind coordinate and receiver, with defaults.
-template <class Filter>
-[[nodiscard]] std::string arguments_of(const Filter& f) {
-    const std::string text = f.snippet->source.str(), start = "float umbrage_" + std::string(f.snippet->name) + '(';
+/// What a filter's function takes behind coordinate and receiver, as its text declares it: type and name.
+[[nodiscard]] inline std::vector<std::pair<std::string, std::string>> parameters_of(const snippet& s) {
+    const std::string text = s.source.str(), start = "float umbrage_" + std::string(s.name) + '(';
     const auto begin = text.find(start) + start.size();
     const std::string parameters = text.substr(begin, text.find(") {", begin) - begin);
-    const std::vector<std::string> values = defaults_of(f);
-    std::string out;
-    std::size_t n = 0;
+    constexpr std::string_view of_all[]{"map", "size", "coord", "receiver", "a", "b", "c", "d"};
+    std::vector<std::pair<std::string, std::string>> further;
     for (const std::string_view member : glsl::detail::members(parameters)) {
         const auto words = glsl::detail::words_of(member);
-        const std::string_view name = words.back(), type = words[words.size() - 2];
-        constexpr std::string_view of_all[]{"map", "size", "coord", "receiver", "a", "b", "c", "d"};
-        if (std::ranges::count(of_all, name) > 0) continue;
-        if (n >= values.size()) throw std::runtime_error("no default of " + start + std::string(name));
-        out += std::string(out.empty() ? "" : ", ") + "{ name: " + literal(name) + ", type: " + literal(type) +
-               ", value: " + values[n++] + " }";
+        if (std::ranges::count(of_all, words.back()) == 0) further.emplace_back(words[words.size() - 2], words.back());
     }
-    if (n != values.size()) throw std::runtime_error("defaults for no argument of " + start);
+    return further;
+}
+template <class Filter>
+[[nodiscard]] std::vector<std::string> names_of_arguments(const Filter& f) {
+    std::vector<std::string> names;
+    for (const auto& [type, name] : parameters_of(*f.snippet)) names.push_back(name);
+    return names;
+}
+
+/// The same with defaults.
+template <class Filter>
+[[nodiscard]] std::string arguments_of(const Filter& f) {
+    const auto parameters = parameters_of(*f.snippet);
+    const auto values = defaults_of(f);
+    if (parameters.size() != values.size())
+        throw std::runtime_error("defaults for other arguments than those of " + std::string(f.snippet->name));
+    std::string out;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        out += std::string(out.empty() ? "" : ", ") + "{ name: " + literal(parameters[i].second) +
+               ", type: " + literal(parameters[i].first) + ", value: " + values[i] + " }";
     return '[' + out + ']';
+}
+
+/// The target of a prefiltered map, its empty texel, and what its depth pass calls.
+template <class Filter>
+[[nodiscard]] std::string target_of_moments(Filter f) {
+    const auto cleared = [&](umbrage::depth_direction direction) {
+        f.direction = direction;
+        const auto texel = f.encode(umbrage::cleared_depth(direction));
+        if constexpr (std::is_same_v<std::decay_t<decltype(texel)>, float>) return numbers({texel, 0, 0, 0});
+        else if constexpr (Filter::texel::length() == 2) return numbers({texel.x, texel.y, 0, 0});
+        else return numbers({texel.x, texel.y, texel.z, texel.w});
+    };
+    return ", format: " + literal(format_of_moments<Filter>()) +
+           ", cleared: " + cleared(umbrage::depth_direction::forward) +
+           ", cleared_reversed: " + cleared(umbrage::depth_direction::reversed) + ", write: write_" +
+           std::string(Filter::name);
 }
 
 /// The property of a filter's snippet; of other snippets nothing.
@@ -99,6 +128,7 @@ inline std::string filter_of(const snippet& s) {
                 for (const glm::vec2 offset : f.offsets) out += (out.back() == '[' ? "" : ", ") + numbers(offset);
                 out += ']';
             }
+            if constexpr (umbrage::prefilter<std::decay_t<decltype(f)>>) out += target_of_moments(f);
             filters[f.snippet->name] = out + " },";
         };
         umbrage::filters::all::for_each(add);
@@ -108,6 +138,19 @@ inline std::string filter_of(const snippet& s) {
     }();
     const auto found = all.find(s.name);
     return found == all.end() ? "" : found->second;
+}
+
+/// Of a prefilter, what its snippet refers to.
+inline std::string before_filter(const shader_language& l, const snippet& s) {
+    std::string out;
+    umbrage::prefilters::all::for_each([&](const auto& f) {
+        if (*f.snippet == s)
+            out = "\nconst write_" + std::string(f.name) + " = " +
+                  own_snippet(l, glsl::detail::write_moments_text<std::decay_t<decltype(f)>>(),
+                              "texel of a depth, as a color", "") +
+                  ";\n";
+    });
+    return out;
 }
 
 }  // namespace package

@@ -3,12 +3,15 @@
 // What the npm package's data are written with: literals of JavaScript, and what a snippet is there.
 #pragma once
 
+#include <algorithm>
 #include <iomanip>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include <umbrage/shader/bind.hpp>
 
 #include "languages.hpp"
 
@@ -50,12 +53,13 @@ inline std::string quotient(long a, long b) {
     return out.str();
 }
 
-/// Snippets of a module that imports them all.
-inline std::string snippets(std::span<const snippet* const> all) {
+/// References to snippets, whose module is the one at work or is imported.
+inline std::string references(std::span<const snippet* const> all, const std::string& from) {
     std::string out = "[";
-    for (const snippet* s : all) out += (out.size() > 1 ? ", snippets." : "snippets.") + std::string(s->name);
+    for (const snippet* s : all) out += (out.size() > 1 ? ", " : "") + from + std::string(s->name);
     return out + ']';
 }
+inline std::string snippets(std::span<const snippet* const> all) { return references(all, "snippets."); }
 
 /// What is promised of a snippet.
 inline std::string promise_of(const snippet& s, glsl::tier exactness) {
@@ -71,6 +75,18 @@ inline std::string plain_text(const shader_language& l, const snippet& s) {
     if (!glsl::detail::is_of_map(s)) return text;
     const glsl::detail::texture_words words = l.words->texture(glsl::texture::texture_2d);
     return glsl::detail::laid_out(glsl::detail::for_map(text, s, s, words));
+}
+
+/// A snippet that is made where it is used, in the snippets' module, or one that imports them.
+inline std::string own_snippet(const shader_language& l, const glsl::own_text& own, std::string_view summary,
+                               const std::string& from) {
+    glsl::version lowest = glsl::version::v100;
+    for (const snippet* need : own.needs) lowest = std::max(lowest, need->lowest);
+    const snippet s{.name = own.name, .needs = own.needs, .source = own.source.c_str()};
+    return "{ language, name: " + literal(s.name) + ", summary: " + literal(summary) + ",\n    " +
+           promise_of(s, glsl::exactness({s})) + ", lowest: " + literal(directive(lowest)) +
+           ", role: \"none\", scaled: false,\n    needs: " + references(s.needs, from) +
+           ", text: " + template_literal(plain_text(l, s)) + " }";
 }
 
 }  // namespace package

@@ -114,12 +114,9 @@ inline std::string targets_of(const snippet& s) {
     umbrage::prefilters::all::for_each([&](const auto& p) {
         using type = std::decay_t<decltype(p)>;
         if (s != *type::writer && s != *type::snippet) return;
-        constexpr std::string_view channels[]{"R", "RG", "RGB", "RGBA"};
-        int count = 1;
-        if constexpr (!std::is_same_v<typename type::texel, float>) count = type::texel::length();
         const bool unorm = type::name == std::string_view("msm_unorm16");
-        out += comment("Render target of " + std::string(type::name) + ": " + std::string(channels[count - 1]) +
-                       (unorm ? "16 UNORM," : "32F,") + target + "umbrage_" + std::string(type::writer->name) +
+        out += comment("Render target of " + std::string(type::name) + ": " + format_of_moments<type>() +
+                       (unorm ? " UNORM," : ",") + target + "umbrage_" + std::string(type::writer->name) +
                        (unorm ? " of umbrage_encode_msm" : "") + " of the far plane's depth.");
     });
     return out;

@@ -17,8 +17,8 @@ mkdirSync(join(folder, 'node_modules'), { recursive: true });
 symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
-import { bind, box, encodings, exactness, pcf_2x2, pcss16, rg11, snippets, source, supports, text, versions } from 'umbrage';
-import type { Binding, Bound, Encoding, Exactness, Filter, Snippet, Texture, Version } from 'umbrage';
+import { bind, box, cascades, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
+import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
 import * as wgsl from 'umbrage/wgsl';
@@ -32,7 +32,13 @@ const in_wgsl: wgsl.Bound = wgsl.bind(wgsl.box, 'sun', wgsl.rg11.reversed);
 all.push(wgsl.text([wgsl.pcf_2x2, in_wgsl]), hlsl.text([hlsl.pcf_2x2]), msl.text([]), wgsl.exactness([wgsl.box]));
 const soft: Filter | undefined = pcss16.filter, first: wgsl.WgslFunction | undefined = wgsl.functions([wgsl.box, in_wgsl])[0];
 all.push(text([bind(rg11.write, 'sun', { direction: 'reversed' })]), String(soft?.reach), ...first?.needs ?? []);
+const sun: Shadow = shadow('sun', { kind: cascades, filter: pcss16, encoding: rg11, map_size: [512, 512], direction: 'reversed' });
+all.push(source('300 es', [sun]), text([sun.depth_pass], '450'), String(sun.cleared[0]), sun.target.format, String(sun.bytes));
 
+// @ts-expect-error another language's kind
+shadow('sun', { kind: wgsl.cascades, filter: pcss16, map_size: 512 });
+// @ts-expect-error no size
+shadow('sun', { kind: cascades, filter: pcss16 });
 // @ts-expect-error another language's
 wgsl.text([pcf_2x2]);
 // @ts-expect-error another language's, bound

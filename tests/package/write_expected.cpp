@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <umbrage/light/spot_light.hpp>
-#include <umbrage/shadow/in_shader.hpp>
+#include <umbrage/shadow/depth_pass.hpp>
 
 #include "languages.hpp"
 

@@ -17,6 +17,7 @@
 #include "commonjs.hpp"
 #include "module.hpp"
 #include "module_encodings.hpp"
+#include "module_shadows.hpp"
 #include "paste.hpp"
 
 namespace package {
@@ -53,6 +54,8 @@ std::string names() {
     umbrage::for_each_encoding([&](const auto& e) {
         out += "/** " + std::string(e.summary) + " */\nexport const " + std::string(e.name) + ": Encoding;\n";
     });
+    for (const kind_of_light& kind : kinds)
+        out += "/** " + std::string(kind.summary) + " */\nexport const " + std::string(kind.name) + ": Light;\n";
     for (const snippet* s : glsl::registry())
         out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
     return out;
@@ -66,7 +69,7 @@ std::string names_of_encodings() {
 }
 
 void write_npm(const fs::path& templates, const fs::path& folder) {
-    for (const char* const part : {"compose", "bind", "fill", "functions", "versions"})
+    for (const char* const part : {"compose", "bind", "fill", "declare", "functions", "shadow", "versions"})
         write_module(folder / "module" / part, filled(templates / (std::string(part) + ".mjs")));
     write_types(folder / "module/types", filled(templates / "types.d.mts", {{"@encodings@", names_of_encodings()}}));
     for (const shader_language& l : languages) {
@@ -74,6 +77,8 @@ void write_npm(const fs::path& templates, const fs::path& folder) {
         write_module(data / "language", language_module(l));
         write_module(data / "snippets", snippets_module(l));
         write_module(data / "hooks", hooks_module(l));
+        write_module(data / "looks", looks_module(l));
+        write_module(data / "kinds", kinds_module(l));
         write_module(data / "encodings", encodings_module(l));
         const bool is_glsl = l.name == "glsl", is_wgsl = l.name == "wgsl";
         const std::string name(l.name), entry = is_glsl ? "umbrage" : name;

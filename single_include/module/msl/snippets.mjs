@@ -3629,9 +3629,19 @@ inline float4 umbrage_fetch_bilinear(metal::texture2d<float> map, float2 size, f
 }
 ` };
 
+const write_vsm = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_vsm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float2 texel = umbrage_encode_vsm(depth);
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
+
 export const vsm = { language, name: "vsm", summary: "visibility from a blurred variance shadow map (VSM)",
     exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }], format: "RG32F", cleared: [1, 1, 0, 0], cleared_reversed: [1, 1, 0, 0], write: write_vsm }, text: `
 // umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
@@ -3643,9 +3653,19 @@ inline float umbrage_vsm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
+const write_esm = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_esm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth, float4 filter_terms) {
+    float texel = umbrage_encode_esm(depth, filter_terms.x);
+    return float4(texel, 0.0, 0.0, 0.0);
+}
+` };
+
 export const esm = { language, name: "esm", summary: "visibility from a blurred exponential shadow map (ESM)",
     exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }], format: "R32F", cleared: [1099511627776, 0, 0, 0], cleared_reversed: [1099511627776, 0, 0, 0], write: write_esm }, text: `
 // umbrage_esm: visibility from a blurred map of encode_esm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponent: same as for the texels
@@ -3657,9 +3677,19 @@ inline float umbrage_esm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
+const write_evsm2 = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_evsm2], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth, float4 filter_terms) {
+    float2 texel = umbrage_encode_evsm2(depth, filter_terms.x);
+    return float4(texel.x, texel.y, 0.0, 0.0);
+}
+` };
+
 export const evsm2 = { language, name: "evsm2", summary: "visibility from a blurred EVSM of two components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }], format: "RG32F", cleared: [1099511627776, 1.2089258e+24, 0, 0], cleared_reversed: [1099511627776, 1.2089258e+24, 0, 0], write: write_evsm2 }, text: `
 // umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
@@ -3672,9 +3702,19 @@ inline float umbrage_evsm2(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
+const write_evsm4 = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_evsm4], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth, float4 filter_terms) {
+    float4 texel = umbrage_encode_evsm4(depth, float2(filter_terms.x, filter_terms.y));
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
+
 export const evsm4 = { language, name: "evsm4", summary: "visibility from a blurred EVSM of four components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }], format: "RGBA32F", cleared: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], cleared_reversed: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], write: write_evsm4 }, text: `
 // umbrage_evsm4: visibility from a blurred map of encode_evsm4's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponents, deviations: as for decode_evsm4
@@ -3687,9 +3727,19 @@ inline float umbrage_evsm4(metal::texture2d<float> map, float2 size, float2 coor
 }
 ` };
 
+const write_msm = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_msm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_encode_msm(depth);
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
+
 export const msm = { language, name: "msm", summary: "visibility from a blurred moment shadow map (MSM)",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm }, text: `
 // umbrage_msm: visibility from a blurred map of encode_msm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
@@ -3701,9 +3751,19 @@ inline float umbrage_msm(metal::texture2d<float> map, float2 size, float2 coord,
 }
 ` };
 
+const write_msm_unorm16 = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_msm, to_optimized_moments], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_to_optimized_moments(umbrage_encode_msm(depth));
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
+
 export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a blurred MSM of optimized moments",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }], format: "RGBA16", cleared: [0, 0, 0.98112524, 1], cleared_reversed: [0, 0, 0.98112524, 1], write: write_msm_unorm16 }, text: `
 // umbrage_msm_unorm16: visibility from a blurred map of optimized moments, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
@@ -3715,9 +3775,19 @@ inline float umbrage_msm_unorm16(metal::texture2d<float> map, float2 size, float
 }
 ` };
 
+const write_msm_hausdorff = { language, name: "write", summary: "texel of a depth, as a color",
+    exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, encode_msm], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float4 texel = umbrage_encode_msm(depth);
+    return float4(texel.x, texel.y, texel.z, texel.w);
+}
+` };
+
 export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a blurred MSM, for depths on [-1, 1]",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }] }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm_hausdorff }, text: `
 // umbrage_msm_hausdorff: visibility from a blurred map of encode_msm's texels, for depths on [-1, 1]. 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm

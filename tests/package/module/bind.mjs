@@ -1,6 +1,6 @@
 // Snippets bound to maps: which function a map has for each hook, and what cannot be. fill.mjs makes the texts.
 import { is_of_map } from './compose.mjs';
-import { is_expression, laid_out, for_map, words_of } from './fill.mjs';
+import { declarations, for_map, is_expression, laid_out, words_of } from './fill.mjs';
 
 const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
 const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'lit_filtered', 'lit_at', 'depth_at']);
@@ -17,15 +17,17 @@ export const bind_in = hooks => (what, name, ...rest) => {
     return bound(hooks, what, name, map);
 };
 
-/** An item of what is known to go together. */
-export function bound(hooks, what, name, map) {
+/** An item of what is known to go together; a shadow's has texts of its own in place of the snippet's. */
+export function bound(hooks, what, name, map, own = [what]) {
     const suffix = name === '' ? '' : `_${name}`, words = { ...no_words, ...hooks.textures[map.texture] }, key = key_of(map);
-    const parts = [...map.needs, ...words.needs, what];
+    const fill = (s, plane) => laid_out(for_map(hooks, s, suffix, map, words, plane));
     return {
-        what, suffix, map, parts,
+        what, suffix, map,
+        parts: [...map.needs, ...words.needs, ...own],
         map_key: key === key_of(defaults) ? '' : key,
         chosen: s => chosen(hooks, s, map),
-        fill: s => laid_out(for_map(hooks, s, suffix, map, words)),
+        fill: s => fill(s, map.receiver_plane && !(own.length > 1 && own.includes(s)) ? hooks.receiver_plane : ''),
+        declarations: () => declarations(map, words),
     };
 }
 
@@ -39,7 +41,7 @@ function must(holds, condition, got) {
 }
 
 /** Refuses what does not compile, whatever the language. */
-function check(hooks, what, map) {
+export function check(hooks, what, map) {
     const one_channel = compares(map) || map.texture === 'depth' || map.texture === 'depth_array';
     must([1, 2, 3, 4].includes(map.channels), 'map.channels must be 1 to 4', map.channels);
     must(!one_channel || map.channels === 1, 'map.channels must be 1 for a depth texture', map.channels);
@@ -58,7 +60,7 @@ function check(hooks, what, map) {
 }
 
 /** Every hook that the snippet calls is one that the map can have. */
-export function check_hooks(hooks, what, asked, map) {
+function check_hooks(hooks, what, asked, map) {
     must(!compares(map) || !['texel', 'fetch_depth'].includes(asked.role),
         'what must be a snippet that reads no depths, as a comparison sampler gives none', what.name);
     must(asked.role !== 'gather_lit' || gathers(map),

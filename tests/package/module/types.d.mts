@@ -103,4 +103,49 @@ export interface BoundOf<L extends Language> {
     readonly suffix: string;
 }
 
+/** A light, and how its maps are looked up: spot_light, cascades, point_light, ... */
+export interface LightOf<L extends Language> {
+    readonly [is_of]: L;
+    readonly name: string;
+}
+
+export interface ShadowOptionsOf<L extends Language> {
+    kind: LightOf<L>;
+    /** One that has `filter`; not those of several coordinates or an epsilon. */
+    filter: SnippetOf<L>;
+    /** Left out: depth32f, a depth texture or floats. A filter of moments has its own. */
+    encoding?: EncodingOf<L> & { readonly reversed: EncodingOf<L> };
+    /** Of one map, in texels. */
+    map_size: number | readonly [number, number];
+    /** Of depth, as the light's clip space has it. */
+    direction?: 'forward' | 'reversed';
+    /** What the maps lie in. One: texture_2d, depth or shadow. Several: atlas, array, depth_array or shadow_array. */
+    map?: Texture;
+    /** What block, map and sampler are bound to; set is WGSL's group, Vulkan's set or HLSL's space. */
+    block?: number;
+    texture?: number;
+    sampler?: number;
+    set?: number;
+}
+
+/** A light's shadow: an item of a text, which declares block and map and defines umbrage_<name>(world, normal). Filters that
+ *  turn from pixel to pixel take the position in pixels, too. */
+export interface ShadowOf<L extends Language> extends BoundOf<L> {
+    /** What the depth pass calls: umbrage_write_<name>(depth) is a color for the target. Exponents of ESM and EVSM come from
+     *  the block: umbrage_write_<name>(depth, filter_terms). */
+    readonly depth_pass: BoundOf<L>;
+    /** What the target is cleared to; of moments, for the filter's default arguments. */
+    readonly cleared: readonly number[];
+    /** Of the texture: its size and layers, and how many maps lie beside each other and in rows in each layer. */
+    readonly target: {
+        readonly format: string;
+        readonly size: readonly [number, number];
+        readonly layers: number;
+        readonly grid: readonly [number, number];
+        readonly map_size: readonly [number, number];
+    };
+    /** Of the uniform block. */
+    readonly bytes: number;
+}
+
 export type EncodingName = @encodings@;

@@ -1,0 +1,247 @@
+const { language } = require('./language.cjs');
+const snippets = require('./snippets.cjs');
+
+const one_map = {
+    grid: [1, 1], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world), pixel);
+}
+`,
+};
+const cascaded_maps = {
+    grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection, snippets.cascade_column, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
+    UMBRAGE_HIGHP vec2 origin = umbrage_cascade_tile(number, vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope, pixel);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    origin = umbrage_cascade_tile(next, vec2(terms.x, terms.y));
+
+    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : min(weight, held);
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column(scales, number);
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope, pixel);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column(scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    layer = next;
+
+    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : min(weight, held);
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+};
+const cascaded_maps_8 = {
+    grid: [2, 4], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection_8, snippets.cascade_column_8, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column_8(scales, farther_scales, number);
+    UMBRAGE_HIGHP vec2 origin = umbrage_cascade_tile(number, vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope, pixel);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    origin = umbrage_cascade_tile(next, vec2(terms.x, terms.y));
+
+    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : min(weight, held);
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
+    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP vec4 scale = umbrage_cascade_column_8(scales, farther_scales, number);
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope, pixel);
+    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    layer = next;
+
+    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
+    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : min(weight, held);
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+};
+const cube_maps = {
+    grid: [3, 2], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.cube_face, snippets.cube_face_point, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope, snippets.cube_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP vec3 there = umbrage_cube_face_point(face, way);
+    UMBRAGE_HIGHP vec3 across = umbrage_cube_face_point(face, normal);
+    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    UMBRAGE_HIGHP vec2 origin = umbrage_cube_tile(face, terms.x);
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP vec3 there = umbrage_cube_face_point(face, way);
+    UMBRAGE_HIGHP vec3 across = umbrage_cube_face_point(face, normal);
+    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    UMBRAGE_HIGHP float layer = face;
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+};
+const tetrahedron_map = {
+    grid: [1, 1], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.tetrahedron_face, snippets.tetrahedron_face_point, snippets.tetrahedron_turned, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
+    UMBRAGE_HIGHP vec3 there = umbrage_tetrahedron_face_point(face, way);
+    UMBRAGE_HIGHP vec3 across = umbrage_tetrahedron_face_point(face, normal);
+    UMBRAGE_HIGHP vec3 on_first = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(on_first.x, on_first.y)) + position.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, on_first.z), slope, pixel);
+}
+`,
+};
+const paraboloid_maps = {
+    grid: [2, 1], outside: "clamped", bends: true,
+    fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }],
+    needs: [snippets.dual_paraboloid_coordinate, snippets.distance_depth, snippets.dual_paraboloid_slope, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    UMBRAGE_HIGHP vec2 origin = umbrage_cascade_tile(found.z, vec2(terms.x, terms.y));
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, depth), slope, pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    UMBRAGE_HIGHP float layer = found.z;
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, depth), slope, pixel);
+}
+`,
+};
+
+const spot_light = { language, name: "spot_light", maps: one_map };
+const directional_light = { language, name: "directional_light", maps: one_map };
+const cascades = { language, name: "cascades", maps: cascaded_maps };
+const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8 };
+const point_light = { language, name: "point_light", maps: cube_maps };
+const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map };
+const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps };
+
+module.exports = {
+    spot_light,
+    directional_light,
+    cascades,
+    cascades_8,
+    point_light,
+    tetrahedron_light,
+    dual_paraboloid_light,
+};

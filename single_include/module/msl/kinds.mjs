@@ -1,0 +1,253 @@
+import { language } from './language.mjs';
+import * as snippets from './snippets.mjs';
+
+const one_map = {
+    grid: [1, 1], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, metal::float4x4 to_texels, metal::float4x4 planes, float4 terms,
+                            float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world), pixel);
+}
+`,
+};
+const cascaded_maps = {
+    grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection, snippets.cascade_column, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                            float4 blending, float4 terms, float4 filter_terms, float3 world, float3 normal,
+                            float2 pixel) {
+    float4 turned = umbrage_shadow_coordinate(rotation, world);
+    float4 across = umbrage_shadow_coordinate(rotation, normal);
+    float3 light = float3(turned.x, turned.y, turned.z);
+    float3 normal_there = float3(across.x, across.y, across.z);
+    float2 size = float2(terms.x, terms.y);
+    float4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    float number = metal::min(found.w, blending.y);
+    float4 scale = umbrage_cascade_column(scales, number);
+    float2 origin = umbrage_cascade_tile(number, float2(terms.x, terms.y));
+    float2 slope = umbrage_cascade_slope(normal_there, scale);
+    float nearer = umbrage_look(map, terms, filter_terms, float3(found.x, found.y, found.z), slope, pixel);
+    float border = umbrage_cascade_border_fade(float2(found.x, found.y), size, terms.z, blending.x);
+    float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    float next = metal::min(number + 1.0, blending.y);
+    float4 next_scale = umbrage_cascade_column(scales, next);
+    float3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    origin = umbrage_cascade_tile(next, float2(terms.x, terms.y));
+
+    float fade = umbrage_cascade_border_fade(float2(at.x, at.y), size, terms.z, blending.x);
+    float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : metal::min(weight, held);
+    float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                            float4 blending, float4 terms, float4 filter_terms, float3 world, float3 normal,
+                            float2 pixel) {
+    float4 turned = umbrage_shadow_coordinate(rotation, world);
+    float4 across = umbrage_shadow_coordinate(rotation, normal);
+    float3 light = float3(turned.x, turned.y, turned.z);
+    float3 normal_there = float3(across.x, across.y, across.z);
+    float2 size = float2(terms.x, terms.y);
+    float4 found = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    float number = metal::min(found.w, blending.y);
+    float4 scale = umbrage_cascade_column(scales, number);
+    float layer = number;
+    float2 slope = umbrage_cascade_slope(normal_there, scale);
+    float nearer = umbrage_look(map, terms, filter_terms, float3(found.x, found.y, found.z), slope, pixel);
+    float border = umbrage_cascade_border_fade(float2(found.x, found.y), size, terms.z, blending.x);
+    float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    float next = metal::min(number + 1.0, blending.y);
+    float4 next_scale = umbrage_cascade_column(scales, next);
+    float3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    layer = next;
+
+    float fade = umbrage_cascade_border_fade(float2(at.x, at.y), size, terms.z, blending.x);
+    float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : metal::min(weight, held);
+    float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+};
+const cascaded_maps_8 = {
+    grid: [2, 4], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection_8, snippets.cascade_column_8, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                            metal::float4x4 farther_scales, metal::float4x4 farther_offsets, float4 blending,
+                            float4 terms, float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float4 turned = umbrage_shadow_coordinate(rotation, world);
+    float4 across = umbrage_shadow_coordinate(rotation, normal);
+    float3 light = float3(turned.x, turned.y, turned.z);
+    float3 normal_there = float3(across.x, across.y, across.z);
+    float2 size = float2(terms.x, terms.y);
+    float4 found =
+        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    float number = metal::min(found.w, blending.y);
+    float4 scale = umbrage_cascade_column_8(scales, farther_scales, number);
+    float2 origin = umbrage_cascade_tile(number, float2(terms.x, terms.y));
+    float2 slope = umbrage_cascade_slope(normal_there, scale);
+    float nearer = umbrage_look(map, terms, filter_terms, float3(found.x, found.y, found.z), slope, pixel);
+    float border = umbrage_cascade_border_fade(float2(found.x, found.y), size, terms.z, blending.x);
+    float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    float next = metal::min(number + 1.0, blending.y);
+    float4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    float3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    origin = umbrage_cascade_tile(next, float2(terms.x, terms.y));
+
+    float fade = umbrage_cascade_border_fade(float2(at.x, at.y), size, terms.z, blending.x);
+    float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : metal::min(weight, held);
+    float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                            metal::float4x4 farther_scales, metal::float4x4 farther_offsets, float4 blending,
+                            float4 terms, float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float4 turned = umbrage_shadow_coordinate(rotation, world);
+    float4 across = umbrage_shadow_coordinate(rotation, normal);
+    float3 light = float3(turned.x, turned.y, turned.z);
+    float3 normal_there = float3(across.x, across.y, across.z);
+    float2 size = float2(terms.x, terms.y);
+    float4 found =
+        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    float number = metal::min(found.w, blending.y);
+    float4 scale = umbrage_cascade_column_8(scales, farther_scales, number);
+    float layer = number;
+    float2 slope = umbrage_cascade_slope(normal_there, scale);
+    float nearer = umbrage_look(map, terms, filter_terms, float3(found.x, found.y, found.z), slope, pixel);
+    float border = umbrage_cascade_border_fade(float2(found.x, found.y), size, terms.z, blending.x);
+    float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
+    bool last = number >= blending.y;
+    float next = metal::min(number + 1.0, blending.y);
+    float4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    float3 at = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    layer = next;
+
+    float fade = umbrage_cascade_border_fade(float2(at.x, at.y), size, terms.z, blending.x);
+    float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
+    weight = last ? weight : metal::min(weight, held);
+    float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+};
+const cube_maps = {
+    grid: [3, 2], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.cube_face, snippets.cube_face_point, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope, snippets.cube_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, float4 position, metal::float4x4 to_texels, metal::float4x4 planes,
+                            float4 terms, float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float3 way = world - float3(position.x, position.y, position.z);
+    float face = umbrage_cube_face(way);
+    float3 there = umbrage_cube_face_point(face, way);
+    float3 across = umbrage_cube_face_point(face, normal);
+    float3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    float2 origin = umbrage_cube_tile(face, terms.x);
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, float4 position, metal::float4x4 to_texels, metal::float4x4 planes,
+                            float4 terms, float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float3 way = world - float3(position.x, position.y, position.z);
+    float face = umbrage_cube_face(way);
+    float3 there = umbrage_cube_face_point(face, way);
+    float3 across = umbrage_cube_face_point(face, normal);
+    float3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    float layer = face;
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+};
+const tetrahedron_map = {
+    grid: [1, 1], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.tetrahedron_face, snippets.tetrahedron_face_point, snippets.tetrahedron_turned, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, float4 position, metal::float4x4 to_texels, metal::float4x4 planes,
+                            float4 terms, float4 filter_terms, float3 world, float3 normal, float2 pixel) {
+    float3 way = world - float3(position.x, position.y, position.z);
+    float face = umbrage_tetrahedron_face(way);
+    float3 there = umbrage_tetrahedron_face_point(face, way);
+    float3 across = umbrage_tetrahedron_face_point(face, normal);
+    float3 on_first = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    float2 at = umbrage_tetrahedron_turned(face, float2(on_first.x, on_first.y)) + position.w;
+    float2 slope = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
+    return umbrage_look(map, terms, filter_terms, float3(at.x, at.y, on_first.z), slope, pixel);
+}
+`,
+};
+const paraboloid_maps = {
+    grid: [2, 1], outside: "clamped", bends: true,
+    fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }],
+    needs: [snippets.dual_paraboloid_coordinate, snippets.distance_depth, snippets.dual_paraboloid_slope, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, float4 position, float4 halves, float4 terms, float4 filter_terms,
+                            float3 world, float3 normal, float2 pixel) {
+    float3 way = world - float3(position.x, position.y, position.z);
+    float3 found = umbrage_dual_paraboloid_coordinate(way);
+    float2 at = float2(found.x, found.y) * halves.x + halves.y;
+    float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    float2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    float2 origin = umbrage_cascade_tile(found.z, float2(terms.x, terms.y));
+    return umbrage_look(map, terms, filter_terms, float3(at.x, at.y, depth), slope, pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+inline float umbrage_shadow(UMBRAGE_MAP map, float4 position, float4 halves, float4 terms, float4 filter_terms,
+                            float3 world, float3 normal, float2 pixel) {
+    float3 way = world - float3(position.x, position.y, position.z);
+    float3 found = umbrage_dual_paraboloid_coordinate(way);
+    float2 at = float2(found.x, found.y) * halves.x + halves.y;
+    float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    float2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    float layer = found.z;
+    return umbrage_look(map, terms, filter_terms, float3(at.x, at.y, depth), slope, pixel);
+}
+`,
+};
+
+export const spot_light = { language, name: "spot_light", maps: one_map };
+export const directional_light = { language, name: "directional_light", maps: one_map };
+export const cascades = { language, name: "cascades", maps: cascaded_maps };
+export const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8 };
+export const point_light = { language, name: "point_light", maps: cube_maps };
+export const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map };
+export const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps };

@@ -1,0 +1,74 @@
+// A light's shadow as functions of a shader, its maps' target, and its depth pass. The texts are those of C++'s bind() and
+// bind_depth_pass(); the values of its uniforms are those of values.mjs.
+const { bound, check, complete } = require('./bind.cjs');
+
+function must(holds, condition, got) {
+    if (!holds) throw new Error(`umbrage: shadow: ${condition}; got ${got === '' ? '""' : got}`);
+}
+
+const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
+    block: 0, texture: 1, sampler: 2, set: 0 };
+const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
+
+/** shadow() of a language. */
+const shadow_in = (hooks, looks, depth32f, declare) => (name, options) => {
+    const { language } = hooks;
+    must(typeof name === 'string' && /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
+        'name must be letters, digits and single underscores between them', name);
+    must(typeof options === 'object' && options !== null, 'options must be an object', options);
+    for (const key of Object.keys(options))
+        must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
+    const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, ...rest } = { ...defaults, ...options };
+    must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind?.name ?? kind);
+    const look = filter?.language === language && filter.filter !== undefined
+        ? looks[filter.filter.arguments.map(argument => argument.name).join(', ')] : undefined;
+    must(look !== undefined && filter.filter.offsets === undefined, `filter must be one that a shadow takes, of ${language.name}`,
+        filter?.name ?? filter);
+    const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
+    must(encoding?.write?.language === language, `encoding must be one of ${language.name}`, encoding);
+    must(!is_moments || options.encoding === undefined, 'encoding must be left out for a filter of moments', filter.name);
+    must(direction === 'forward' || reversed, 'direction must be forward or reversed', direction);
+    const size = typeof map_size === 'number' ? [map_size, map_size] : map_size;
+    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1),
+        'map_size must be whole texels, or two of them', map_size);
+    const hardens = filter.filter.arguments.some(argument => argument.name === 'softness');
+    must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
+
+    const { grid: [columns, rows], outside, fields } = kind.maps, several = columns * rows > 1;
+    const lies_in = rest.map ?? (several ? 'atlas' : 'texture_2d'), layers = lies_in.includes('array');
+    const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
+    must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
+    const whole = [size[0] * columns, size[1] * rows];
+    const stored = reversed ? encoding.reversed : encoding;
+    const map = complete(hooks, { texture: lies_in, direction, outside, depth: stored.depth, channels: stored.channels,
+        receiver_plane: hardens, needs: hardens ? [...stored.needs, hooks.apply_receiver_plane] : stored.needs,
+        texture_size: lies_in === 'atlas' ? `vec2(${whole[0]}.0, ${whole[1]}.0)` : '' });
+
+    const turns = filter.filter.arguments.some(argument => argument.name === 'rotation');
+    const own = (name, text, needs) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
+    const umbrage_look = own('look', look.text.replaceAll('umbrage_FILTER', `umbrage_${filter.name}`), look.needs(filter));
+    const with_pixel = layers && several ? kind.maps.of_layers : kind.maps.text;
+    const umbrage_shadow = own('shadow', turns ? with_pixel : without_pixel(with_pixel), [...kind.maps.needs, umbrage_look]);
+    check(hooks, umbrage_look, map);
+    check(hooks, umbrage_shadow, map);
+    const item = bound(hooks, umbrage_shadow, name, map, [umbrage_look, umbrage_shadow]);
+    const all_fields = [...fields, ...terms];
+    const declares = { name, fields: all_fields, block, texture, sampler, set, turns };
+    const texel = is_moments ? filter.filter : encoding;
+    return {
+        ...item,
+        declared: { name, text: version => declare(declares, item.declarations(), version) },
+        depth_pass: bound(hooks, texel.write, name, complete(hooks, { direction })),
+        cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
+        target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
+            grid: layers ? [1, 1] : [columns, rows], map_size: size },
+        bytes: all_fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
+    };
+};
+
+/** A shadow's text for filters that do not turn from pixel to pixel. */
+const without_pixel = text => text.replace(/,\s+(UMBRAGE_HIGHP vec2 |float2 )?pixel(: vec2f)?\)/g, ')');
+
+module.exports = {
+    shadow_in,
+};

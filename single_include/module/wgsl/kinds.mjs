@@ -1,0 +1,253 @@
+import { language } from './language.mjs';
+import * as snippets from './snippets.mjs';
+
+const one_map = {
+    grid: [1, 1], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let at: vec3f = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world), pixel);
+}
+`,
+};
+const cascaded_maps = {
+    grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection, snippets.cascade_column, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, blending: vec4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let turned: vec4f = umbrage_shadow_coordinate(rotation, world);
+    let across: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let normal_there: vec3f = vec3f(across.x, across.y, across.z);
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let found: vec4f = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    let number: f32 = min(found.w, blending.y);
+    let scale: vec4f = umbrage_cascade_column(scales, number);
+    var origin: vec2f = umbrage_cascade_tile(number, vec2f(terms.x, terms.y));
+    let slope: vec2f = umbrage_cascade_slope(normal_there, scale);
+    let nearer: f32 = umbrage_look(map, terms, filter_terms, vec3f(found.x, found.y, found.z), slope, pixel);
+    let border: f32 = umbrage_cascade_border_fade(vec2f(found.x, found.y), size, terms.z, blending.x);
+    var weight: f32 = select(0.0, border, blending.x > 0.0 && found.w <= blending.y);
+    let last: bool = number >= blending.y;
+    let next: f32 = min(number + 1.0, blending.y);
+    let next_scale: vec4f = umbrage_cascade_column(scales, next);
+    let at: vec3f = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    origin = umbrage_cascade_tile(next, vec2f(terms.x, terms.y));
+
+    let fade: f32 = umbrage_cascade_border_fade(vec2f(at.x, at.y), size, terms.z, blending.x);
+    let held: f32 = select(0.0, 1.0 - fade, umbrage_inside_cascade(at, size, terms.z));
+    weight = select(min(weight, held), weight, last);
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, blending: vec4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let turned: vec4f = umbrage_shadow_coordinate(rotation, world);
+    let across: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let normal_there: vec3f = vec3f(across.x, across.y, across.z);
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let found: vec4f = umbrage_cascade_by_projection(light, scales, offsets, size, terms.z);
+    let number: f32 = min(found.w, blending.y);
+    let scale: vec4f = umbrage_cascade_column(scales, number);
+    var layer: f32 = number;
+    let slope: vec2f = umbrage_cascade_slope(normal_there, scale);
+    let nearer: f32 = umbrage_look(map, terms, filter_terms, vec3f(found.x, found.y, found.z), slope, pixel);
+    let border: f32 = umbrage_cascade_border_fade(vec2f(found.x, found.y), size, terms.z, blending.x);
+    var weight: f32 = select(0.0, border, blending.x > 0.0 && found.w <= blending.y);
+    let last: bool = number >= blending.y;
+    let next: f32 = min(number + 1.0, blending.y);
+    let next_scale: vec4f = umbrage_cascade_column(scales, next);
+    let at: vec3f = umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column(offsets, next));
+    layer = next;
+
+    let fade: f32 = umbrage_cascade_border_fade(vec2f(at.x, at.y), size, terms.z, blending.x);
+    let held: f32 = select(0.0, 1.0 - fade, umbrage_inside_cascade(at, size, terms.z));
+    weight = select(min(weight, held), weight, last);
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+};
+const cascaded_maps_8 = {
+    grid: [2, 4], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "blending", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_by_projection_8, snippets.cascade_column_8, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, blending: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let turned: vec4f = umbrage_shadow_coordinate(rotation, world);
+    let across: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let normal_there: vec3f = vec3f(across.x, across.y, across.z);
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let found: vec4f =
+        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    let number: f32 = min(found.w, blending.y);
+    let scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, number);
+    var origin: vec2f = umbrage_cascade_tile(number, vec2f(terms.x, terms.y));
+    let slope: vec2f = umbrage_cascade_slope(normal_there, scale);
+    let nearer: f32 = umbrage_look(map, terms, filter_terms, vec3f(found.x, found.y, found.z), slope, pixel);
+    let border: f32 = umbrage_cascade_border_fade(vec2f(found.x, found.y), size, terms.z, blending.x);
+    var weight: f32 = select(0.0, border, blending.x > 0.0 && found.w <= blending.y);
+    let last: bool = number >= blending.y;
+    let next: f32 = min(number + 1.0, blending.y);
+    let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
+    let at: vec3f =
+        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    origin = umbrage_cascade_tile(next, vec2f(terms.x, terms.y));
+
+    let fade: f32 = umbrage_cascade_border_fade(vec2f(at.x, at.y), size, terms.z, blending.x);
+    let held: f32 = select(0.0, 1.0 - fade, umbrage_inside_cascade(at, size, terms.z));
+    weight = select(min(weight, held), weight, last);
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, blending: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let turned: vec4f = umbrage_shadow_coordinate(rotation, world);
+    let across: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let normal_there: vec3f = vec3f(across.x, across.y, across.z);
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let found: vec4f =
+        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    let number: f32 = min(found.w, blending.y);
+    let scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, number);
+    var layer: f32 = number;
+    let slope: vec2f = umbrage_cascade_slope(normal_there, scale);
+    let nearer: f32 = umbrage_look(map, terms, filter_terms, vec3f(found.x, found.y, found.z), slope, pixel);
+    let border: f32 = umbrage_cascade_border_fade(vec2f(found.x, found.y), size, terms.z, blending.x);
+    var weight: f32 = select(0.0, border, blending.x > 0.0 && found.w <= blending.y);
+    let last: bool = number >= blending.y;
+    let next: f32 = min(number + 1.0, blending.y);
+    let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
+    let at: vec3f =
+        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    layer = next;
+
+    let fade: f32 = umbrage_cascade_border_fade(vec2f(at.x, at.y), size, terms.z, blending.x);
+    let held: f32 = select(0.0, 1.0 - fade, umbrage_inside_cascade(at, size, terms.z));
+    weight = select(min(weight, held), weight, last);
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+};
+const cube_maps = {
+    grid: [3, 2], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.cube_face, snippets.cube_face_point, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope, snippets.cube_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, to_texels: mat4x4f, planes: mat4x4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let face: f32 = umbrage_cube_face(way);
+    let there: vec3f = umbrage_cube_face_point(face, way);
+    let across: vec3f = umbrage_cube_face_point(face, normal);
+    let at: vec3f = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    let origin: vec2f = umbrage_cube_tile(face, terms.x);
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, to_texels: mat4x4f, planes: mat4x4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let face: f32 = umbrage_cube_face(way);
+    let there: vec3f = umbrage_cube_face_point(face, way);
+    let across: vec3f = umbrage_cube_face_point(face, normal);
+    let at: vec3f = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    let layer: f32 = face;
+    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, there), pixel);
+}
+`,
+};
+const tetrahedron_map = {
+    grid: [1, 1], outside: "clamped", bends: false,
+    fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
+    needs: [snippets.tetrahedron_face, snippets.tetrahedron_face_point, snippets.tetrahedron_turned, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, to_texels: mat4x4f, planes: mat4x4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let face: f32 = umbrage_tetrahedron_face(way);
+    let there: vec3f = umbrage_tetrahedron_face_point(face, way);
+    let across: vec3f = umbrage_tetrahedron_face_point(face, normal);
+    let on_first: vec3f = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
+    let at: vec2f = umbrage_tetrahedron_turned(face, vec2f(on_first.x, on_first.y)) + position.w;
+    let slope: vec2f = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
+    return umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, on_first.z), slope, pixel);
+}
+`,
+};
+const paraboloid_maps = {
+    grid: [2, 1], outside: "clamped", bends: true,
+    fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }],
+    needs: [snippets.dual_paraboloid_coordinate, snippets.distance_depth, snippets.dual_paraboloid_slope, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, halves: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let found: vec3f = umbrage_dual_paraboloid_coordinate(way);
+    let at: vec2f = vec2f(found.x, found.y) * halves.x + halves.y;
+    let depth: f32 = umbrage_distance_depth(way, position.w) + halves.w;
+    let slope: vec2f = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    let origin: vec2f = umbrage_cascade_tile(found.z, vec2f(terms.x, terms.y));
+    return umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, depth), slope, pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, halves: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let found: vec3f = umbrage_dual_paraboloid_coordinate(way);
+    let at: vec2f = vec2f(found.x, found.y) * halves.x + halves.y;
+    let depth: f32 = umbrage_distance_depth(way, position.w) + halves.w;
+    let slope: vec2f = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    let layer: f32 = found.z;
+    return umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, depth), slope, pixel);
+}
+`,
+};
+
+export const spot_light = { language, name: "spot_light", maps: one_map };
+export const directional_light = { language, name: "directional_light", maps: one_map };
+export const cascades = { language, name: "cascades", maps: cascaded_maps };
+export const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8 };
+export const point_light = { language, name: "point_light", maps: cube_maps };
+export const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map };
+export const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// The package's shadows against C++'s, character for character:  node shadows_test.mjs PACKAGE EXPECTED
+import { createReadStream } from 'node:fs';
+import { resolve } from 'node:path';
+import { createInterface } from 'node:readline';
+import { pathToFileURL } from 'node:url';
+
+const [folder, expected] = process.argv.slice(2), umbrage = {};
+for (const [language, entry] of Object.entries({ glsl: 'umbrage', hlsl: 'hlsl', msl: 'msl', wgsl: 'wgsl' }))
+    umbrage[language] = await import(pathToFileURL(resolve(folder, `${entry}.mjs`)).href);
+
+/** What a language makes of a shadow, or null where it refuses. */
+function made(use) {
+    try { return use(); } catch (error) {
+        if (!error.message.startsWith('umbrage: ')) throw error;
+        return null;
+    }
+}
+function shadow_in(language, { kind, filter, encoding, direction, map, slots: [block, texture, sampler, set] }) {
+    const { shadow, encodings, snippets, ...all } = umbrage[language];
+    return shadow('sun', { kind: all[kind], filter: snippets[filter], ...encoding && { encoding: encodings[encoding] },
+        map_size: 256, direction, ...map && { map }, block, texture, sampler, set });
+}
+
+let tried = 0, refused = 0, different = 0;
+function same(ours, theirs, what) {
+    ++tried;
+    refused += theirs === null;
+    if (ours === theirs || ++different > 5) return;
+    const a = (ours ?? 'refused').split('\n'), b = (theirs ?? 'refused').split('\n'), first = b.findIndex((line, i) => line !== a[i]);
+    console.log(`differs: ${what}\n  line ${first + 1}: ${a[first]}\n   in C++: ${b[first]}`);
+}
+for await (const line of createInterface({ input: createReadStream(expected) })) {
+    const test = JSON.parse(line);
+    if (test.four) {
+        for (const language in umbrage) same(four(umbrage[language], language), test.four[language], `four shadows in ${language}`);
+        continue;
+    }
+    const { kind, filter, encoding, direction, map, version, texts } = test, what = [kind, filter, encoding, direction, map, version].join(' ');
+    for (const language in umbrage) {
+        const { source, text } = umbrage[language], all = items => language === 'glsl' ? source(version, items) : text(items);
+        same(made(() => all([shadow_in(language, test)])), texts[language], `${what} in ${language}`);
+        if (texts[language] === null) continue;
+        const { cleared, depth_pass, target, bytes } = shadow_in(language, test), pass = { glsl: texts.pass, wgsl: texts.pass_wgsl }[language];
+        if (pass) same(made(() => all([depth_pass])), pass, `${what} in ${language}, depth pass`);
+        const size = target.layers > 1 ? test.size : target.grid.map((n, axis) => n * target.map_size[axis]);
+        same(`${cleared} ${bytes} ${size} ${target.size}`,
+            `${test.cleared} ${test.bytes} ${test.size} ${target.layers > 1 ? [256, 256] : test.size}`, `${what}, target`);
+    }
+}
+function four({ cascades, depth_array, disc16, pcf_2x2, point_light, rg11, shadow, source, spot_light, tent3, text }, language) {
+    const items = [shadow('packed', { kind: spot_light, filter: tent3, encoding: rg11, map_size: 256, block: 1, texture: 4 }),
+        shadow('compared', { kind: spot_light, filter: tent3, map_size: 256, map: 'shadow', block: 2, texture: 6, sampler: 7 }),
+        shadow('sun', { kind: cascades, filter: disc16, map_size: 256 }),
+        shadow('cube', { kind: point_light, filter: pcf_2x2, map_size: 256, map: 'depth_array', block: 3, texture: 8 })];
+    return language === 'glsl' ? source('450', items) : text(items);
+}
+
+console.log(`${tried} tried, ${refused} refused by both, ${different} differ`);
+process.exitCode = different || tried < 2000 || refused < 100 ? 1 : 0;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// What the npm package's shadows must be, a case in JSON a line:  write_shadows FILE
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "languages.hpp"
+#include "module_filters.hpp"
+#include "shadows.hpp"
+
+namespace package {
+namespace {
+
+constexpr glsl::version versions[]{glsl::version::v330, glsl::version::v300_es, glsl::version::v450,
+                                   glsl::version::v100, glsl::version::v310_es};
+
+/// What text() gives, or null where it throws.
+template <class Text>
+std::string tried(const Text& text) {
+    try {
+        return literal(text());
+    } catch (const std::invalid_argument&) { return "null"; }
+}
+
+/// An empty map's texel, as a color.
+std::string cleared(const auto& of) {
+    using texel = typename std::decay_t<decltype(of)>::texel;
+    if constexpr (umbrage::known_encoding<std::decay_t<decltype(of.encoding())>>) {
+        const auto channels = cleared_channels(of.encoding());
+        std::string all;
+        for (const cleared_channel& c : channels) all += (all.empty() ? "[" : ",") + quotient(c.value, c.most);
+        return all + ']';
+    } else if constexpr (std::is_same_v<texel, float>) return numbers({of.cleared(), 0, 0, 0});
+    else if constexpr (texel::length() == 2) return numbers({of.cleared().x, of.cleared().y, 0, 0});
+    else return numbers({of.cleared().x, of.cleared().y, of.cleared().z, of.cleared().w});
+}
+
+class writer {
+public:
+    explicit writer(std::ostream& out) : out_(out) {}
+
+    /// One shadow: its texts, what its map is, and what its depth pass writes.
+    void add(std::string_view kind, const auto& of, const glsl::shadow_slots& slots) {
+        using encoding = std::decay_t<decltype(of.encoding())>;
+        const glsl::version v = versions[count_++ % std::size(versions)];
+        out_ << "{\"kind\":" << literal(kind) << ",\"filter\":" << literal(of.filter().snippet->name);
+        if constexpr (umbrage::known_encoding<encoding>) out_ << ",\"encoding\":" << literal(encoding::name);
+        const bool forward = of.encoding().direction == umbrage::depth_direction::forward;
+        out_ << ",\"direction\":" << (forward ? "\"forward\"" : "\"reversed\"");
+        for (const named_texture& t : textures)
+            if (slots.map == t.kind) out_ << ",\"map\":" << literal(t.name);
+        out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
+             << "],\"size\":[" << of.size().x << ',' << of.size().y << "],\"cleared\":" << cleared(of)
+             << ",\"bytes\":" << sizeof(of.uniforms()) << ",\"version\":" << literal(directive(v))
+             << ",\"texts\":{\"glsl\":" << tried([&] { return glsl::source(v, {glsl::bind(of, "sun", slots)}); })
+             << ",\"pass\":" << tried([&] { return glsl::source(v, {glsl::bind_depth_pass(of, "sun")}); });
+        for (const shader_language& l : languages)
+            if (l.name != "glsl")
+                out_ << ',' << literal(l.name) << ':' << tried([&] { return l.text({glsl::bind(of, "sun", slots)}); });
+        out_ << ",\"pass_wgsl\":" << tried([&] { return umbrage::wgsl::text({glsl::bind_depth_pass(of, "sun")}); })
+             << "}}\n";
+    }
+
+private:
+    std::ostream& out_;
+    std::size_t count_ = 0;
+};
+
+/// Every light with every filter, and with every kind of map.
+void of_filters(writer& out, const umbrage::clip_space& clip) {
+    for_each_light(clip, [&](std::string_view kind, const auto& light) {
+        for_each_shadow_filter(light, [&](const auto& filter) {
+            out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), filter), {});
+        });
+        const umbrage::shadow tent(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>);
+        const umbrage::shadow disc(light, glm::ivec2(shadow_size), umbrage::filters::disc{});
+        for (const named_texture& t : textures) {
+            out.add(kind, tent, {.block = 4, .texture = 5, .sampler = 6, .set = 1, .map = t.kind});
+            out.add(kind, disc, {.map = t.kind});
+        }
+    });
+}
+
+/// Spot lights and cascades in every encoding.
+void of_encodings(writer& out, const umbrage::clip_space& clip) {
+    for_each_light(clip, [&](std::string_view kind, const auto& light) {
+        if constexpr (!bends<std::decay_t<decltype(light)>>)
+            if (kind != "spot_light" && kind != "cascades") return;
+        umbrage::for_each_encoding([&](auto encoding) {
+            encoding = {.direction = clip.direction};  // and what it decodes to, which a shadow leaves as it is
+            out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding), {});
+        });
+    });
+}
+
+/// Four shadows in one shader: a cascaded sun, two spots, one packed and one by a comparison sampler, and a cube.
+template <class Use>
+void with_four(const Use& use) {
+    const umbrage::filters::window tent = umbrage::filters::tent<3>;
+    const glm::ivec2 size(shadow_size);
+    std::vector<glsl::bound> items;
+    for_each_light(umbrage::cpu_clip_space, [&](std::string_view kind, const auto& light) {
+        if (kind == "cascades")
+            items.push_back(glsl::bind(umbrage::shadow(light, size, umbrage::filters::disc{}), "sun"));
+        if (kind == "spot_light") {
+            items.push_back(glsl::bind(umbrage::shadow(light, size, tent, umbrage::rg<11>{}), "packed",
+                                       {.block = 1, .texture = 4}));
+            items.push_back(glsl::bind(umbrage::shadow(light, size, tent), "compared",
+                                       {.block = 2, .texture = 6, .sampler = 7, .map = glsl::texture::shadow}));
+        }
+        if (kind == "point_light")
+            items.push_back(glsl::bind(umbrage::shadow(light, size, umbrage::filters::pcf_2x2{}), "cube",
+                                       {.block = 3, .texture = 8, .map = glsl::texture::depth_array}));
+    });
+    use(items);
+}
+
+}  // namespace
+}  // namespace package
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    std::ofstream file(argv[1], std::ios::binary);
+    package::writer out(file);
+    for (const umbrage::clip_space& clip : {umbrage::cpu_clip_space, umbrage::godot_clip_space}) {
+        package::of_filters(out, clip);
+        package::of_encodings(out, clip);
+    }
+    package::with_four([&](const std::vector<package::glsl::bound>& items) {
+        file << "{\"four\":{\"glsl\":" << package::literal(package::glsl::source(package::glsl::version::v450, items));
+        for (const package::shader_language& l : package::languages)
+            if (l.name != "glsl") file << ',' << package::literal(l.name) << ':' << package::literal(l.text(items));
+        file << "}}\n";
+    });
+    if (file) return 0;
+    std::cerr << "write_shadows: cannot write " << argv[1] << '\n';
+    return 1;
+}
