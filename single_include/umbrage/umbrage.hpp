@@ -25358,6 +25358,32 @@ struct shadow_uniforms {
     shadow_terms terms;
 };
 
+namespace detail {
+
+/// Refuses what no shadow can be made of, whatever its light.
+template <class Filter>
+void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
+    require_given(clip, "shadow", "light.clip");
+    require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    const float reach = reach_of(filter);
+    require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
+            "twice the filter's reach or more", map_size,
+            "The filter reaches " + printed(reach) + " texels to each side.");
+}
+
+/// What a block ends with, of a filter and of what its map's depths may be off by.
+template <class Filter>
+[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
+                                             depth_direction direction, bent_lines bends) {
+    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
+    const double error = direction == depth_direction::forward ? off.below : off.above;
+    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
+            terms_of(filter, more)};
+}
+
+}  // namespace detail
+
 template <shadow_set_up SetUp, shadow_filter Filter,
           shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
@@ -25377,15 +25403,10 @@ public:
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
-        detail::require_given(set_up_.clip(), "shadow", "light.clip");
-        detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
         encoding_.direction = set_up_.clip().direction;
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        const float reach = detail::reach_of(filter_);
-        detail::require(2.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
-                        "map_size", "twice the filter's reach or more", map_size,
-                        "The filter reaches " + detail::printed(reach) + " texels to each side.");
+        detail::require_shadow(set_up_.clip(), map_size, filter_);
         uniforms_ = uniforms();
     }
 
@@ -25475,14 +25496,9 @@ public:
     /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
-        constexpr bent_lines bends = detail::bends_of<SetUp>();
-        const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
-        const decoding_error both = encoding_.error();
-        const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), detail::reach_of(filter_) + more,
-                 static_cast<float>(error) + 0x1p-22f + bends.error, detail::terms_of(filter_, more)}};
+                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
+                                          detail::bends_of<SetUp>())};
     }
 
 private:
@@ -25983,7 +25999,62 @@ template <class SetUp, class Filter, class Encoding>
     return all;
 }
 
+/// How many channels a texel has.
+template <class Texel>
+inline constexpr int channels_of = 1;
+template <glm::length_t Channels>
+inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
+
+/// umbrage_write: the texel of a depth, as a color.
+/// @param stores      to_unorm of the target, null where the writer gives what to write
+/// @param arguments   of the writer behind the depth, of filter_terms
+[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
+                                         std::string_view arguments) {
+    std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
+    if (stores != nullptr) texel = "umbrage_" + std::string(stores->name) + "(" + texel + ")";
+    std::string color = channels == 1 ? "texel" : "texel.x, texel.y";
+    if (channels > 2) color += channels == 3 ? ", texel.z" : ", texel.z, texel.w";
+    for (int c = channels; c < 4; ++c) color += ", 0.0";
+    const std::string type = channels == 1 ? "float" : "vec" + std::to_string(channels);
+    own_text write{"write",
+                   "\n// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target\n"
+                   "UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth" +
+                       std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
+                       ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
+                       ");\n}\n"};
+    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
+    if (stores != nullptr) write.needs.push_back(stores);
+    return write;
+}
+
+/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
+template <prefilter Prefilter>
+[[nodiscard]] own_text write_moments_text() {
+    const bool of_moments = Prefilter::writer == &to_optimized_moments;
+    return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
+                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
+}
+
 }  // namespace detail
+
+/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
+/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
+/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
+/// filter_terms).
+/// @param name    letters, digits, single underscores between them
+/// @throws std::invalid_argument   another name
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+    umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
+                             "letters, digits and single underscores between them", name);
+    bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
+    if constexpr (prefilter<Filter>) item.texts = {detail::write_moments_text<Filter>()};
+    else {
+        const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
+        item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
+    }
+    return item;
+}
 
 /// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
 /// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.

@@ -47,6 +47,32 @@ struct shadow_uniforms {
     shadow_terms terms;
 };
 
+namespace detail {
+
+/// Refuses what no shadow can be made of, whatever its light.
+template <class Filter>
+void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
+    require_given(clip, "shadow", "light.clip");
+    require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    const float reach = reach_of(filter);
+    require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
+            "twice the filter's reach or more", map_size,
+            "The filter reaches " + printed(reach) + " texels to each side.");
+}
+
+/// What a block ends with, of a filter and of what its map's depths may be off by.
+template <class Filter>
+[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
+                                             depth_direction direction, bent_lines bends) {
+    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
+    const double error = direction == depth_direction::forward ? off.below : off.above;
+    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
+            terms_of(filter, more)};
+}
+
+}  // namespace detail
+
 template <shadow_set_up SetUp, shadow_filter Filter,
           shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
@@ -66,15 +92,10 @@ public:
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
-        detail::require_given(set_up_.clip(), "shadow", "light.clip");
-        detail::require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
         encoding_.direction = set_up_.clip().direction;
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        const float reach = detail::reach_of(filter_);
-        detail::require(2.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "shadow",
-                        "map_size", "twice the filter's reach or more", map_size,
-                        "The filter reaches " + detail::printed(reach) + " texels to each side.");
+        detail::require_shadow(set_up_.clip(), map_size, filter_);
         uniforms_ = uniforms();
     }
 
@@ -164,14 +185,9 @@ public:
     /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
     ///                camera's place, and the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        const float size = static_cast<float>(detail::greater(map_size_.x, map_size_.y));
-        constexpr bent_lines bends = detail::bends_of<SetUp>();
-        const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
-        const decoding_error both = encoding_.error();
-        const double error = encoding_.direction == depth_direction::forward ? both.below : both.above;
         return {set_up_.make_uniforms(map_size_, frame.origin),
-                {glm::vec2(map_size_), detail::reach_of(filter_) + more,
-                 static_cast<float>(error) + 0x1p-22f + bends.error, detail::terms_of(filter_, more)}};
+                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
+                                          detail::bends_of<SetUp>())};
     }
 
 private:
