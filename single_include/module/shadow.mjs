@@ -62,6 +62,7 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
         target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
             grid: layers ? [1, 1] : [columns, rows], map_size: size },
+        settings: { kind: kind.name, filter, encoding: is_moments ? '' : encoding.name, direction, map_size: size },
         bytes: all_fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
     };
 };

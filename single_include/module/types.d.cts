@@ -86,6 +86,7 @@ export interface BindingOf<L extends Language> {
 
 /** A map of texels in an encoding, and how they come about: without blending, of one sample, in a target that is not sRGB. */
 export interface EncodingOf<L extends Language> extends Readonly<BindingOf<L>> {
+    readonly name: string;
     /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
     readonly format: string;
     /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
@@ -144,7 +145,7 @@ export interface ShadowOf<L extends Language> extends BoundOf<L> {
         readonly grid: readonly [number, number];
         readonly map_size: readonly [number, number];
     };
-    /** Of the uniform block. */
+    /** Of the uniform block, whose values umbrage/values gives. */
     readonly bytes: number;
 }
 

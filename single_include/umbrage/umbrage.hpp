@@ -25603,6 +25603,14 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
     return write;
 }
 
+/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
+template <prefilter Prefilter>
+[[nodiscard]] own_text write_moments_text() {
+    const bool of_moments = Prefilter::writer == &to_optimized_moments;
+    return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
+                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
+}
+
 /// umbrage_vertex: a vertex in clip space.
 [[nodiscard]] inline own_text vertex_text(std::string_view parameters, std::string_view statements,
                                           std::vector<const snippet*> needs) {
@@ -25627,9 +25635,7 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (prefilter<Filter>)
-        item.texts = {detail::write_text(*Filter::writer, nullptr, detail::channels_of<typename Filter::texel>,
-                                         umbrage::detail::writer_arguments<Filter>())};
+    if constexpr (prefilter<Filter>) item.texts = {detail::write_moments_text<Filter>()};
     else {
         const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
         item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
@@ -25999,62 +26005,7 @@ template <class SetUp, class Filter, class Encoding>
     return all;
 }
 
-/// How many channels a texel has.
-template <class Texel>
-inline constexpr int channels_of = 1;
-template <glm::length_t Channels>
-inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
-
-/// umbrage_write: the texel of a depth, as a color.
-/// @param stores      to_unorm of the target, null where the writer gives what to write
-/// @param arguments   of the writer behind the depth, of filter_terms
-[[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
-                                         std::string_view arguments) {
-    std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
-    if (stores != nullptr) texel = "umbrage_" + std::string(stores->name) + "(" + texel + ")";
-    std::string color = channels == 1 ? "texel" : "texel.x, texel.y";
-    if (channels > 2) color += channels == 3 ? ", texel.z" : ", texel.z, texel.w";
-    for (int c = channels; c < 4; ++c) color += ", 0.0";
-    const std::string type = channels == 1 ? "float" : "vec" + std::to_string(channels);
-    own_text write{"write",
-                   "\n// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target\n"
-                   "UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth" +
-                       std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
-                       ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
-                       ");\n}\n"};
-    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
-    if (stores != nullptr) write.needs.push_back(stores);
-    return write;
-}
-
-/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
-template <prefilter Prefilter>
-[[nodiscard]] own_text write_moments_text() {
-    const bool of_moments = Prefilter::writer == &to_optimized_moments;
-    return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
-                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
-}
-
 }  // namespace detail
-
-/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
-/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
-/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
-/// filter_terms).
-/// @param name    letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
-    umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
-                             "letters, digits and single underscores between them", name);
-    bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (prefilter<Filter>) item.texts = {detail::write_moments_text<Filter>()};
-    else {
-        const snippet* const stores = Encoding::writes == store_format::integers ? Encoding::target::to_unorm : nullptr;
-        item.texts = {detail::write_text(*Encoding::writer, stores, Encoding::target::channels, "")};
-    }
-    return item;
-}
 
 /// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
 /// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.

@@ -13,7 +13,8 @@ namespace package {
 /// The module with imports as calls and exports at the end. Each statement of import or export is one line.
 inline std::string as_commonjs(const std::string& module) {
     static const std::regex import(R"(import (\* as )?(.+) from '(.+)\.mjs';)"),
-        from(R"(export (\*|\* as (\w+)|\{ (.+) \}) from '(.+)\.mjs';)"), own(R"(export ((const|function) (\w+).*))");
+        from(R"(export (\*|\* as (\w+)|\{ (.+) \}) from '(.+)\.mjs';)"),
+        own(R"(export ((const|function|async function) (\w+).*))");
     std::istringstream lines(module);
     std::string out, exported;
     for (std::string line; std::getline(lines, line); out += '\n') {

@@ -19,7 +19,8 @@ inline std::string encoding_of_module(const auto& encoding) {
     std::string cleared;
     for (const cleared_channel& c : cleared_channels(encoding))
         cleared += (cleared.empty() ? "" : ", ") + quotient(c.value, c.most);
-    return "{ direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
+    return "{ name: " + literal(encoding.name) +
+           ", direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
            ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
            (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) + "],\n    cleared: [" +
            cleared + "], format: " + literal(std::decay_t<decltype(encoding)>::target::format);

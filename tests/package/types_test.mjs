@@ -21,6 +21,7 @@ import { bind, box, cascades, encodings, exactness, pcf_2x2, pcss16, rg11, shado
 import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
+import { load_values, webgpu_clip_space } from 'umbrage/values';
 import * as wgsl from 'umbrage/wgsl';
 
 const version: Version = versions[0] ?? '300 es', texture: Texture = 'array', map: Binding = { texture, gather: true };
@@ -34,6 +35,14 @@ const soft: Filter | undefined = pcss16.filter, first: wgsl.WgslFunction | undef
 all.push(text([bind(rg11.write, 'sun', { direction: 'reversed' })]), String(soft?.reach), ...first?.needs ?? []);
 const sun: Shadow = shadow('sun', { kind: cascades, filter: pcss16, encoding: rg11, map_size: [512, 512], direction: 'reversed' });
 all.push(source('300 es', [sun]), text([sun.depth_pass], '450'), String(sun.cleared[0]), sun.target.format, String(sun.bytes));
+export async function floats(): Promise<Float32Array> {
+    const values = await load_values();
+    const { block, matrices } = values(sun, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera:
+        { view: new Float32Array(16), projection: new Float64Array(16), z_near: 1, z_far: 9 }, filter: { softness: [1, 16, 96] } });
+    // @ts-expect-error no clip space
+    values(sun, { position: [0, 0, 0] });
+    return matrices[0] ?? block;
+}
 
 // @ts-expect-error another language's kind
 shadow('sun', { kind: wgsl.cascades, filter: pcss16, map_size: 512 });

@@ -17,6 +17,7 @@
 #include "commonjs.hpp"
 #include "module.hpp"
 #include "module_encodings.hpp"
+#include "module_names.hpp"
 #include "module_shadows.hpp"
 #include "paste.hpp"
 
@@ -72,6 +73,10 @@ void write_npm(const fs::path& templates, const fs::path& folder) {
     for (const char* const part : {"compose", "bind", "fill", "declare", "functions", "shadow", "versions"})
         write_module(folder / "module" / part, filled(templates / (std::string(part) + ".mjs")));
     write_types(folder / "module/types", filled(templates / "types.d.mts", {{"@encodings@", names_of_encodings()}}));
+    write_module(folder / "module/names", names_module());
+    write_module(folder / "module/clip_spaces", clip_spaces_module());
+    write_module(folder / "values", filled(templates / "values.mjs"));
+    write_types(folder / "values", filled(templates / "values.d.mts", {{"@clip_spaces@", types_of_clip_spaces()}}));
     for (const shader_language& l : languages) {
         const fs::path data = folder / "module" / l.name;
         write_module(data / "language", language_module(l));

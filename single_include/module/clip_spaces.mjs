@@ -1,0 +1,10 @@
+export const opengl_clip_space = { hand: "right", range: "minus_one_to_one", direction: "forward", origin: "bottom" };
+export const vulkan_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "bottom" };
+export const direct3d_clip_space = { hand: "left", range: "zero_to_one", direction: "forward", origin: "top" };
+export const webgpu_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "top" };
+export const metal_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "top" };
+export const unity_clip_space = { hand: "left", range: "zero_to_one", direction: "reversed", origin: "top" };
+export const unity_opengl_clip_space = { hand: "left", range: "minus_one_to_one", direction: "forward", origin: "bottom" };
+export const unreal_clip_space = { hand: "left", range: "zero_to_one", direction: "reversed", origin: "top" };
+export const godot_clip_space = { hand: "right", range: "zero_to_one", direction: "reversed", origin: "bottom" };
+export const cpu_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "bottom" };

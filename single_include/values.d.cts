@@ -1,0 +1,91 @@
+// umbrage 0.1.0, MIT License. Types of values.mjs.
+import type { Language, ShadowOf } from './module/types.cjs';
+
+export type Vector = readonly [number, number, number] | Float32Array | Float64Array | readonly number[];
+/** 4 x 4, column by column, as WebGL, WebGPU and three.js have it. */
+export type Matrix = Float32Array | Float64Array | readonly number[];
+export interface Box { low: Vector; high: Vector }
+
+/** Conventions of an API or engine. */
+export interface ClipSpace {
+    readonly hand: 'right' | 'left';
+    readonly range: 'zero_to_one' | 'minus_one_to_one';
+    readonly direction: 'forward' | 'reversed';
+    /** Of the map's first row. */
+    readonly origin: 'bottom' | 'top';
+}
+export const opengl_clip_space: ClipSpace;
+export const vulkan_clip_space: ClipSpace;
+export const direct3d_clip_space: ClipSpace;
+export const webgpu_clip_space: ClipSpace;
+export const metal_clip_space: ClipSpace;
+export const unity_clip_space: ClipSpace;
+export const unity_opengl_clip_space: ClipSpace;
+export const unreal_clip_space: ClipSpace;
+export const godot_clip_space: ClipSpace;
+export const cpu_clip_space: ClipSpace;
+
+
+interface OfAll {
+    /** Of the depth pass and the camera; its direction is the shadow's. */
+    clip: ClipSpace;
+    /** Where the frame's world begins: points that the shader is given are less that. */
+    origin?: Vector;
+    /** The filter's arguments by their names, in place of defaults. */
+    filter?: Readonly<Record<string, number | readonly number[]>>;
+}
+export interface SpotLight extends OfAll {
+    position?: Vector; direction?: Vector; up?: Vector; outer_angle_radians?: number; aspect?: number; z_near?: number; z_far?: number;
+}
+export interface DirectionalLight extends OfAll {
+    direction?: Vector;
+    up?: Vector;
+    /** What the map holds whole. */
+    receivers: Box;
+    /** Left out: the near plane stands at the receivers, for depth passes that clamp depths. */
+    casters?: Box;
+    /** On every side, as a share of the receivers' diameter. */
+    margin?: number;
+    /** Texels stay where they are while the receivers move. */
+    snap?: boolean;
+}
+export interface Cascades extends OfAll {
+    direction?: Vector;
+    up?: Vector;
+    /** All casters and receivers. */
+    scene: Box;
+    /** Its matrices, and between which distances shadows are cast. */
+    camera: { view: Matrix; projection: Matrix; z_near: number; z_far: number };
+    /** How many: up to 4, or 5 to 8 of cascades_8. */
+    cascades?: number;
+    /** 0: uniform splits, 1: logarithmic ones. */
+    lambda?: number;
+    /** Distances in place of those: one more than cascades. */
+    splits?: readonly number[];
+    /** Share of a cascade that the next one holds too. */
+    overlap?: number;
+    /** Width of the band in which the next cascade takes over. */
+    blend_texels?: number;
+}
+export interface PointLight extends OfAll {
+    position?: Vector;
+    z_near?: number;
+    z_far?: number;
+    /** Texels around each map: the filter's reach and one. */
+    border?: number;
+}
+export interface DualParaboloidLight extends OfAll { position?: Vector; range?: number; border?: number }
+
+export interface Values {
+    /** The uniform block: its bytes are those of a buffer, its floats those of glUniform4fv. */
+    block: Float32Array;
+    /** For each map: world, less the origin, to clip space, for its depth pass. */
+    matrices: Float32Array[];
+}
+/** A shadow's values for a light of its kind.
+ *  @throws Error   as the C++ library: function, argument, condition, value */
+export type ValuesOf = (shadow: ShadowOf<Language>,
+    light: SpotLight | DirectionalLight | Cascades | PointLight | DualParaboloidLight) => Values;
+
+/** Starts the WebAssembly, once. */
+export function load_values(): Promise<ValuesOf>;

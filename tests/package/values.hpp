@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+//
+// Values of a shadow's block and its maps' matrices, from numbers alone: what WebAssembly gives the npm package.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+#include <umbrage/depth/encodings.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/shadow/cascaded_maps.hpp>
+#include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/paraboloid_maps.hpp>
+#include <umbrage/shadow/shadow.hpp>
+#include <umbrage/shadow/tetrahedron_map.hpp>
+
+namespace package {
+
+/// What is asked, in the order in which values.mjs writes it; all are doubles.
+struct asked {
+    double hand, range, direction, origin_row;  ///< of the clip space: 1 is left, minus_one_to_one, reversed, top
+    glm::dvec2 map_size;
+    glm::dvec3 origin;               ///< where the frame's world begins
+    glm::dvec3 position, ahead, up;  ///< of the light
+    double outer_angle, aspect, z_near,
+        z_far;             ///< of a spot; its planes, and those of point lights, whose range is z_far
+    double border;         ///< of point lights
+    glm::dvec3 low, high;  ///< the scene's box, or the receivers'
+    double has_casters;
+    glm::dvec3 caster_low, caster_high;
+    double margin;                   ///< of a directional light
+    double stable;                   ///< 1: its texels stay where they are
+    glm::dmat4 view, projection;     ///< of the camera
+    double camera_near, camera_far;  ///< splits between them: as many as cascades
+    double cascades, lambda, overlap, blend_texels;
+    double has_splits;
+    std::array<double, 9> splits;     ///< in place of practical ones: one more than cascades
+    std::array<double, 4> arguments;  ///< of the filter, without a rotation
+};
+static_assert(sizeof(asked) % sizeof(double) == 0);
+
+/// What is answered: floats of the block, then a matrix for each map's depth pass, as clip coordinates want it.
+struct answered {
+    std::vector<float> block, matrices;
+};
+
+namespace detail {
+
+using namespace umbrage;
+
+inline clip_space clip_of(const asked& a) {
+    clip_space clip;
+    clip.hand = a.hand > 0.5 ? handedness::left : handedness::right;
+    clip.range = a.range > 0.5 ? depth_range::minus_one_to_one : depth_range::zero_to_one;
+    clip.direction = a.direction > 0.5 ? depth_direction::reversed : depth_direction::forward;
+    clip.origin = a.origin_row > 0.5 ? texture_origin::top : texture_origin::bottom;
+    return clip;
+}
+
+template <std::size_t Count>
+auto cascades_of(const asked& a, const clip_space& clip, glm::ivec2 map_size, double reach) {
+    const auto camera = make_frustum<double>(
+        {.view = a.view, .projection = a.projection, .z_near = a.camera_near, .z_far = a.camera_far, .clip = clip});
+    const cascade_fit<double> fit{.camera = camera,
+                                  .direction = a.ahead,
+                                  .up = a.up,
+                                  .scene = {a.low, a.high},
+                                  .map_size = map_size,
+                                  .margin = reach,
+                                  .overlap = a.overlap,
+                                  .clip = clip};
+    std::array<double, Count + 1> splits;
+    if (a.has_splits > 0.5) std::copy_n(a.splits.begin(), Count + 1, splits.begin());
+    else splits = practical_splits<Count>(a.camera_near, a.camera_far, a.lambda);
+    return cascaded_maps(make_stable_cascades<Count>(fit, splits), static_cast<float>(a.blend_texels));
+}
+
+/// Calls use(set-up) with the one of a kind's number, as `kinds` counts them.
+template <class Use>
+void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, const Use& use) {
+    const clip_space clip = clip_of(a);
+    const int size = map_size.x, border = static_cast<int>(a.border);
+    const auto count = static_cast<int>(a.cascades);
+    umbrage::detail::require(count >= (kind == 3 ? 5 : 1) && count <= (kind == 3 ? 8 : 4), "values", "cascades",
+                             kind == 3 ? "5 to 8" : "1 to 4", count);
+    if (kind == 0)
+        use(single_map(make_spot_light<double>({.position = a.position,
+                                                .direction = a.ahead,
+                                                .up = a.up,
+                                                .outer_angle_radians = a.outer_angle,
+                                                .aspect = a.aspect,
+                                                .z_near = a.z_near,
+                                                .z_far = a.z_far,
+                                                .clip = clip})));
+    if (kind == 1) {
+        directional_fit<double> fit{.direction = a.ahead,
+                                    .up = a.up,
+                                    .receivers = bounding_box<double>{a.low, a.high},
+                                    .margin = a.margin,
+                                    .snap_texels = a.stable > 0.5 ? map_size : glm::ivec2(0),
+                                    .clip = clip};
+        if (a.has_casters > 0.5) fit.casters = bounding_box<double>{a.caster_low, a.caster_high};
+        use(single_map(fit_directional_light<double>(fit)));
+    }
+    if (kind == 2 && count == 1) use(cascades_of<1>(a, clip, map_size, reach));
+    if (kind == 2 && count == 2) use(cascades_of<2>(a, clip, map_size, reach));
+    if (kind == 2 && count == 3) use(cascades_of<3>(a, clip, map_size, reach));
+    if (kind == 2 && count == 4) use(cascades_of<4>(a, clip, map_size, reach));
+    if (kind == 3 && count == 5) use(cascades_of<5>(a, clip, map_size, reach));
+    if (kind == 3 && count == 6) use(cascades_of<6>(a, clip, map_size, reach));
+    if (kind == 3 && count == 7) use(cascades_of<7>(a, clip, map_size, reach));
+    if (kind == 3 && count == 8) use(cascades_of<8>(a, clip, map_size, reach));
+    if (kind == 4) use(cube_maps(point_light<double>{a.position, a.z_near, a.z_far, size, border, clip}));
+    if (kind == 5) use(tetrahedron_map(tetrahedron_light<double>{a.position, a.z_near, a.z_far, size, border, clip}));
+    if (kind == 6) use(paraboloid_maps(dual_paraboloid_light<double>{a.position, a.z_far, size, border, clip}));
+}
+
+/// A filter of these arguments.
+template <class Filter>
+[[nodiscard]] Filter with_arguments(Filter f, const std::array<double, 4>& a) {
+    const glm::vec4 v(static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2]),
+                      static_cast<float>(a[3]));
+    if constexpr (requires { f.softness; }) f.softness = {v.x, v.y, v.z};
+    else if constexpr (requires { f.radius_texels; }) f.radius_texels = v.x;
+    else if constexpr (requires { f.radius; }) f.radius = static_cast<int>(v.x);
+    else if constexpr (requires { f.settings; }) f.settings.exponent = v.x;
+    else if constexpr (requires { f.parameters; }) {
+        if constexpr (Filter::texel::length() == 4) f.parameters = {glm::vec2(v), {v.z, v.w}};
+        else f.parameters = {{v.x, f.parameters.exponents.y}, {v.y, f.parameters.deviations.y}};
+    } else if constexpr (requires { f.bias; }) f.bias = glm::vec2(v);
+    else if constexpr (requires { f.min_variance; }) f.min_variance = v.x;
+    return f;
+}
+
+/// Calls use(filter) with the one of a number, in the order of the lists.
+template <class Use>
+void with_filter_of(int number, const std::array<double, 4>& arguments, const Use& use) {
+    int n = 0;
+    const auto one = [&](const auto& f) {
+        using type = std::decay_t<decltype(f)>;
+        if constexpr (shadow_filter<type>)
+            if (n++ == number) use(with_arguments(f, arguments));
+    };
+    filters::all::for_each(one);
+    filters::soft::for_each(one);
+    prefilters::all::for_each(one);
+}
+
+/// By how much an encoding's depths may be off; those of moments are not.
+[[nodiscard]] inline decoding_error error_of(int number, depth_direction direction) {
+    decoding_error off;
+    int n = 0;
+    for_each_encoding([&](auto encoding) {
+        encoding = {.direction = direction};
+        if (n++ == number) off = encoding.error();
+    });
+    return off;
+}
+
+}  // namespace detail
+
+/// The block of a shadow, as umbrage::shadow::uniforms gives it, and its maps' matrices.
+/// @param kind, filter, encoding   numbers in the order of their lists; -1: no encoding, as of moments
+/// @throws std::invalid_argument   as the set-ups and umbrage::shadow
+inline answered values(int kind, int filter, int encoding, const asked& a) {
+    using namespace umbrage;
+    const glm::ivec2 map_size(a.map_size);
+    const clip_space clip = detail::clip_of(a);
+    answered out;
+    float reach = 0;
+    bent_lines bends;
+    detail::with_filter_of(filter, a.arguments, [&](const auto& f) {
+        umbrage::detail::require_shadow(clip, map_size, f);
+        reach = umbrage::detail::reach_of(f);
+    });
+    const auto append = [](std::vector<float>& all, const auto& values) {
+        const std::size_t begin = all.size();
+        all.resize(begin + sizeof values / sizeof(float));
+        std::memcpy(all.data() + begin, &values, sizeof values);
+    };
+    detail::with_set_up(kind, a, map_size, reach, [&](const auto& set_up) {
+        append(out.block, set_up.make_uniforms(map_size, a.origin));
+        bends = umbrage::detail::bends_of<std::decay_t<decltype(set_up)>>();
+        for (const light_space<double>& light : set_up.lights()) {
+            const auto placed = umbrage::detail::relative_to(a.origin, light);
+            append(out.matrices, glm::mat4(placed.projection * placed.view));
+        }
+    });
+    const decoding_error off = detail::error_of(encoding, clip.direction);
+    detail::with_filter_of(filter, a.arguments, [&](const auto& f) {
+        append(out.block, umbrage::detail::make_shadow_terms(map_size, f, off, clip.direction, bends));
+    });
+    return out;
+}
+
+}  // namespace package
