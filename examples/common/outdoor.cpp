@@ -15,6 +15,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "random.hpp"
 #include "scene.hpp"
 #include "shapes.hpp"
 
@@ -25,15 +26,6 @@ constexpr float half_side = 500;  ///< metres, from the middle
 constexpr glm::vec3 grass{0.20f, 0.30f, 0.09f}, stone{0.36f, 0.34f, 0.31f}, bark{0.24f, 0.16f, 0.10f},
     needles{0.07f, 0.17f, 0.08f}, leaves{0.16f, 0.30f, 0.07f}, plaster{0.72f, 0.67f, 0.57f}, tiles{0.45f, 0.16f, 0.10f},
     wood{0.35f, 0.25f, 0.16f};
-
-/// 0 to 1, of two whole numbers.
-float random_of(glm::ivec2 at, std::uint32_t which) {
-    std::uint32_t h = static_cast<std::uint32_t>(at.x) * 0x9e3779b1u + static_cast<std::uint32_t>(at.y) * 0x85ebca77u +
-                      which * 0xc2b2ae3du;
-    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-    h = (h ^ (h >> 12)) * 0x297a2d39u;
-    return static_cast<float>((h ^ (h >> 15)) >> 8) * 0x1p-24f;
-}
 
 /// Random values on whole numbers and smooth between them.
 float noise(glm::vec2 p, std::uint32_t which) {

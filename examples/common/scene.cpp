@@ -69,7 +69,7 @@ void find_bounds(scene& s) {
     s.low = box.low, s.high = box.high;
 }
 
-scene default_scene() {
+scene solids_scene() {
     mesh m;
     const auto at = [](glm::vec3 p) { return glm::translate(glm::mat4(1), p); };
     constexpr double radian = 0.5 / std::numbers::pi;  // in turns

@@ -58,8 +58,12 @@ enum class up_axis { y, z };  ///< of a mesh that somebody else made
 /// A kilometre of plain with a few posts on it, seen from two metres above: what papers on warps draw their lights for.
 [[nodiscard]] scene plain_scene();
 
-/// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus.
+/// A garden before a wall: a mast, steps, a fence, a tree and a knot, whose shadows are hard to draw.
 [[nodiscard]] scene default_scene();
+
+/// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus: as simple as the scenes
+/// that the original systems came with.
+[[nodiscard]] scene solids_scene();
 
 /// The mesh stood upright on a floor, centered, and scaled to fit into the view whatever its units were.
 /// @param object   at least one triangle, each with an area, as load_mesh gives it

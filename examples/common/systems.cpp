@@ -8,7 +8,7 @@
 namespace example {
 
 scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file, up_axis up) {
-    scene out = mesh_file.empty() ? default_scene() : on_floor(load_mesh(mesh_file), up);
+    scene out = mesh_file.empty() ? solids_scene() : on_floor(load_mesh(mesh_file), up);
     for (glm::vec3& p : out.geometry.positions) p *= s.scene_scale;
     for (glm::vec3* p : {&out.low, &out.high, &out.target}) *p *= s.scene_scale;
     return out;

@@ -145,7 +145,7 @@ inline const std::array systems{radeon_8500, dx_sdk, exercise, self_shadowing};
 
 inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees nothing; lit in visibility masks
 
-/// The system's scene: the built-in one, or a mesh on a floor.
+/// The system's scene: a few solids, or a mesh on a floor.
 [[nodiscard]] scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file = {},
                                up_axis up = up_axis::y);
 

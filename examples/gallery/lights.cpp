@@ -81,7 +81,7 @@ void add_lights(page& page, const settings& o) {
     add_view(page, o,
              {.id = "indoor",
               .title = "A few things on a floor",
-              .scene = example::default_scene(),
+              .scene = example::solids_scene(),
               .camera = {.elevation = 30},
               .light_elevation = 40,
               .light_distance = 8,

@@ -2,6 +2,7 @@
 #include "area_light.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -27,6 +28,36 @@ float turn_of(glm::ivec2 sample) {
 }
 
 }  // namespace
+
+squared squared_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples) {
+    squared out;
+    for (glm::ivec2 p{0}; p.y < visibility.size().y / samples; ++p.y)
+        for (p.x = 0; p.x < visibility.size().x / samples; ++p.x) {
+            float off = 0, counted = 0;
+            for (int y = 0; y < samples; ++y)
+                for (int x = 0; x < samples; ++x) {
+                    const glm::ivec2 at = p * samples + glm::ivec2(x, y);
+                    counted += expected.counted[at];
+                    off += expected.counted[at] * (visibility[at] - expected.visibility[at]);
+                }
+            out.sum += std::pow(off / static_cast<float>(samples * samples), 2.0f);
+            out.pixels += counted > 0;
+        }
+    return out;
+}
+
+double rms_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples) {
+    const auto [sum, pixels] = squared_error(expected, visibility, samples);
+    return pixels > 0 ? 100 * std::sqrt(sum / pixels) : 0;
+}
+
+double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < visibility.texels().size(); ++i)
+        if (expected.counted.texels()[i] && expected.visibility.texels()[i] <= 0)
+            sum += visibility.texels()[i], ++count;
+    return count > 0 ? 100 * sum / count : 0;
+}
 
 by_rays traced(const options& o, const view& v, example::progress& progress) {
     const example::ray_tracer rays(v.scene.geometry);

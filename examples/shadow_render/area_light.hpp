@@ -24,4 +24,16 @@ struct by_rays {
 
 inline constexpr int rays_a_sample = 64;
 
+/// Over pixels that face the light.
+struct squared {
+    double sum = 0, pixels = 0;  ///< of squared differences of visibility
+};
+[[nodiscard]] squared squared_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples);
+
+/// Root of the mean square over pixels that face the light, in per cent.
+[[nodiscard]] double rms_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples);
+
+/// Mean visibility of samples that face the light and of which no ray reaches it, in per cent.
+[[nodiscard]] double leak(const by_rays& expected, const umbrage::image<float>& visibility);
+
 }  // namespace shadow_render

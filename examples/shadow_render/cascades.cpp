@@ -37,35 +37,33 @@
 namespace shadow_render {
 namespace {
 
-constexpr std::size_t cascade_count = 4;
-constexpr float fade = 0.1f;  ///< share of a cascade over which the next one takes over
-using cascades = std::array<umbrage::cascade<float>, cascade_count>;
+/// Share of a cascade over which the next one takes over.
+float fade_of(const options& o) { return o.broken.no_fade ? 0.0f : 0.1f; }
 
-/// Of what the camera sees, by the distances between which it sees anything.
-cascades make_cascades(const options& o, const view& v, float reach) {
+/// Of what a camera sees, by the distances between which it sees anything.
+cascade_array make_cascades(const options& o, const view& v, const example::camera& camera, float reach) {
     const float cleared = umbrage::cleared_depth(example::picture_clip);
     umbrage::image<float> depths(glm::ivec2(o.width, o.height), cleared);
-    example::draw_depths(depths, view_of(v.scene.geometry), example::once, v.camera.world_to_clip);
-    const glm::vec2 range = umbrage::seen_range(umbrage::measure_depths(std::as_const(depths).view(), cleared),
-                                                v.scene.z_near, v.scene.z_far, example::picture_clip.direction);
-    const auto& f = v.camera.frustum;
+    example::draw_depths(depths, view_of(v.scene.geometry), example::once, camera.world_to_clip);
+    const glm::vec2 measured = umbrage::seen_range(umbrage::measure_depths(std::as_const(depths).view(), cleared),
+                                                   v.scene.z_near, v.scene.z_far, example::picture_clip.direction);
+    const glm::vec2 range =
+        o.fixed_range ? glm::vec2(v.scene.z_near, v.scene.z_far) : measured;  // the same after a step
+    const auto& f = camera.frustum;
     const umbrage::cascade_fit<float> fit{
-        .camera{v.camera.position, f.direction, f.up, float(f.tan_half_x), float(f.tan_half_y), range.x, range.y},
+        .camera{camera.position, f.direction, f.up, float(f.tan_half_x), float(f.tan_half_y), range.x, range.y},
         .direction = v.lamp.direction,
-        .up = example::direction_at(o.azimuth, o.elevation + 90),
+        .up = o.broken.tight ? glm::vec3(f.direction) : example::direction_at(o.azimuth, o.elevation + 90),
         .scene{v.scene.low, v.scene.high},
         .map_size = glm::ivec2(o.map_size / 2),
         .margin = 2 * reach,  // what a bias moves a receiver by, and the filter around it
-        .overlap = fade,
+        .overlap = fade_of(o),
         .clip = example::picture_clip};
-    return umbrage::make_stable_cascades<cascade_count>(
-        fit, umbrage::practical_splits<cascade_count>(range.x, range.y, 0.9f));
+    // The last cascade fades out beyond what is farthest.
+    const auto splits = umbrage::practical_splits<cascade_count>(range.x, range.y / (1 - fade_of(o)), 0.9f);
+    return o.broken.tight ? umbrage::make_tight_cascades<cascade_count>(fit, splits)
+                          : umbrage::make_stable_cascades<cascade_count>(fit, splits);
 }
-
-struct drawn {
-    std::size_t instances = 0, triangles = 0;
-    double ms = 0;  ///< of the processor's time: other programs do not count
-};
 
 /// The depth pass of one cascade.
 /// @param all   instances beside the map too
@@ -114,31 +112,11 @@ place place_of(const umbrage::cascade_uniforms<float>& u, float distance) {
                                   umbrage::cascade_column(u.offsets, number).w)};
 }
 
-/// The picture in the cascades' colors, white beyond.
-umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const umbrage::cascade_uniforms<float>& u,
-                                   const umbrage::image<float>& distances, const view& v, int samples) {
-    constexpr std::array<glm::vec3, cascade_count + 1> tints{
-        {{1, 0.45f, 0.4f}, {0.5f, 1, 0.4f}, {0.45f, 0.6f, 1}, {1, 0.9f, 0.35f}, {1, 1, 1}}};
-    for (glm::ivec2 p{0}; p.y < shaded.size().y; ++p.y)
-        for (p.x = 0; p.x < shaded.size().x; ++p.x) {
-            if (v.seen[p * samples] == example::nothing) continue;
-            const auto [number, weight] = place_of(u, distances[p * samples]);
-            const glm::vec3 tint = glm::mix(tints[number], tints[number + 1], weight);
-            shaded[p] = umbrage::store_unorm(glm::vec3(shaded[p]) / 255.0f * tint);
-        }
-    return shaded;
-}
-
 }  // namespace
 
-void render_cascades(const options& o, const example::scene& scene) {
-    example::progress progress(8 + cascade_count, o.quiet);
-    view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
-    progress.stage("camera pass", [&] {
-        view.seen = example::camera_pass(scene.geometry, view.camera, glm::ivec2(o.width, o.height) * o.samples);
-    });
-    const cascades all = progress.stage("cascades", [&] { return make_cascades(o, view, reach_of(o)); });
-    const auto uniforms = umbrage::make_cascade_uniforms(all, fade);
+cascaded look_up_cascades(const options& o, view& v, const example::camera& camera, example::progress& progress) {
+    cascaded out{.all = progress.stage("cascades", [&] { return make_cascades(o, v, camera, reach_of(o)); })};
+    out.uniforms = umbrage::make_cascade_uniforms(out.all, fade_of(o));
 
     options tile = o;
     tile.map_size = o.map_size / 2;
@@ -148,38 +126,60 @@ void render_cascades(const options& o, const example::scene& scene) {
         const glm::ivec2 size(tile.map_size);
         return image.view().region(umbrage::cascade_tile(static_cast<int>(i), size), size);
     };
-    std::array<drawn, cascade_count> drawn;
     progress.stage("depth pass", [&] {
         for (std::size_t i = 0; i < cascade_count; ++i)
-            drawn[i] = draw_depths(tile_of(i, atlas), scene, all[i].light, o.draw_all);
+            out.drawn[i] = draw_depths(tile_of(i, atlas), v.scene, out.all[i].light, o.draw_all);
     });
-    const auto map = progress.stage("encode", [&] { return example::store(o.encoding, o.edge, atlas, cleared); });
+    out.map = progress.stage("encode", [&] { return example::store(o.encoding, o.edge, atlas, cleared); });
 
     std::vector<umbrage::image<float>> by_cascade;
     for (std::size_t i = 0; i < cascade_count; ++i)
         progress.stage("cascade " + std::to_string(i + 1), [&] {
-            view.lamp.space = all[i].light;
-            view.lamp.units = umbrage::make_light_units(view.lamp.space, glm::ivec2(tile.map_size));
+            v.lamp.space = out.all[i].light;
+            v.lamp.units = umbrage::make_light_units(v.lamp.space, glm::ivec2(tile.map_size));
             const receivers receivers =
-                receivers_of(view, tile, reach_of(o), map.below, progress, compares_projected(o));
-            by_cascade.push_back(prepare(tile, tile_of(i, map.depth), view.lamp, progress)(receivers));
+                receivers_of(v, tile, reach_of(o), out.map.below, progress, compares_projected(o));
+            by_cascade.push_back(prepare(tile, tile_of(i, out.map.depth), v.lamp, progress)(receivers));
         });
-    by_cascade.emplace_back(view.seen.size(), 1.0f);  // beyond the last all is lit
+    by_cascade.emplace_back(v.seen.size(), 1.0f);  // beyond the last all is lit
 
-    umbrage::image<float> distance, visibility(view.seen.size());
+    out.visibility = umbrage::image<float>(v.seen.size());
     progress.stage("blend", [&] {
-        distance = distances(view);
-        for (std::size_t i = 0; i < distance.texels().size(); ++i) {
-            const auto [number, weight] = place_of(uniforms, distance.texels()[i]);
-            visibility.texels()[i] =
+        out.distance = distances(v);
+        for (std::size_t i = 0; i < out.distance.texels().size(); ++i) {
+            const auto [number, weight] = place_of(out.uniforms, out.distance.texels()[i]);
+            out.visibility.texels()[i] =
                 umbrage::blend_cascades(by_cascade[number].texels()[i], by_cascade[number + 1].texels()[i], weight);
         }
     });
-    auto shaded = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });
+    return out;
+}
+
+umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const cascaded& by, const view& v, int samples) {
+    constexpr std::array<glm::vec3, cascade_count + 1> tints{
+        {{1, 0.45f, 0.4f}, {0.5f, 1, 0.4f}, {0.45f, 0.6f, 1}, {1, 0.9f, 0.35f}, {1, 1, 1}}};
+    for (glm::ivec2 p{0}; p.y < shaded.size().y; ++p.y)
+        for (p.x = 0; p.x < shaded.size().x; ++p.x) {
+            if (v.seen[p * samples] == example::nothing) continue;
+            const auto [number, weight] = place_of(by.uniforms, by.distance[p * samples]);
+            const glm::vec3 tint = glm::mix(glm::vec3(1), glm::mix(tints[number], tints[number + 1], weight), 0.7f);
+            shaded[p] = umbrage::store_unorm(glm::vec3(shaded[p]) / 255.0f * tint);
+        }
+    return shaded;
+}
+
+void render_cascades(const options& o, const example::scene& scene) {
+    example::progress progress(8 + cascade_count, o.quiet);
+    view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
+    progress.stage("camera pass", [&] {
+        view.seen = example::camera_pass(scene.geometry, view.camera, glm::ivec2(o.width, o.height) * o.samples);
+    });
+    const cascaded by = look_up_cascades(o, view, view.camera, progress);
+    auto shaded = progress.stage("shade", [&] { return shade(view, by.visibility, o.samples, progress.bands()); });
     progress.stage("write", [&] {
-        const auto colored = tinted(shaded, uniforms, distance, view, o.samples);
+        const auto colored = tinted(shaded, by, view, o.samples);
         example::write_png(o.output / "cascades.png", colored.view());
-        write(o, map, visibility, std::move(shaded));
+        write(o, by.map, by.visibility, std::move(shaded));
     });
     if (o.quiet) return;
 
@@ -191,8 +191,9 @@ void render_cascades(const options& o, const example::scene& scene) {
         "triangles        ms\n",
         scene.geometry.triangles.size(), instances, o.output.string().c_str());
     for (std::size_t i = 0; i < cascade_count; ++i)
-        std::printf("%7zu %10.2f %10.2f %7.3f %10zu %10zu %9.2f\n", i + 1, double(all[i].begin), double(all[i].end),
-                    1 / double(all[i].scale.x), drawn[i].instances, drawn[i].triangles, drawn[i].ms);
+        std::printf("%7zu %10.2f %10.2f %7.3f %10zu %10zu %9.2f\n", i + 1, double(by.all[i].begin),
+                    double(by.all[i].end), 1 / double(by.all[i].scale.x), by.drawn[i].instances, by.drawn[i].triangles,
+                    by.drawn[i].ms);
 }
 
 }  // namespace shadow_render

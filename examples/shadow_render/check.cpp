@@ -46,7 +46,8 @@ std::uint64_t digest(const example::scene& s) {
 }  // namespace
 
 TEST_CASE("scenes: the same floats, whatever the C library") {
-    CHECK(digest(example::default_scene()) == 11057982306718786585u);
+    CHECK(digest(example::default_scene()) == 18330959378252233176u);
+    CHECK(digest(example::solids_scene()) == 11057982306718786585u);
     CHECK(digest(example::outdoor_scene()) == 9255408022494688683u);
     CHECK(digest(example::plain_scene()) == 6500445417939563345u);
 }
@@ -71,26 +72,32 @@ TEST_CASE("scenes: points on a circle are the rounded sines, and rotations GLM's
     }
 }
 
-TEST_CASE("shadow_render: the built-in scene, from the camera that is the default") {
-    const example::finished r = run(output("default") + small);
+TEST_CASE("shadow_render: the default scene, from the camera and under the light that are the default") {
+    const example::finished r = run(output("default") + "--width 240 --height 160");
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.empty());
     const auto colors = picture("default", "picture.png"), mask = picture("default", "visibility.png");
     CHECK(colors.size() == glm::ivec2(240, 160));
     CHECK(mask.size() == glm::ivec2(240, 160));
-    CHECK(picture("default", "depth.png").size() == glm::ivec2(256));
-    CHECK(picture("default", "map.png").size() == glm::ivec2(256));
+    CHECK(picture("default", "depth.png").size() == glm::ivec2(2048));
+    CHECK(picture("default", "map.png").size() == glm::ivec2(2048));
     CHECK(dark(mask) > 0.03);
     CHECK(dark(mask) < 0.3);
-    CHECK(mask[{5, 5}].r == 255);               // the sky
-    CHECK(mask[{120, 155}].r == 255);           // the floor in front
-    CHECK(mask[{120, 65}].r == 0);              // the ball's shadow on the box
-    CHECK(mask[{40, 115}].r == 0);              // the torus' shadow on the floor
-    CHECK(colors[{0, 0}] != colors[{239, 0}]);  // the overlay over the sky
+    CHECK(mask[{5, 5}].r == 255);      // the sky
+    CHECK(mask[{120, 155}].r == 255);  // the ground in front
+    CHECK(mask[{215, 125}].r == 0);    // the plinth's shadow
+    CHECK(mask[{174, 54}].r < 40);     // the ball's shadow on the wall, where it is darkest
+    int soft = 0, sharp = 0;           // pixels of an edge that are neither lit nor dark
+    for (int x = 160; x < 190; ++x) soft += mask[{x, 54}].r > 25 && mask[{x, 54}].r < 230;
+    for (int y = 98; y < 110; ++y) sharp += mask[{130, y}].r > 25 && mask[{130, y}].r < 230;
+    CHECK(soft > 5);
+    CHECK(sharp < 3);                           // beside the mast's foot
+    CHECK(colors[{0, 0}] == colors[{239, 0}]);  // nothing lies over the picture
+    CHECK(colors[{0, 0}].b > colors[{0, 0}].r);
 }
 
 TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no bar when nobody watches") {
-    const example::finished r = run(std::string("--output ").append(quoted(folder / "times")) + small);
+    const example::finished r = run(std::string("--output ").append(quoted(folder / "times")) + solids);
     REQUIRE(r.code == 0);
     for (const char* stage : {"depth pass", "encode", "camera pass", "visibility", "shade", "write", " ms\n"})
         CHECK_MESSAGE(r.said.find(stage) != std::string::npos, stage);
@@ -98,8 +105,8 @@ TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no b
 }
 
 TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
-    REQUIRE(run(output("bytes") + small + "--encoding depth32f").code == 0);
-    REQUIRE(run(output("rg11") + small + "--encoding rg11").code == 0);
+    REQUIRE(run(output("bytes") + solids + "--encoding depth32f").code == 0);
+    REQUIRE(run(output("rg11") + solids + "--encoding rg11").code == 0);
     const auto exact = picture("bytes", "map.png"), packed = picture("rg11", "map.png");
     int differ = 0;
     for (int y = 0; y < 256; ++y)
@@ -113,11 +120,11 @@ TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
 }
 
 TEST_CASE("shadow_render: every encoding and every filter shades alike") {
-    REQUIRE(run(output("reference") + small + "--encoding depth32f").code == 0);
+    REQUIRE(run(output("reference") + solids + "--encoding depth32f").code == 0);
     auto reference = picture("reference", "visibility.png");
     const auto agrees = [&](const std::string& options, double share) {
         CAPTURE(options);
-        REQUIRE(run(output("other") + small + options).code == 0);
+        REQUIRE(run(output("other") + solids + options).code == 0);
         const auto other = picture("other", "visibility.png");
         double differ = 0;
         for (int y = 0; y < 160; ++y)
@@ -129,7 +136,7 @@ TEST_CASE("shadow_render: every encoding and every filter shades alike") {
     for (const char* filter : {"hard", "four_tap", "pcf_2x2_dx_sdk", "box --radius 1"})
         agrees(std::string("--filter ") + filter, 0.03);
     // A wider box, which is filtered by bounds, against one that is not.
-    REQUIRE(run(output("reference") + small + "--filter box --radius 2").code == 0);
+    REQUIRE(run(output("reference") + solids + "--filter box --radius 2").code == 0);
     reference = picture("reference", "visibility.png");
     agrees("--filter box --radius 4", 0.01);
 }
@@ -155,7 +162,7 @@ TEST_CASE("to_srgb: the curve's bytes, on both sides of every step") {
 
 TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format") {
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    REQUIRE(run(output("obj") + small + file("tetrahedron.obj", obj)).code == 0);
+    REQUIRE(run(output("obj") + small + spot + file("tetrahedron.obj", obj)).code == 0);
     const auto mask = picture("obj", "visibility.png");
     CHECK(dark(mask) > 0.02);
 
@@ -165,7 +172,7 @@ TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format
                                    {"v 0 1 0", "v 5000 10048 -3000"},
                                    {"v 0 0 1", "v 5000 8000 -952"}})
         far.replace(far.find(from), 7, to);
-    REQUIRE(run(output("far") + small + file("far.obj", far)).code == 0);
+    REQUIRE(run(output("far") + small + spot + file("far.obj", far)).code == 0);
     const auto scaled = picture("far", "visibility.png");
     CHECK(std::ranges::equal(mask.texels(), scaled.texels()));
 
@@ -173,7 +180,7 @@ TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
         "0 0 0\n1 0 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-    REQUIRE(run(output("ply") + small + "--up z " + file("tetrahedron.ply", ply)).code == 0);
+    REQUIRE(run(output("ply") + small + spot + "--up z " + file("tetrahedron.ply", ply)).code == 0);
     const auto turned = picture("ply", "visibility.png");
     CHECK(std::ranges::equal(mask.texels(), turned.texels()));
 
@@ -184,7 +191,7 @@ TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format
         "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6},{"buffer":0,"byteOffset":8,"byteLength":36}],
         "accessors":[{"bufferView":0,"componentType":5123,"count":3,"type":"SCALAR"},
                      {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
-    REQUIRE(run(output("gltf") + small + file("triangle.gltf", gltf)).code == 0);
+    REQUIRE(run(output("gltf") + small + spot + file("triangle.gltf", gltf)).code == 0);
     CHECK(dark(picture("gltf", "visibility.png")) > 0.01);
 }
 
@@ -202,6 +209,25 @@ TEST_CASE("shadow_render: missing, empty and broken meshes") {
     fails(file("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), 1, "line.obj: ");
     fails(file("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 1, "nan.obj: ");
     fails(std::string("--output ").append(quoted(folder / "empty.obj" / "below")), 1, "cannot make the folder");
+}
+
+TEST_CASE("shadow_render: each trouble is seen, and its cure is another picture") {
+    for (const std::string name :
+         {"detached", "acne", "leak", "aliasing", "seams", "contact", "shimmer", "quantization", "thin"}) {
+        CAPTURE(name);
+        REQUIRE(run(output("trouble") + "--width 96 --height 64 --samples 1 --break " + name).code == 0);
+        const auto wrong = picture("trouble", "wrong.png"), cured = picture("trouble", "cured.png");
+        REQUIRE(wrong.size() == glm::ivec2(96, 64));
+        int differ = 0, marked = 0;
+        for (std::size_t i = 0; i < wrong.texels().size(); ++i) {
+            const glm::ivec4 apart = glm::abs(glm::ivec4(wrong.texels()[i]) - glm::ivec4(cured.texels()[i]));
+            differ += apart.r + apart.g + apart.b > 24;
+            marked += cured.texels()[i] == glm::u8vec4(214, 40, 40, 255);
+        }
+        CHECK(differ > 60);
+        CHECK(marked == 0);  // stable cascades do not change
+    }
+    fails("--break nothing", 2, "--break");
 }
 
 TEST_CASE("shadow_render: impossible options") {

@@ -17,7 +17,9 @@
 namespace shadow_render_check {
 
 inline const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
-inline const std::string small = "--width 240 --height 160 --map-size 256 ";
+inline const std::string small = "--width 240 --height 160 --map-size 256 --filter pcf_2x2 ";
+inline const std::string spot = "--light spot --azimuth 60 --elevation 40 --camera-elevation 30 --fov 35 ";
+inline const std::string solids = small + "--scene solids ";
 
 using example::quoted;
 

@@ -52,9 +52,9 @@ TEST_CASE("shadow_render: culled per cascade, maps have the bits of all instance
     }
 }
 
-TEST_CASE("shadow_render: cascades over the built-in scene light what one map lights") {
-    REQUIRE(run(output("one") + small + "--light directional").code == 0);
-    REQUIRE(run(output("four") + "--width 240 --height 160 --light cascades --map-size 512").code == 0);
+TEST_CASE("shadow_render: cascades over the solids light what one map lights") {
+    REQUIRE(run(output("one") + solids + "--light directional").code == 0);
+    REQUIRE(run(output("four") + solids + "--light cascades --map-size 512").code == 0);
     const auto one = picture("one", "visibility.png"), four = picture("four", "visibility.png");
     int differ = 0;
     for (std::size_t i = 0; i < one.texels().size(); ++i)

@@ -14,7 +14,7 @@ using example::set_ups;
 
 TEST_CASE("shadow_render: the report has a row and a picture for every set-up") {
     const example::finished r =
-        run("--light-report --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
+        run("--light-report --scene solids --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     const auto sheet = picture("report", "light-report.png");
     constexpr int top = 88, width = 48, height = 120;  // of the title, of a cell
@@ -47,7 +47,8 @@ TEST_CASE("shadow_render: the report has a row and a picture for every set-up") 
 
 TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the table and on film") {
     const example::finished r =
-        run("--stability-report --width 96 --height 64 --map-size 128 --output " + quoted(folder / "stability"));
+        run("--stability-report --scene solids --width 96 --height 64 --map-size 128 --output " +
+            quoted(folder / "stability"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     for (const std::string where : {"", ", 3 km out"}) {
         const auto of = [&](const std::string& name) {

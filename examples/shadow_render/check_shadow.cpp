@@ -16,7 +16,7 @@ namespace {
 /// @param lit   least visibility of 255 that counts as none
 int shadowed_floor(const std::string& options, int lit = 255) {
     CAPTURE(options);
-    REQUIRE(run(output("lit") + small + options).code == 0);
+    REQUIRE(run(output("lit") + solids + options).code == 0);
     const auto mask = picture("lit", "visibility.png");
     int shadowed = 0;
     for (int y = 145; y < 160; ++y)
@@ -49,12 +49,12 @@ TEST_CASE("shadow_render: no filtered map darkens a plane by a fiftieth") {
 }
 
 TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where they belong") {
-    REQUIRE(run(output("reference") + small).code == 0);
+    REQUIRE(run(output("reference") + solids).code == 0);
     const auto reference = picture("reference", "visibility.png");
     for (const std::string& bias : example::bias_names()) {
         CAPTURE(bias);
         CHECK(shadowed_floor("--filter box --bias " + bias) == 0);
-        REQUIRE(run(output("other") + small + "--bias " + bias).code == 0);
+        REQUIRE(run(output("other") + solids + "--bias " + bias).code == 0);
         const auto mask = picture("other", "visibility.png");
         int differ = 0;
         for (int y = 0; y < 160; ++y)
@@ -69,7 +69,7 @@ TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where
 
 TEST_CASE("shadow_render: edges get softer with a disc's radius, a map's blur and a light's size") {
     const auto soft = [](const std::string& options) {
-        REQUIRE(run(output("soft") + small + options).code == 0);
+        REQUIRE(run(output("soft") + solids + options).code == 0);
         const auto mask = picture("soft", "visibility.png");
         return std::ranges::count_if(mask.texels(), [](glm::u8vec4 p) { return p.r > 8 && p.r < 247; });
     };

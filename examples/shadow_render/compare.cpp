@@ -47,33 +47,6 @@ std::map<std::string, std::string> costs(const options& o) {
     return all;
 }
 
-/// Root of the mean square over pixels that face the light, in per cent.
-double rms_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples) {
-    double sum = 0, count = 0;
-    for (glm::ivec2 p{0}; p.y < visibility.size().y / samples; ++p.y)
-        for (p.x = 0; p.x < visibility.size().x / samples; ++p.x) {
-            float off = 0, counted = 0;
-            for (int y = 0; y < samples; ++y)
-                for (int x = 0; x < samples; ++x) {
-                    const glm::ivec2 at = p * samples + glm::ivec2(x, y);
-                    counted += expected.counted[at];
-                    off += expected.counted[at] * (visibility[at] - expected.visibility[at]);
-                }
-            sum += std::pow(off / static_cast<float>(samples * samples), 2.0f);
-            count += counted > 0;
-        }
-    return count > 0 ? 100 * std::sqrt(sum / count) : 0;
-}
-
-/// Mean visibility of samples that face the light and of which no ray reaches it, in per cent.
-double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < visibility.texels().size(); ++i)
-        if (expected.counted.texels()[i] && expected.visibility.texels()[i] <= 0)
-            sum += visibility.texels()[i], ++count;
-    return count > 0 ? 100 * sum / count : 0;
-}
-
 /// Center of the part that has the most half-shadow.
 glm::ivec2 softest(const by_rays& expected, int samples) {
     const glm::ivec2 size = expected.visibility.size() / samples, part = sheet::part(size);

@@ -16,7 +16,6 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/shade/lighting.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>
@@ -77,14 +76,16 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
 /// What the camera sees, with marks where a surface has another light than in `then`, as far as bytes tell.
 [[nodiscard]] inline picture photograph(const options& o, const example::scene& scene, const example::camera& camera,
                                         glm::vec3 to_light, const film_look_up& lit, const film_look_up& then = {}) {
-    picture out({o.width, o.height}, example::to_srgb(background));
+    picture out({o.width, o.height});
+    for (glm::ivec2 p{0}; p.y < o.height; ++p.y)
+        for (p.x = 0; p.x < o.width; ++p.x)
+            out[p] = example::to_srgb(sky(static_cast<float>(p.y) / static_cast<float>(o.height)));
     for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
         const example::placed_point in = lit(at);
         const bool other = then && std::abs(then(at).visibility - in.visibility) >= 1.0 / 256;
-        out[p] =
-            other ? umbrage::store_unorm(mark)
-                  : example::to_srgb(umbrage::diffuse_ambient(at.color, ambient, glm::dot(at.normal, to_light),
-                                                              in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
+        out[p] = other ? umbrage::store_unorm(mark)
+                       : example::to_srgb(shaded(at.color, at.normal, glm::dot(at.normal, to_light),
+                                                 in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
     });
     return out;
 }

@@ -4,21 +4,20 @@
 //
 //     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
 //
-// Start reading at render(); with cascades it is render_cascades(), in cascades.cpp. The filter is chosen in
-// filter.cpp; the bias is in receivers.cpp, the light on things in shade.hpp.
+// Start reading at render(), whose steps are in render.cpp; with cascades it is render_cascades(), in cascades.cpp. The
+// filter is chosen in filter.cpp; the bias is in receivers.cpp, the light on things in shade.hpp.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
 
-#include <biases.hpp>
-#include <camera.hpp>
-#include <names.hpp>
+#include <png.hpp>
 #include <progress.hpp>
 #include <run.hpp>
 #include <scene.hpp>
-#include <shadow_map.hpp>
 
 #include "cascades.hpp"
 #include "compare.hpp"
@@ -26,9 +25,10 @@
 #include "light_report.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
-#include "receivers.hpp"
+#include "render.hpp"
 #include "shade.hpp"
 #include "stability_report.hpp"
+#include "troubles.hpp"
 #include "view.hpp"
 
 namespace shadow_render {
@@ -36,36 +36,12 @@ namespace {
 
 /// The whole way, in order.
 void render(const options& o, const example::scene& scene) {
-    const glm::ivec2 sample_size = glm::ivec2(o.width, o.height) * o.samples;
     example::progress progress(o.compare ? 5 + filter_names().size() : 8, o.quiet);
-
-    // Light and camera: how they see the world.
-    view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
-
-    // Depth pass: the distance to what the light sees first.
-    umbrage::image<float> depth(glm::ivec2(o.map_size), umbrage::cleared_depth(view.lamp.space.clip));
-    progress.stage("depth pass", [&] {
-        example::draw_depths(depth.view(), view_of(scene.geometry), example::once, view.lamp.world_to_clip());
-        for (float& d : depth.texels()) d = view.lamp.even_depth(d);
-    });
-
-    // Encode: depths become the texels that a render target would hold. Decode: what a fetch gives back.
-    const float empty = view.lamp.even_depth(umbrage::cleared_depth(view.lamp.space.clip));
-    const auto map = progress.stage("encode", [&] { return example::store(o.encoding, o.edge, depth, empty); });
-
-    // Camera pass: the triangle behind each sample, and where that looks into the map.
-    progress.stage("camera pass", [&] { view.seen = example::camera_pass(scene.geometry, view.camera, sample_size); });
+    const view view = make_view(o, scene, progress);
+    const auto map = draw_map(o, view, progress);
     if (o.compare) return compare(o, view, map, progress);
-    const receivers receivers = progress.stage(
-        "receivers", [&] { return receivers_of(view, o, reach_of(o), map.below, progress, compares_projected(o)); });
-
-    // Visibility: fetch, compare, filter; some filter the map first.
-    const look_up filter = progress.stage("filter", [&] { return prepare(o, map.depth, view.lamp, progress); });
-    const auto visibility = progress.stage("visibility", [&] { return filter(receivers); });
-
-    // Shade.
+    const auto visibility = look_up_map(o, view, map, progress);
     auto picture = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });
-
     progress.stage("write", [&] { write(o, map, visibility, std::move(picture)); });
     if (!o.quiet) progress.print_times();
 }
@@ -73,15 +49,28 @@ void render(const options& o, const example::scene& scene) {
 example::scene scene_of(const options& o) {
     if (!o.mesh.empty()) return example::on_floor(example::load_mesh(o.mesh), o.up);
     if (o.scene == built_in::outdoor) return example::outdoor_scene();
+    if (o.scene == built_in::solids) return example::solids_scene();
     return o.scene == built_in::plain ? example::plain_scene() : example::default_scene();
 }
 
+/// Draws a trouble by its name, and the same place without it.
+void render_trouble(const options& o) {
+    const trouble& t = *std::ranges::find(troubles(), o.trouble, &trouble::name);
+    const example::scene scene = scene_of(t.cured(o));
+    example::write_png(o.output / "wrong.png", photograph(t.wrong(o), scene).view());
+    example::write_png(o.output / "cured.png", photograph(t.cured(o), scene).view());
+    if (!o.quiet)
+        std::printf("wrong.png: %s; cured.png: %s; in %s\n", std::string(t.cause).c_str(), std::string(t.cure).c_str(),
+                    o.output.string().c_str());
+}
+
 void run(const options& o) {
-    const example::scene scene = scene_of(o);
     std::error_code error;
     std::filesystem::create_directories(o.output, error);
     if (!std::filesystem::is_directory(o.output))
         throw std::runtime_error("cannot make the folder " + o.output.string());
+    if (!o.trouble.empty()) return render_trouble(o);
+    const example::scene scene = scene_of(o);
     if (o.light_report) return light_report(o, scene);
     if (o.stability_report) return stability_report(o, scene);
     if (o.light == light_kind::cascades) return render_cascades(o, scene);

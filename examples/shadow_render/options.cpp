@@ -9,6 +9,7 @@
 #include <command_line.hpp>
 
 #include "filter.hpp"
+#include "troubles.hpp"
 
 namespace shadow_render {
 namespace {
@@ -16,10 +17,12 @@ namespace {
 template <class Kind>
 using choices = std::vector<std::pair<std::string, Kind>>;
 
-const choices<light_kind> lights{
+const choices<light_kind> light_kinds{
     {"spot", light_kind::spot}, {"directional", light_kind::directional}, {"cascades", light_kind::cascades}};
-const choices<built_in> scenes{
-    {"indoor", built_in::indoor}, {"outdoor", built_in::outdoor}, {"plain", built_in::plain}};
+const choices<built_in> scenes{{"garden", built_in::garden},
+                               {"solids", built_in::solids},
+                               {"outdoor", built_in::outdoor},
+                               {"plain", built_in::plain}};
 const choices<float> edges{
     {"lower", umbrage::lower_edge<float>}, {"center", umbrage::center<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
@@ -52,18 +55,18 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
         "Renders a scene with shadow maps: picture.png, map.png, depth.png and visibility.png; or compares filters "
         "or set-ups of the light.",
         "shadow_render"};
-    app.option_defaults()->always_capture_default();
+    app.option_defaults()->always_capture_default()->take_last();
 
     CLI::Option* mesh = example::add_mesh(app, "mesh", o.mesh);
     add_choice(app, "--scene", o.scene, scenes,
-               "built-in scene: a few things on a floor, a kilometre of hills, or one of plain")
+               "built-in scene: a garden, a few solids on a floor, a kilometer of hills, or one of plain")
         ->excludes(mesh);
     add_choice(app, "--up", o.up, axes, "axis of the mesh that points up");
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
 
     const auto group = [&](const char* name) { app.option_defaults()->group(name); };
     group("Light");
-    add_choice(app, "--light", o.light, lights, "kind of light; cascades: a directional light with four maps");
+    add_choice(app, "--light", o.light, light_kinds, "kind of light; cascades: a directional light with four maps");
     app.add_option("--azimuth", o.azimuth, "where it stands, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(1, 90));
     app.add_option("--distance", o.distance, "of the spot from the scene's middle")->check(within(4, 100));
@@ -100,6 +103,12 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--camera-distance", o.camera_distance, "from the scene's middle")->check(within(3, 100));
     app.add_option("--fov", o.fov, "vertical field of view, degrees")->check(within(1, 120));
 
+    std::vector<std::string> names_of_troubles;
+    for (const trouble& t : troubles()) names_of_troubles.emplace_back(t.name);
+    example::add_choice(app, "--break", o.trouble, names_of_troubles,
+                        "what can go wrong, made on purpose: wrong.png and cured.png")
+        ->excludes(mesh);
+
     group("Comparison");
     CLI::Option* compare =
         app.add_flag("--compare", o.compare,
@@ -126,18 +135,29 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
-    if (o.scene != built_in::indoor) {
-        const bool plain = o.scene == built_in::plain;
-        const auto unless_given = [&](const char* name, auto& value, auto usual) {
-            if (app.count(name) == 0) value = usual;
-        };
+    const auto unless_given = [&](const char* name, auto& value, auto usual) {
+        if (app.count(name) == 0) value = usual;
+    };
+    const bool plain = o.scene == built_in::plain;
+    if (o.scene == built_in::solids) {
+        unless_given("--light", o.light, light_kind::spot);
+        unless_given("--azimuth", o.azimuth, 60.0f);
+        unless_given("--elevation", o.elevation, 40.0f);
+        unless_given("--map-size", o.map_size, 1024);
+        unless_given("--camera-elevation", o.camera_elevation, 30.0f);
+        unless_given("--fov", o.fov, 35.0f);
+    } else if (o.scene != built_in::garden) {
         unless_given("--light", o.light, light_kind::cascades);
-        unless_given("--elevation", o.elevation, 30.0f);
+        unless_given("--azimuth", o.azimuth, 60.0f);
         unless_given("--map-size", o.map_size, plain ? 2048 : 4096);
         unless_given("--camera-elevation", o.camera_elevation, plain ? 0.0f : 4.0f);
         unless_given("--camera-distance", o.camera_distance, plain ? 100.0f : 64.0f);
         unless_given("--distance", o.distance, 100.0f);
         unless_given("--fov", o.fov, plain ? 60.0f : 50.0f);
+    }
+    if (o.scene != built_in::garden) {
+        unless_given("--filter", o.filter, "pcf_2x2");
+        unless_given("--max-radius", o.max_radius, 8.0f);
     }
     const bool sheet_of_pictures = o.compare || o.stability_report;
     if (sheet_of_pictures && app.count("--width") == 0) o.width = 480;

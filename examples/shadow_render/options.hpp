@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <glm/vec3.hpp>
+
 #include <umbrage/depth/code.hpp>
 
 #include <names.hpp>
@@ -14,33 +16,47 @@
 namespace shadow_render {
 
 enum class light_kind { spot, directional, cascades };
-enum class built_in { indoor, outdoor, plain };
+enum class built_in { garden, solids, outdoor, plain };
+
+/// Damage done on purpose, to show what it looks like.
+struct damage {
+    bool tight = false;     ///< cascades follow the camera by less than a texel, and turn with it
+    bool no_fade = false;   ///< from one cascade to the next
+    bool no_error = false;  ///< of the encoding is in the bias
+};
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
     std::string mesh;  ///< empty: a built-in scene
-    built_in scene = built_in::indoor;
+    built_in scene = built_in::garden;
     example::up_axis up = example::up_axis::y;
     std::filesystem::path output = "out";
 
-    light_kind light = light_kind::spot;
-    float azimuth = 60, elevation = 40, distance = 8;
+    light_kind light = light_kind::directional;
+    float azimuth = -50, elevation = 30, distance = 8;
     float cone = 60;          ///< the spot's full angle
     float light_size = 0.4f;  ///< diameter: what contact hardening knows of it, and rays that filters are compared with
 
-    int map_size = 1024;    ///< of cascades: of the atlas of four
+    int map_size = 2048;    ///< of cascades: of the atlas of four
     bool draw_all = false;  ///< instances beside a cascade's map too
     std::string encoding = "rg16";
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
-    std::string filter = "pcf_2x2";
+    std::string filter = "pcss32";
     float radius = 2;                   ///< of a box, a disc or a map's blur
-    float max_radius = 8;               ///< penumbra's radius that contact hardening makes, texels
+    float max_radius = 15;              ///< penumbra's radius that contact hardening makes, texels
     std::optional<std::string> bias{};  ///< without one the filter's usual bias
     std::optional<float> reach{};       ///< texels that the bias covers; without one what the filter needs
 
     int width = 960, height = 640, samples = 2;
-    float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;
+    float camera_azimuth = 0, camera_elevation = 20, camera_distance = 7.5f, fov = 34;
+
+    std::string trouble{};              ///< made on purpose, by its name
+    std::optional<glm::vec3> target{};  ///< of the camera; without one the scene's
+
+    bool marks_changes = false;  ///< of visibility, against a camera a step aside
+    bool fixed_range = false;    ///< of cascades: all that the camera could see, whatever it does
+    damage broken{};
 
     bool compare = false;
     std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
@@ -59,7 +75,8 @@ struct options {
 [[nodiscard]] inline std::string title_of(const options& o) {
     if (o.scene == built_in::outdoor) return "Outdoor scene";
     if (o.scene == built_in::plain) return "Plain";
-    return o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string();
+    if (o.scene == built_in::solids) return "Solids";
+    return o.mesh.empty() ? "Garden" : std::filesystem::path(o.mesh).filename().string();
 }
 
 /// Reads the command line; nothing when only help was asked for.

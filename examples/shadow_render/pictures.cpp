@@ -7,10 +7,8 @@
 #include <variant>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/images/overlay.hpp>
 #include <umbrage/view/false_color.hpp>
 
-#include <camera.hpp>
 #include <png.hpp>
 
 #include "shade.hpp"
@@ -29,9 +27,6 @@ void write(const options& o, const example::shadow_map& map, const umbrage::imag
             mask[{x, y}] = umbrage::store_unorm(mean<float>(x, o.samples, [&](int at, int row) {
                 return visibility[{at, y * o.samples + row}];
             }));
-    const int corner = std::min(o.width, o.height) / 4;
-    if (corner > 0)
-        umbrage::overlay(lit, map.depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin}, stretch);
 
     std::visit([&](const auto& bytes) { example::write_png(o.output / "map.png", bytes.view()); }, map.bytes);
     example::write_png(o.output / "depth.png", std::as_const(colors).view());

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The picture: diffuse and ambient light on what the camera sees.
+// The picture: direct light and that of the sky on what the camera sees.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -18,8 +19,25 @@
 
 namespace shadow_render {
 
-inline constexpr float ambient = 0.22f;
-inline constexpr glm::vec3 background{0.30f, 0.36f, 0.44f};
+/// The sky by height in the picture: 0 at its top, 1 at its foot.
+[[nodiscard]] inline glm::vec3 sky(float down) {
+    return glm::mix(glm::vec3(0.13f, 0.28f, 0.52f), glm::vec3(1.20f, 1.10f, 0.95f), down);
+}
+
+/// Tones below a half as they are; above, ever closer to 1, so that nothing clips to white.
+[[nodiscard]] inline float shoulder(float tone) {
+    const float over = tone + tone - 1;
+    return tone > 0.5f ? 0.5f + 0.5f * over / (1 + over) : tone;
+}
+
+/// Linear light that a surface sends to the eye: of a warm light, and of a hemisphere, blue above and brown below.
+/// @param n_dot_l  cosine between normal and direction to the light
+[[nodiscard]] inline glm::vec3 shaded(glm::vec3 color, glm::vec3 normal, float n_dot_l, float visibility) {
+    constexpr glm::vec3 light{1.75f, 1.60f, 1.38f}, above{0.36f, 0.44f, 0.58f}, below{0.24f, 0.21f, 0.18f};
+    const float lit = n_dot_l > 0 ? n_dot_l * visibility : 0.0f, up = 0.5f + 0.5f * normal.y;
+    const glm::vec3 sum = color * (lit * light + glm::mix(below, above, up));
+    return {shoulder(sum.r), shoulder(sum.g), shoulder(sum.b)};
+}
 
 /// Mean of the samples of a pixel.
 /// @param sample  place in a row of samples, row -> value
@@ -34,7 +52,7 @@ template <class T, class Sample>
 /// A row of samples: linear light.
 void shade_row(const view& v, const umbrage::image<float>& visibility, int y, glm::vec3* out);
 
-/// Diffuse plus ambient light, inside the cone.
+/// The picture under shadows, inside the cone.
 /// @param parallel  as the library's functions take it
 template <class ParallelFor>
 [[nodiscard]] umbrage::image<glm::u8vec3> shade(const view& v, const umbrage::image<float>& visibility, int samples,

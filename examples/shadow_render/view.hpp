@@ -17,7 +17,7 @@
 namespace shadow_render {
 
 [[nodiscard]] inline example::camera make_camera(const options& o, const example::scene& scene) {
-    return example::make_camera({.target = scene.target,
+    return example::make_camera({.target = o.target.value_or(scene.target),
                                  .azimuth = o.camera_azimuth,
                                  .elevation = o.camera_elevation,
                                  .distance = o.camera_distance,

@@ -46,12 +46,12 @@ TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filter
 
 TEST_CASE("outdoor: a lamp's maps shadow as rays do, and a sun's on the ground") {
     viewer::options o;
-    o.system = "outdoor", o.ground = "default", o.width = 240, o.height = 160;
+    o.system = "outdoor", o.ground = "solids", o.width = 240, o.height = 160;
     const viewer::session s(o);
     const example::ray_tracer tracer(s.scene.geometry);
     const auto check = [&](std::string_view placement, const glm::vec4& light) {
         const picture mask = viewed(
-            "--headless --system outdoor --scene default --width 240 --height 160 --mask "
+            "--headless --system outdoor --scene solids --width 240 --height 160 --mask "
             "--placement " +
             std::string(placement));
         const example::against_rays rays(s.scene, tracer, example::make_camera(s.camera), mask.size(), light, 200,

@@ -40,7 +40,7 @@ struct ground {
 };
 constexpr std::array grounds{ground{"outdoor", example::outdoor_scene, 4, 64, 50},
                              ground{"plain", example::plain_scene, 1, 100, 60},
-                             ground{"default", example::default_scene, 25, 7.5f, 35}};
+                             ground{"solids", example::solids_scene, 25, 7.5f, 35}};
 const ground& ground_called(std::string_view name) { return *std::ranges::find(grounds, name, &ground::name); }
 
 example::scene in_parts(example::scene s) {

@@ -11,7 +11,7 @@
 #include "../forced_form.hpp"
 #include "bench.hpp"
 #include "data.hpp"
-#include "default_scene.hpp"
+#include "solids.hpp"
 #include "peers/glm.hpp"
 #include "window_loads.hpp"
 #ifdef UMBRAGE_BENCH_LLVMPIPE
@@ -190,8 +190,8 @@ const bench::registration rows([] {
     against_clamped("PCF 5x5", box{2});
     against_clamped("disc of 16, turned", disc);
     against_clamped("PCSS, 16 blockers and 16 taps", soft);
-    const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
-    bench::add({.work = "box 17 x 17, default scene",
+    const auto scene = std::make_shared<bench::shadowed_scene>(bench::solids_scene(8));
+    bench::add({.work = "box 17 x 17, solids",
                 .peer = "ours, every texel",
                 .at_least = 6,
                 .items = bench::pixels,

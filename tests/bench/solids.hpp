@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The scene that shadow_render draws by itself, as its light and its camera see it.
+// The solids on a floor of shadow_render --scene solids, as its light and its camera see them.
 //
-//     const bench::shadowed_scene scene = bench::default_scene(8);
+//     const bench::shadowed_scene scene = bench::solids_scene(8);
 //
 #pragma once
 
@@ -18,6 +18,6 @@ struct shadowed_scene {
 };
 
 /// @param radius   of the box that the receivers are biased for
-[[nodiscard]] shadowed_scene default_scene(int radius);
+[[nodiscard]] shadowed_scene solids_scene(int radius);
 
 }  // namespace bench

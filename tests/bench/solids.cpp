@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "default_scene.hpp"
+#include "solids.hpp"
 
 #include <utility>
 
@@ -13,13 +13,16 @@
 
 namespace bench {
 
-shadowed_scene default_scene(int radius) {
+shadowed_scene solids_scene(int radius) {
     shadow_render::options o;
+    o.light = shadow_render::light_kind::spot;
+    o.azimuth = 60, o.elevation = 40;
+    o.camera_elevation = 30, o.fov = 35;
     o.map_size = map_size.x;
     o.width = screen.x;
     o.height = screen.y;
     o.bias = "normal_offset";  // it moves floors far enough that bounds, which reach beyond the box, are closed there
-    const example::scene scene = example::default_scene();
+    const example::scene scene = example::solids_scene();
     shadow_render::view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
     view.seen = example::camera_pass(scene.geometry, view.camera, screen);
 
