@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 #     make demo    makes pictures in build/demo
+#     make pictures   the pictures of the pages, in .media
 #     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
@@ -73,7 +74,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -125,6 +126,12 @@ demo:
 	cmake --preset examples
 	cmake --build --preset examples --target shadow_render
 	build/examples/examples/shadow_render/shadow_render --output build/demo
+
+pictures:
+	$(call install,$(demo_packages))
+	cmake --preset examples
+	cmake --build --preset examples --target pictures
+	build/examples/examples/pictures/pictures --output .media
 
 gallery:
 	$(call install,$(gallery_packages))

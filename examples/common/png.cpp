@@ -11,8 +11,8 @@
 namespace {
 
 /// zlib stream for stb, which frees it.
-unsigned char* compress(const unsigned char* bytes, int count, int* compressed, int /*quality*/) {
-    constexpr int level = 6;
+/// @param level   of libdeflate
+unsigned char* compress(const unsigned char* bytes, int count, int* compressed, int level) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(level), libdeflate_free_compressor);
     if (!compressor) return nullptr;
@@ -35,8 +35,10 @@ namespace example {
 namespace {
 
 template <class T>
-void write(const std::filesystem::path& path, umbrage::image_view<const T> pixels) {
-    stbi_write_force_png_filter = 2;  // "up": to try all five on each row takes longer than to compress it
+void write(const std::filesystem::path& path, umbrage::image_view<const T> pixels, file_size wanted) {
+    const bool smallest = wanted == file_size::smallest;
+    stbi_write_force_png_filter = smallest ? -1 : 2;  // "up": to try all on each row takes longer than to compress it
+    stbi_write_png_compression_level = smallest ? 12 : 6;
     const int channels = static_cast<int>(sizeof(T));
     if (pixels.empty() || !stbi_write_png(path.string().c_str(), pixels.size.x, pixels.size.y, channels, pixels.data,
                                           static_cast<int>(pixels.stride)))
@@ -45,8 +47,14 @@ void write(const std::filesystem::path& path, umbrage::image_view<const T> pixel
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> gray) { write(path, gray); }
-void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb) { write(path, rgb); }
-void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba) { write(path, rgba); }
+void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> gray) {
+    write(path, gray, file_size::quick);
+}
+void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb, file_size wanted) {
+    write(path, rgb, wanted);
+}
+void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba) {
+    write(path, rgba, file_size::quick);
+}
 
 }  // namespace example

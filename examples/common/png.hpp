@@ -18,9 +18,12 @@
 
 namespace example {
 
+enum class file_size { quick, smallest };  ///< smallest: a second or so for what others read again and again
+
 /// @throws std::runtime_error  the file cannot be written
 void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> gray);
-void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb);
+void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb,
+               file_size wanted = file_size::quick);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba);
 
 /// @tparam Texel  glm::u8vec3, or glm::u8vec4 with 255 where the file has no opacity

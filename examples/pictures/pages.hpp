@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// The pictures of the pages, each made by a function.
+#pragma once
+
+#include <string_view>
+
+#include "canvas.hpp"
+
+namespace pictures {
+
+/// The default scene, beside it the same with cascades tinted, and its shadow map.
+/// @param width  of all of it, pixels
+[[nodiscard]] picture hero(int width);
+
+/// One part of the scene under rays and eight filters, each with its best bias, and below each its error.
+/// @param side  of a part, pixels
+[[nodiscard]] picture filter_strip(int side);
+
+/// The same part under one filter and six biases.
+[[nodiscard]] picture bias_strip(int side);
+
+/// One of shadow_render::troubles, wrong and cured.
+[[nodiscard]] picture trouble(std::string_view name, int side);
+
+}  // namespace pictures
