@@ -110,6 +110,25 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     using paraboloids = paraboloid_maps::uniforms;
     write_block(folder, bind(halves, "halves"),
                 block_of<paraboloid_maps>({MEMBER(paraboloids, position), MEMBER(paraboloids, halves)}));
+    // arrays in C++, members with a number each in shaders
+    const auto numbered = [](const std::string& name, std::size_t offset, std::size_t count) {
+        std::vector<member> all;
+        for (std::size_t i = 0; i < count; ++i)
+            all.push_back({name + "_" + std::to_string(i), offset + i * sizeof(glm::mat4), 16});
+        return all;
+    };
+    using warped = warped_maps::uniforms;
+    std::vector<member> of_warps = numbered("to_texels", offsetof(warped, to_texels), 4);
+    for (const member& m : numbered("planes", offsetof(warped, planes), 4)) of_warps.push_back(m);
+    for (const member& m : {MEMBER(warped, fades), MEMBER(warped, ahead), MEMBER(warped, ends)}) of_warps.push_back(m);
+    const shadow bent(shadow_scene::warped(clip), {256, 256}, filter);
+    write_block(folder, bind(bent, "bent"), block_of<warped_maps>(of_warps));
+    using adaptive = adaptive_maps::uniforms;
+    std::vector<member> of_pages{MEMBER(adaptive, to_root), MEMBER(adaptive, planes)};
+    for (const member& m : numbered("cells", offsetof(adaptive, cells), 8)) of_pages.push_back(m);
+    of_pages.push_back(MEMBER(adaptive, pages));
+    const shadow paged(shadow_scene::pages(clip), {80, 80}, filter);
+    write_block(folder, bind(paged, "paged"), block_of<adaptive_maps>(of_pages));
 }
 
 /// Shadows of every set-up and kind of filter, with what debugs them, in one text a language.
@@ -143,6 +162,8 @@ void write_all(const fs::path& folder, clip_space clip) {
         {.map = glsl::texture::shadow_array});
     add(plain, sun, "atlas");
     add(plain, shadow(shadow_scene::bulb(clip), {256, 256}, filters::hard{}), "bulb");
+    add(plain, shadow(shadow_scene::warped(clip), {256, 256}, filters::hard{}), "bent");
+    add(plain, shadow(shadow_scene::pages(clip), {80, 80}, filters::hard{}), "paged");
     add(plain, shadow(shadow_scene::tetrahedron(clip), {512, 512}, filters::hard{}), "sides");
     add(plain, shadow(shadow_scene::paraboloids(clip), {512, 512}, filters::hard{}), "halves");
     std::vector<bound> all = plain;
