@@ -91,7 +91,7 @@ void add_view_probe_color(std::vector<entry>& all) {
                                return vec4(
                                    probe_color(glm::vec3(s.x[0]), glm::vec2(s.x[1]), s.x[0].w, s.x[1].z, direction), 0);
                            },
-                       .call = "vec4(umbrage_probe_color(x0.xyz, x1.xy, x0.w, x1.z), 0.0)",
+                       .call = "vec4(umbrage_probe_color(vec3(x0.x, x0.y, x0.z), vec2(x1.x, x1.y), x0.w, x1.z), 0.0)",
                        .map_kind = {.direction = direction}});
     all.push_back({.primitive = &glsl::probe_inputs,
                    .classes = inputs(),
@@ -99,7 +99,8 @@ void add_view_probe_color(std::vector<entry>& all) {
                        [](const sample& s) {
                            return vec4(probe_inputs(glm::vec3(s.x[0]), glm::vec3(s.x[1]), glm::vec3(s.x[2])), 0);
                        },
-                   .call = "vec4(umbrage_probe_inputs(x0.xyz, x1.xyz, x2.xyz), 0.0)"});
+                   .call = "vec4(umbrage_probe_inputs(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), vec3(x2.x, x2.y, "
+                           "x2.z)), 0.0)"});
 }
 
 }  // namespace parity
