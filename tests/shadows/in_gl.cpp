@@ -132,14 +132,12 @@ int main(int argc, char** argv) try {
         chosen.push_back(make("bent", bent, bind(bent, "bent"), one_channel(bent_map), bent_map));
         chosen.push_back(
             make("paged", paged, bind(paged, "paged", {.block = 1, .texture = 2}), one_channel(paged_map), paged_map));
-        chosen[1].takes_pixel = true;
         if (!old) {
             const texture_data array_of_pages{
                 .kind = GL_TEXTURE_2D_ARRAY, .size = {80, 80, 64}, .texels = pages.texels().data()};
             chosen.push_back(make("layers", paged,
                                   bind(paged, "layers", {.block = 2, .texture = 3, .map = glsl::texture::array}),
                                   array_of_pages, paged_map));
-            chosen[2].takes_pixel = true;
         }
         good = agree(v, std::move(chosen), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats
