@@ -11207,7 +11207,8 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     bool forward = umbrage_cleared_depth() > 0.5;
     bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
     bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
-    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
+    UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
     UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
@@ -24753,7 +24754,7 @@ struct adaptive_maps {
             for (int y = page.y * wide; y < (page.y + 1) * wide; ++y)
                 std::fill_n(codes + y * side + page.x * wide, wide, code);
         }
-        for (int i = 0; i < side * side; i += 2)
+        for (glm::length_t i = 0; i < side * side; i += 2)
             u.cells[i / 32][i / 8 % 4][i / 2 % 4] = static_cast<float>(codes[i] + 1024 * codes[i + 1]);
         return u;
     }
@@ -24766,7 +24767,8 @@ struct adaptive_maps {
         const bool inside = within(in_root.x) && within(in_root.y);
         const glm::vec2 coord = inside ? glm::vec2(in_root) : glm::vec2(1);
         const int i = static_cast<int>(coord.y * 16.0f - 16.0f) * side + static_cast<int>(coord.x * 16.0f - 16.0f);
-        const int two = static_cast<int>(u.cells[i / 32][i / 8 % 4][i / 2 % 4]);
+        const auto cell = static_cast<glm::length_t>(i);
+        const int two = static_cast<int>(u.cells[cell / 32][cell / 8 % 4][cell / 2 % 4]);
         const int code = i % 2 == 0 ? two % 1024 : two / 1024;
         const float across = static_cast<float>(code / 64 + 1);
         const glm::vec2 place = coord * across;

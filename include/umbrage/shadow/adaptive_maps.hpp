@@ -89,7 +89,7 @@ struct adaptive_maps {
             for (int y = page.y * wide; y < (page.y + 1) * wide; ++y)
                 std::fill_n(codes + y * side + page.x * wide, wide, code);
         }
-        for (int i = 0; i < side * side; i += 2)
+        for (glm::length_t i = 0; i < side * side; i += 2)
             u.cells[i / 32][i / 8 % 4][i / 2 % 4] = static_cast<float>(codes[i] + 1024 * codes[i + 1]);
         return u;
     }
@@ -102,7 +102,8 @@ struct adaptive_maps {
         const bool inside = within(in_root.x) && within(in_root.y);
         const glm::vec2 coord = inside ? glm::vec2(in_root) : glm::vec2(1);
         const int i = static_cast<int>(coord.y * 16.0f - 16.0f) * side + static_cast<int>(coord.x * 16.0f - 16.0f);
-        const int two = static_cast<int>(u.cells[i / 32][i / 8 % 4][i / 2 % 4]);
+        const auto cell = static_cast<glm::length_t>(i);
+        const int two = static_cast<int>(u.cells[cell / 32][cell / 8 % 4][cell / 2 % 4]);
         const int code = i % 2 == 0 ? two % 1024 : two / 1024;
         const float across = static_cast<float>(code / 64 + 1);
         const glm::vec2 place = coord * across;

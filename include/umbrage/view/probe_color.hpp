@@ -107,7 +107,8 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     bool forward = umbrage_cleared_depth() > 0.5;
     bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
     bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
-    UMBRAGE_HIGHP float square = floor(at.x) + floor(at.y);
+    UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
+    UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
     UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);

@@ -4258,7 +4258,8 @@ float3 umbrage_probe_color(float3 at, float2 size, float bias, float number) {
     bool forward = umbrage_cleared_depth() > 0.5;
     bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
     bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
-    float square = floor(at.x) + floor(at.y);
+    float2 place = clamp(float2(at.x, at.y), float2(0.0, 0.0), float2(65536.0, 65536.0));
+    float square = floor(place.x) + floor(place.y);
     float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
     float3 bits = floor(float3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);

@@ -4257,7 +4257,8 @@ fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f 
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let past_far: bool = select((at.z < 0.0), (at.z > 1.0), forward);
     let past_near: bool = select((at.z > 1.0), (at.z < 0.0), forward);
-    let square: f32 = floor(at.x) + floor(at.y);
+    let place: vec2f = clamp(vec2f(at.x, at.y), vec2f(0.0, 0.0), vec2f(65536.0, 65536.0));
+    let square: f32 = floor(place.x) + floor(place.y);
     let shade: f32 = select(1.0, 0.75, square - 2.0 * floor(square * 0.5) > 0.5);
     var bits: vec3f = floor(vec3f(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);

@@ -15,13 +15,15 @@ TEST_CASE("interface: declarations under another name") {
 }
 
 TEST_CASE("interface: blocks, and arrays of vec4 where there are none") {
-    const glsl::shader_interface sun{"sun", {{"to_texels"}, {"terms", false}}};
+    const glsl::interface_function visibility{
+        .calls = "shadow", .says = "1.0 is lit", .arguments = {{"world"}, {"normal"}}};
+    const glsl::shader_interface sun{"sun", {{"to_texels"}, {"terms", false}}, {}, {visibility}};
     const glsl::detail::map_parameter map{"UMBRAGE_HIGHP sampler2D map", ""};
     CHECK(glsl::detail::glsl_interface(sun, map, glsl::version::v120) == R"GLSL(
 uniform vec4 umbrage_sun_block[5];
 uniform UMBRAGE_HIGHP sampler2D umbrage_sun_map;
 
-// umbrage_sun: visibility of a point of the world, 1.0 is lit; a normal of zero is none
+// umbrage_sun: 1.0 is lit
 float umbrage_sun(vec3 world, vec3 normal) {
     return umbrage_shadow_sun(umbrage_sun_map,
                               mat4(umbrage_sun_block[0], umbrage_sun_block[1], umbrage_sun_block[2],
