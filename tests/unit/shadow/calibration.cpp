@@ -129,7 +129,8 @@ TEST_CASE("calibration: a packed map whose channels are lost or swapped") {
 
 TEST_CASE("calibration: bad input, and a sentence for each reading") {
     const shadow s(shadow_scene::spot(cpu_clip_space), {8, 8}, filters::box{.radius = 2});
-    CHECK_THROWS_WITH(calibration_map(s), doctest::Contains("of.map_size() must be four times the filter's reach"));
+    CHECK_THROWS_WITH((void)calibration_map(s),
+                      doctest::Contains("of.map_size() must be four times the filter's reach"));
     const shadow t(shadow_scene::spot(cpu_clip_space), {32, 32}, filters::box{.radius = 2});
     CHECK_THROWS_WITH((void)calibrate(t, calibration_map(t), 1),
                       doctest::Contains("number must be one of the light's maps"));
