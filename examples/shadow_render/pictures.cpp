@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/images/overlay.hpp>
 #include <umbrage/view/false_color.hpp>
 
 #include <png.hpp>
