@@ -24597,8 +24597,8 @@ struct map_choice {
     }
 };
 
-/// How the depth pass has a vertex where that is no product of a matrix: statements of `to_clip`, `world` and what the
-/// parameters say.
+/// Body of the depth pass' vertex function, for setups whose vertices are no plain product of a matrix: GLSL statements
+/// that use `to_clip`, `world` and the parameters.
 struct vertex_place {
     std::string_view parameters, statements;
     const glsl::snippet* needs;
@@ -25373,7 +25373,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// What a block ends with, of a filter and of what its map's depths may be off by.
+/// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              depth_direction direction, bent_lines bends) {
@@ -25577,7 +25577,7 @@ namespace umbrage::glsl {
 
 namespace detail {
 
-/// How many channels a texel has.
+/// Number of a texel's channels.
 template <class Texel>
 inline constexpr int channels_of = 1;
 template <glm::length_t Channels>
@@ -25626,10 +25626,11 @@ template <prefilter Prefilter>
 
 }  // namespace detail
 
-/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
-/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
-/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
-/// filter_terms).
+/// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
+/// buffer's depth. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth, filter_terms).
+///
+/// The target has the encoding's format, is not sRGB and not blended. Clear it to cleared(). A depth texture needs no
+/// such text.
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   another name
 template <class SetUp, class Filter, class Encoding>
@@ -25645,7 +25646,7 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Where a shadow's depth pass has a vertex: umbrage_vertex_<name>(to_clip, world), in clip space.
+/// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
 /// to_clip is projection * view of one of set_up().lights(). Directional lights move casters that lie nearer than the
 /// near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
@@ -25682,11 +25683,11 @@ template <class SetUp, class Filter, class Encoding>
 //     std::puts(umbrage::explain(says));
 //
 // In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
-// Of a map that was just cleared it has to say map_reading::empty.
+// A map that was just cleared must read as map_reading::empty.
 
 namespace umbrage {
 
-/// What a map of known depths is read as.
+/// Result of reading a map of known depths.
 enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
 
 /// The reading in a sentence, with what to check.
@@ -25884,7 +25885,7 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace umbrage {
 
-/// What a shadow makes of a point of the world, as a color; it reads no map.
+/// Debug color of a point of the world under a shadow. Reads no map.
 ///
 /// @param world, normal   as the shadow takes them
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Where cascades blend, their colors do; the last

@@ -7,7 +7,7 @@
 //     std::puts(umbrage::explain(says));
 //
 // In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
-// Of a map that was just cleared it has to say map_reading::empty.
+// A map that was just cleared must read as map_reading::empty.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@
 
 namespace umbrage {
 
-/// What a map of known depths is read as.
+/// Result of reading a map of known depths.
 enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
 
 /// The reading in a sentence, with what to check.

@@ -23,7 +23,7 @@ namespace umbrage::glsl {
 
 namespace detail {
 
-/// How many channels a texel has.
+/// Number of a texel's channels.
 template <class Texel>
 inline constexpr int channels_of = 1;
 template <glm::length_t Channels>
@@ -72,10 +72,11 @@ template <prefilter Prefilter>
 
 }  // namespace detail
 
-/// What a shadow's depth pass writes into a color target: umbrage_write_<name>(depth), of the depth that the depth
-/// buffer has. The target has the encoding's format, is not sRGB and not blended; it is cleared to cleared(). Depths in
-/// a depth texture need no such text. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth,
-/// filter_terms).
+/// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
+/// buffer's depth. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth, filter_terms).
+///
+/// The target has the encoding's format, is not sRGB and not blended. Clear it to cleared(). A depth texture needs no
+/// such text.
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   another name
 template <class SetUp, class Filter, class Encoding>
@@ -91,7 +92,7 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Where a shadow's depth pass has a vertex: umbrage_vertex_<name>(to_clip, world), in clip space.
+/// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
 /// to_clip is projection * view of one of set_up().lights(). Directional lights move casters that lie nearer than the
 /// near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's

@@ -20,7 +20,7 @@
 
 namespace umbrage {
 
-/// What a shadow makes of a point of the world, as a color; it reads no map.
+/// Debug color of a point of the world under a shadow. Reads no map.
 ///
 /// @param world, normal   as the shadow takes them
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Where cascades blend, their colors do; the last

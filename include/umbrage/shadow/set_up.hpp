@@ -64,8 +64,8 @@ struct map_choice {
     }
 };
 
-/// How the depth pass has a vertex where that is no product of a matrix: statements of `to_clip`, `world` and what the
-/// parameters say.
+/// Body of the depth pass' vertex function, for setups whose vertices are no plain product of a matrix: GLSL statements
+/// that use `to_clip`, `world` and the parameters.
 struct vertex_place {
     std::string_view parameters, statements;
     const glsl::snippet* needs;

@@ -60,7 +60,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// What a block ends with, of a filter and of what its map's depths may be off by.
+/// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              depth_direction direction, bent_lines bends) {
