@@ -26,8 +26,18 @@ export function checked_arguments(where, filter, own = {}) {
 }
 
 /** Numbers as a shader writes them; type is GLSL's or WGSL's. */
-export function literal(type, value) {
+function literal(type, value) {
     if (type === 'int') return String(Math.round(value));
     const float = number => (Number.isInteger(number) ? number.toFixed(1) : String(number));
     return type === 'float' ? float(value) : `${type}(${value.map(float).join(', ')})`;
+}
+
+/** A filter's arguments behind the receiver, in a shader: the light's radius is a disc's radius, and scales a softness.
+ *  @param words   rotation and radius as the host's shader has them, and the language's vec3 */
+export function further_arguments(filter, given, { rotation, radius, vec3 }) {
+    return filter.filter.arguments.map(({ name, type }) => ', ' + (
+        name === 'rotation' ? rotation
+        : name === 'radius' && type === 'float' && !(name in given.own) ? radius
+        : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(${radius}, 1.0, 1.0))`
+        : literal(type, given.all[name]))).join('');
 }

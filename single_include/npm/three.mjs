@@ -8,7 +8,7 @@
 //     import { install } from 'umbrage/three';
 //     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
 import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
-import { checked_arguments, literal, must } from './options.mjs';
+import { checked_arguments, further_arguments, must } from './options.mjs';
 
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
 const installed = new Map();  // ShaderChunk -> what it takes to restore it
@@ -29,11 +29,8 @@ function own_function(chunk) {
 /** The chunk with our function in place of three's. */
 function with_filter(chunk, filter, given, reversed, probe) {
     const { head, begin, end } = own_function(chunk);
-    const further = filter.filter.arguments.map(({ name, type }) =>
-        name === 'rotation' ? 'umbrage_disc_rotation( gl_FragCoord.xy )'
-        : name === 'radius' && type === 'float' && !(name in given.own) ? 'shadowRadius'
-        : name === 'softness' ? `( ${literal(type, given.all[name])} * vec3( shadowRadius, 1.0, 1.0 ) )`
-        : literal(type, given.all[name]));
+    const further = further_arguments(filter, given,
+        { rotation: 'umbrage_disc_rotation( gl_FragCoord.xy )', radius: 'shadowRadius', vec3: 'vec3' });
     const map = { texture: 'depth', direction: reversed ? 'reversed' : 'forward', outside: 'bordered', origin: 'umbrage_tile' };
     const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
     const declarations = `
@@ -53,7 +50,7 @@ ${text(items, '300 es')}
 			highp vec2 chosen = clamp( floor( shadowCoord.xy * maps ), vec2( 0.0 ), maps - 1.0 );
 			umbrage_tile = chosen * size;
 			highp vec3 at = vec3( shadowCoord.xy * texture_size - umbrage_tile, shadowCoord.z );
-			float shadow = umbrage_${filter.name}_three( shadowMap, size, at.xy, at.z${further.map(a => `, ${a}`).join('')} );
+			float shadow = umbrage_${filter.name}_three( shadowMap, size, at.xy, at.z${further} );
 			umbrage_receiver = vec4( at, shadow );${probe ? `
 			umbrage_color = umbrage_probe_color_three( at, size, abs( shadowBias ), chosen.x );` : ''}
 			return mix( 1.0, shadow, shadowIntensity );

@@ -10,7 +10,7 @@ import { NearestFilter } from 'three/webgpu';
 import * as TSL from 'three/tsl';
 import { bind as bind_glsl, disc_rotation as rotation_glsl, text } from '../umbrage.mjs';
 import { bind, disc_rotation, functions, probe_color } from '../wgsl.mjs';
-import { checked_arguments, literal, must } from './options.mjs';
+import { checked_arguments, further_arguments, must } from './options.mjs';
 
 const where = 'three/webgpu: shadow_filter', made = new Map(), pieces = new Map();
 
@@ -22,14 +22,9 @@ function nodes_of(items) {
     });
 }
 
-/** The call of a filter; the light's radius is a disc's radius, and scales a softness. */
 function call_of(filter, given, map, coord, vec3) {
-    const further = filter.filter.arguments.map(({ name, type }) =>
-        name === 'rotation' ? 'umbrage_disc_rotation(pixel)'
-        : name === 'radius' && type === 'float' && !(name in given.own) ? 'radius'
-        : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(radius, 1.0, 1.0))`
-        : literal(type, given.all[name]));
-    return `umbrage_${filter.name}_${map}(map, size, ${coord}, receiver${further.map(a => `, ${a}`).join('')})`;
+    const further = further_arguments(filter, given, { rotation: 'umbrage_disc_rotation(pixel)', radius: 'radius', vec3 });
+    return `umbrage_${filter.name}_${map}(map, size, ${coord}, receiver${further})`;
 }
 
 function function_of(filter, given, language, direction) {
