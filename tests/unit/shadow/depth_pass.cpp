@@ -12,45 +12,37 @@
 #include <umbrage/shadow/depth_pass.hpp>
 
 #include "scene.hpp"
+#include "texts.hpp"
 
 using namespace umbrage;
 using glsl::version;
+using shadow_texts::has;
+using shadow_texts::refusal;
 
 namespace {
 
 const shadow packed_lamp(shadow_scene::spot(cpu_clip_space), {256, 256}, filters::tent<3>, rg<11>{});
 
-bool tells(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
-template <class Make>
-std::string refused_pass(const Make& make) {
-    try {
-        make();
-    } catch (const std::invalid_argument& e) { return e.what(); }
-    return "accepted";
-}
-
 }  // namespace
 
 TEST_CASE("depth_pass: it writes the map's texels, packed or moments, in each language") {
     const auto packed = glsl::bind_depth_pass(packed_lamp, "lamp");
-    CHECK(
-        tells(glsl::text({packed}, version::v330), "vec2 texel = umbrage_to_unorm(umbrage_encode_rg11_lamp(depth));"));
-    CHECK(tells(glsl::text({packed}, version::v330), "return vec4(texel.x, texel.y, 0.0, 0.0);"));
-    CHECK(tells(wgsl::text({packed}), "fn umbrage_write_lamp(depth: f32) -> vec4f {"));
-    CHECK(tells(hlsl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
-    CHECK(tells(msl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
+    CHECK(has(glsl::text({packed}, version::v330), "vec2 texel = umbrage_to_unorm(umbrage_encode_rg11_lamp(depth));"));
+    CHECK(has(glsl::text({packed}, version::v330), "return vec4(texel.x, texel.y, 0.0, 0.0);"));
+    CHECK(has(wgsl::text({packed}), "fn umbrage_write_lamp(depth: f32) -> vec4f {"));
+    CHECK(has(hlsl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
+    CHECK(has(msl::text({packed}), "float4 umbrage_write_lamp(float depth) {"));
     const shadow powers(shadow_scene::spot(unity_clip_space), {256, 256}, prefilters::evsm4{});
     const std::string text = wgsl::text({glsl::bind_depth_pass(powers, "powers"), packed});
-    CHECK(tells(text, "fn umbrage_write_powers(depth: f32, filter_terms: vec4f) -> vec4f {"));
-    CHECK(tells(text, "umbrage_encode_evsm4_powers(depth, vec2f(filter_terms.x, filter_terms.y))"));
+    CHECK(has(text, "fn umbrage_write_powers(depth: f32, filter_terms: vec4f) -> vec4f {"));
+    CHECK(has(text, "umbrage_encode_evsm4_powers(depth, vec2f(filter_terms.x, filter_terms.y))"));
     const shadow single(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::esm{});
-    CHECK(tells(glsl::text({glsl::bind_depth_pass(single, "lamp")}, version::v330),
-                "return vec4(texel, 0.0, 0.0, 0.0);"));
+    CHECK(
+        has(glsl::text({glsl::bind_depth_pass(single, "lamp")}, version::v330), "return vec4(texel, 0.0, 0.0, 0.0);"));
     const shadow turned(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::msm_unorm16{});
-    CHECK(tells(glsl::text({glsl::bind_depth_pass(turned, "lamp")}, version::v330),
-                "umbrage_to_optimized_moments(umbrage_encode_msm_lamp(depth))"));
-    CHECK(refused_pass([&] {
+    CHECK(has(glsl::text({glsl::bind_depth_pass(turned, "lamp")}, version::v330),
+              "umbrage_to_optimized_moments(umbrage_encode_msm_lamp(depth))"));
+    CHECK(refusal([&] {
               (void)glsl::bind_depth_pass(packed_lamp, "a b");
           }).starts_with("umbrage::glsl::bind_depth_pass: name must be letters"));
 }
@@ -58,18 +50,17 @@ TEST_CASE("depth_pass: it writes the map's texels, packed or moments, in each la
 TEST_CASE("depth_pass: vertices of parallel lights are moved onto the near plane, of others they are a product") {
     const shadow sun(shadow_scene::fitted(opengl_clip_space), {256, 256}, filters::hard{});
     const std::string text = glsl::text({glsl::bind_vertex_pass(sun, "sun")}, version::v330);
-    CHECK(tells(text, "vec4 umbrage_vertex_sun(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world) {"));
-    CHECK(tells(text, "return umbrage_pancake(umbrage_shadow_coordinate(to_clip, world), -1.0);"));
+    CHECK(has(text, "vec4 umbrage_vertex_sun(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world) {"));
+    CHECK(has(text, "return umbrage_pancake(umbrage_shadow_coordinate(to_clip, world), -1.0);"));
     const shadow reversed(shadow_scene::cascades(unity_clip_space), {256, 256}, filters::hard{});
-    CHECK(tells(hlsl::text({glsl::bind_vertex_pass(reversed, "sun")}), "(to_clip, world), 1.0);"));
+    CHECK(has(hlsl::text({glsl::bind_vertex_pass(reversed, "sun")}), "(to_clip, world), 1.0);"));
     const std::string plain = wgsl::text({glsl::bind_vertex_pass(packed_lamp, "lamp")});
-    CHECK(tells(plain, "fn umbrage_vertex_lamp(to_clip: mat4x4f, world: vec3f) -> vec4f {"));
-    CHECK(tells(plain, "return umbrage_shadow_coordinate(to_clip, world);"));
+    CHECK(has(plain, "fn umbrage_vertex_lamp(to_clip: mat4x4f, world: vec3f) -> vec4f {"));
+    CHECK(has(plain, "return umbrage_shadow_coordinate(to_clip, world);"));
     const shadow halves(shadow_scene::paraboloids(cpu_clip_space), {512, 512}, filters::hard{});
-    CHECK(
-        tells(msl::text({glsl::bind_vertex_pass(halves, "halves")}),
+    CHECK(has(msl::text({glsl::bind_vertex_pass(halves, "halves")}),
               "float4 umbrage_vertex_halves(metal::float4x4 to_clip, float3 world, float3 position, float number) {"));
-    CHECK(refused_pass([&] {
+    CHECK(refusal([&] {
               (void)glsl::bind_vertex_pass(packed_lamp, "");
           }).starts_with("umbrage::glsl::bind_vertex_pass: name must be letters"));
 }

@@ -12,25 +12,18 @@
 #include <umbrage/shadow/in_shader.hpp>
 
 #include "scene.hpp"
+#include "texts.hpp"
 
 using namespace umbrage;
 using glsl::bind;
 using glsl::version;
+using shadow_texts::has;
+using shadow_texts::refusal;
 
 namespace {
 
 const shadow lamp_in_shader(shadow_scene::spot(cpu_clip_space), {256, 256}, filters::tent<3>, rg<11>{});
 const shadow sun_in_shader(shadow_scene::cascades(cpu_clip_space), {256, 256}, filters::pcf_2x2{});
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
-template <class Make>
-std::string refusal(const Make& make) {
-    try {
-        make();
-    } catch (const std::invalid_argument& e) { return e.what(); }
-    return "accepted";
-}
 
 }  // namespace
 
