@@ -40,6 +40,9 @@ struct job {
 /// What a border costs each filter.
 [[nodiscard]] job outside();
 
+/// Shadows as bind() prints them, against their parts.
+[[nodiscard]] std::vector<job> shadows();
+
 /// Every snippet of the registry, called as the parity tests call it.
 [[nodiscard]] job registry();
 

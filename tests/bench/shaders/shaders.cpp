@@ -137,6 +137,7 @@ int main(int argc, char** argv) try {
 
     std::vector<job> all = bench::jobs(argv[1]);
     for (job& j : bench::soft(argv[1])) all.push_back(std::move(j));
+    for (job& j : bench::shadows()) all.push_back(std::move(j));
     all.push_back(bench::outside());
     all.push_back(bench::registry());
     table out(argv[2], columns);
