@@ -21,6 +21,7 @@ const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_hlsl);
 const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 const text = items => compose(language, items);
+const { debug } = require('./module/hlsl/debug.cjs');
 
 
 
@@ -32,6 +33,7 @@ module.exports = {
     shadow,
     exactness,
     text,
+    debug,
     ...require('./module/hlsl/encodings.cjs'),
     ...require('./module/hlsl/kinds.cjs'),
     ...require('./module/hlsl/snippets.cjs'),

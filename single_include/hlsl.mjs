@@ -21,6 +21,7 @@ export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
+export { debug } from './module/hlsl/debug.mjs';
 export * from './module/hlsl/encodings.mjs';
 export * from './module/hlsl/kinds.mjs';
 export * from './module/hlsl/snippets.mjs';

@@ -21,6 +21,7 @@ const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_msl);
 const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 const text = items => compose(language, items);
+const { debug } = require('./module/msl/debug.cjs');
 
 
 
@@ -32,6 +33,7 @@ module.exports = {
     shadow,
     exactness,
     text,
+    debug,
     ...require('./module/msl/encodings.cjs'),
     ...require('./module/msl/kinds.cjs'),
     ...require('./module/msl/snippets.cjs'),

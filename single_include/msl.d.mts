@@ -1,6 +1,6 @@
 // umbrage 0.1.0, MIT License. Types of the texts in one language.
-import type { BindingOf, BoundOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, LightOf, ShadowOf, ShadowOptionsOf,
-    SnippetOf, Texture, WithReversed } from './module/types.mjs';
+import type { BindingOf, BoundOf, DebugOf, EncodingName, EncodingOf, Exactness, Filter, FilterArgument, LightOf, ShadowOf,
+    ShadowOptionsOf, SnippetOf, Texture, WithReversed } from './module/types.mjs';
 
 export type { Exactness, Filter, FilterArgument, Texture };
 export type Snippet = SnippetOf<'msl'>;
@@ -16,6 +16,8 @@ export function bind(what: Snippet, name: string, map?: Binding): Bound;
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. What a
  *  binding says in the shader's own language has no tier. */
 export function exactness(items: readonly (Snippet | Bound)[]): Exactness;
+/** For an option of shadow(). */
+export const debug: DebugOf<'msl'>;
 /** A light's shadow as functions of a shader, its maps' target and its depth pass. */
 export function shadow(name: string, options: ShadowOptions): Shadow;
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
@@ -79,6 +81,8 @@ export const point_light: Light;
 export const tetrahedron_light: Light;
 /** Two maps around a point light. */
 export const dual_paraboloid_light: Light;
+/** One to four cascades of a directional light, warped along the view (LiSPSM). */
+export const warped_cascades: Light;
 /** world to texels and depth, before the division by w */
 export const shadow_coordinate: Snippet;
 /** coordinate of a tap from the center's, before division by w */

@@ -21,6 +21,7 @@ const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_glsl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 const exactness = items => exactness_in(language, items);
 const { source, supports, text, versions } = require('./module/versions.cjs');
+const { debug } = require('./module/glsl/debug.cjs');
 
 
 
@@ -32,6 +33,7 @@ module.exports = {
     shadow,
     exactness,
     source, supports, text, versions,
+    debug,
     ...require('./module/glsl/encodings.cjs'),
     ...require('./module/glsl/kinds.cjs'),
     ...require('./module/glsl/snippets.cjs'),

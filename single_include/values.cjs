@@ -4,7 +4,7 @@
 //     const values = await load_values();
 //     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
 //
-// It is the C++ library itself, as WebAssembly, of 160 kB.
+// It is the C++ library itself, as WebAssembly, of 173 kB.
 const { encodings, filters, kinds } = require('./module/names.cjs');
 
 function must(holds, condition, got) {
@@ -21,6 +21,7 @@ const of_kinds = {
     directional_light: { direction: [0, -1, 0], up: [0, 1, 0], receivers: undefined, casters: null, margin: 0.01, snap: false },
     cascades: { ...cascaded, cascades: 4 },
     cascades_8: { ...cascaded, cascades: 8 },
+    warped_cascades: { direction: [0, -1, 0], scene: undefined, camera: undefined, cascades: 4, lambda: 0.9, splits: [], overlap: 0.1 },
     point_light: point,
     tetrahedron_light: point,
     dual_paraboloid_light: { position: [0, 0, 0], range: 100, border: 0 },

@@ -22,6 +22,7 @@ const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 const text = items => compose(language, items);
 const { functions } = require('./module/functions.cjs');
+const { debug } = require('./module/wgsl/debug.cjs');
 
 
 
@@ -34,6 +35,7 @@ module.exports = {
     exactness,
     text,
     functions,
+    debug,
     ...require('./module/wgsl/encodings.cjs'),
     ...require('./module/wgsl/kinds.cjs'),
     ...require('./module/wgsl/snippets.cjs'),

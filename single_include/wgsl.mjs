@@ -22,6 +22,7 @@ export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
 export { functions } from './module/functions.mjs';
+export { debug } from './module/wgsl/debug.mjs';
 export * from './module/wgsl/encodings.mjs';
 export * from './module/wgsl/kinds.mjs';
 export * from './module/wgsl/snippets.mjs';

@@ -1,4 +1,4 @@
-// Declarations of a shadow in a shader: its uniform block, its map, and a function of world and normal alone.
+// Declarations of a shadow in a shader: its uniform block, its map, and functions of world and normal alone.
 //
 // A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
 // there it is an array of vec4, and glUniform4fv takes the same bytes.
@@ -8,11 +8,16 @@ const prefix = i => `umbrage_${i.name}`;
 /** A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map". */
 const renamed = (declaration, from, to) => declaration.startsWith(`${from}:`) ? declaration.replace(from, to)
     : declaration.replace(` ${from}`, ` ${to}`);
-const call = (i, map, sampler, members) => `umbrage_shadow_${i.name}(${[map, ...sampler ? [sampler] : [], ...members, 'world', 'normal',
-    ...i.turns ? ['pixel'] : []].join(', ')})`;
-const with_head = (i, head, called) =>
-    `\n// ${prefix(i)}: visibility of a point of the world, 1.0 is lit; a normal of zero is none\n`
-    + laid_out(`${head} {\n    return ${called};\n}\n`);
+/** Call of a function with all its arguments: the map, the block's members, and its own. */
+const call = (i, f, map, sampler, members) => `umbrage_${f.calls}_${i.name}(${[
+    ...f.reads_map ? [map, ...sampler ? [sampler] : []] : [], ...f.reads_fields ? members : members.slice(-2),
+    ...f.arguments.map(([name]) => name)].join(', ')})`;
+const with_head = (name, f, head, called) => `\n// ${name}: ${f.says}\n` + laid_out(`${head} {\n    return ${called};\n}\n`);
+const name_of = (i, f) => f.name === '' ? prefix(i) : `umbrage_${f.name}_${i.name}`;
+/** The shadow's functions: a head of type and parameters, and the call. */
+const functions = (i, head, called) => i.functions.map(f => with_head(name_of(i, f), f, head(name_of(i, f), f), called(f))).join('');
+const joined = (f, declared) => f.arguments.map(([name, components]) => declared(name, components)).join(', ');
+const float_type = components => components === 1 ? 'float' : `float${components}`;
 
 export function declare_in_glsl(i, { map }, version) {
     if (version === undefined) throw new Error("umbrage: text: version must be given for a shadow's uniforms; got none");
@@ -25,12 +30,13 @@ export function declare_in_glsl(i, { map }, version) {
         const vector = () => `${block}[${vectors++}]`;
         return matrix ? `mat4(${vector()}, ${vector()}, ${vector()}, ${vector()})` : vector();
     });
+    const type = components => high + (components === 1 ? 'float' : `vec${components}`);
     const head = `layout(std140${binds ? `, binding = ${i.block}` : ''}) uniform ${block} {\n`;
     const lines = i.fields.map(({ name, matrix }) => `    ${high}${matrix ? 'mat4' : 'vec4'} ${prefix(i)}_${name};\n`);
     return '\n' + (has_blocks ? `${head}${lines.join('')}};\n` : `uniform ${high}vec4 ${block}[${vectors}];\n`)
         + `${binds ? `layout(binding = ${i.texture}) ` : ''}uniform ${renamed(map, 'map', texture)};\n`
-        + with_head(i, `${high}float ${prefix(i)}(${high}vec3 world, ${high}vec3 normal${i.turns ? `, ${high}vec2 pixel` : ''})`,
-            call(i, texture, '', members));
+        + functions(i, (name, f) => `${type(f.components)} ${name}(${joined(f, (own, n) => `${type(n)} ${own}`)})`,
+            f => call(i, f, texture, '', members));
 }
 
 export function declare_in_hlsl(i, { map, sampler }) {
@@ -41,26 +47,27 @@ export function declare_in_hlsl(i, { map, sampler }) {
     return `\ncbuffer ${prefix(i)}_block${slot('b', i.block)} {\n${lines.join('')}};\n`
         + `${renamed(map, 'map', texture)}${slot('t', i.texture)};\n`
         + (sampler && `${renamed(sampler, 'map_sampler', own_sampler)}${slot('s', i.sampler)};\n`)
-        + with_head(i, `float ${prefix(i)}(float3 world, float3 normal${i.turns ? ', float2 pixel' : ''})`,
-            call(i, texture, own_sampler, i.fields.map(({ name }) => `${prefix(i)}_${name}`)));
+        + functions(i, (name, f) => `${float_type(f.components)} ${name}(${joined(f, (own, n) => `${float_type(n)} ${own}`)})`,
+            f => call(i, f, texture, own_sampler, i.fields.map(({ name }) => `${prefix(i)}_${name}`)));
 }
 
 export function declare_in_wgsl(i, { map, sampler }) {
     const slot = number => `@group(${i.set}) @binding(${number}) var`, block = `${prefix(i)}_block`, uniforms = `${prefix(i)}_uniforms`;
     const texture = `${prefix(i)}_map`, own_sampler = sampler && `${prefix(i)}_sampler`;
     const lines = i.fields.map(({ name, matrix }) => `    ${name}: ${matrix ? 'mat4x4f' : 'vec4f'},\n`);
+    const type = components => components === 1 ? 'f32' : `vec${components}f`;
     return `\nstruct ${block} {\n${lines.join('')}}\n${slot(i.block)}<uniform> ${uniforms}: ${block};\n`
         + `${slot(i.texture)} ${renamed(map, 'map', texture)};\n`
         + (sampler && `${slot(i.sampler)} ${renamed(sampler, 'map_sampler', own_sampler)};\n`)
-        + with_head(i, `fn ${prefix(i)}(world: vec3f, normal: vec3f${i.turns ? ', pixel: vec2f' : ''}) -> f32`,
-            call(i, texture, own_sampler, i.fields.map(({ name }) => `${uniforms}.${name}`)));
+        + functions(i, (name, f) => `fn ${name}(${joined(f, (own, n) => `${own}: ${type(n)}`)}) -> ${type(f.components)}`,
+            f => call(i, f, texture, own_sampler, i.fields.map(({ name }) => `${uniforms}.${name}`)));
 }
 
 export function declare_in_msl(i, { map, sampler }) {
     const block = `${prefix(i)}_block`;
     const lines = i.fields.map(({ name, matrix }) => `    ${matrix ? 'metal::float4x4' : 'float4'} ${name};\n`);
     return `\nstruct ${block} {\n${lines.join('')}};\n`
-        + with_head(i, `inline float ${prefix(i)}(constant ${block}& block, ${map}${sampler && `, ${sampler}`}, `
-            + `float3 world, float3 normal${i.turns ? ', float2 pixel' : ''})`,
-        call(i, 'map', sampler && 'map_sampler', i.fields.map(({ name }) => `block.${name}`)));
+        + functions(i, (name, f) => `inline ${float_type(f.components)} ${name}(constant ${block}& block, `
+            + (f.reads_map ? `${map}${sampler && `, ${sampler}`}, ` : '') + `${joined(f, (own, n) => `${float_type(n)} ${own}`)})`,
+        f => call(i, f, 'map', sampler && 'map_sampler', i.fields.map(({ name }) => `block.${name}`)));
 }

@@ -127,6 +127,14 @@ export interface ShadowOptionsOf<L extends Language> {
     texture?: number;
     sampler?: number;
     set?: number;
+    /** The export `debug`: adds umbrage_probe_<name>(world, normal), colors that say why a point has no shadow, and
+     *  umbrage_calibrate_<name>(number), which says how a map of known depths is read. */
+    debug?: DebugOf<L>;
+}
+
+/** What debug functions are made of; programs that do not debug leave it to the bundler. */
+export interface DebugOf<L extends Language> {
+    readonly [is_of]: L;
 }
 
 /** A light's shadow: an item of a text, which declares block and map and defines umbrage_<name>(world, normal). Filters that
@@ -135,6 +143,10 @@ export interface ShadowOf<L extends Language> extends BoundOf<L> {
     /** What the depth pass calls: umbrage_write_<name>(depth) is a color for the target. Exponents of ESM and EVSM come from
      *  the block: umbrage_write_<name>(depth, filter_terms). */
     readonly depth_pass: BoundOf<L>;
+    /** What the depth pass calls for its vertices: umbrage_vertex_<name>(to_clip, world), with a matrix of umbrage/values.
+     *  Directional lights move casters nearer than the near plane onto it. Paraboloids take the light's position and the map's
+     *  number behind the vertex, too. The clip space is one of umbrage/values. */
+    vertex_pass(clip: { readonly direction: 'forward' | 'reversed'; readonly range: 'zero_to_one' | 'minus_one_to_one' }): BoundOf<L>;
     /** What the target is cleared to; of moments, for the filter's default arguments. */
     readonly cleared: readonly number[];
     /** Of the texture: its size and layers, and how many maps lie beside each other and in rows in each layer. */

@@ -10188,7 +10188,7 @@ namespace umbrage {
     return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
 }
 
-/// Position of a vertex, clamped along z to the near plane. For directional lights, where w is 1.
+/// Position of a vertex, clamped along z to the near plane. For directional lights: w is 1, or a warp's.
 ///
 /// It is correct for triangles wholly on one side of the plane. A triangle that crosses the plane is bent, and its part
 /// behind the plane comes out too far from the light. Prefer a rasterizer that clamps.
@@ -25373,6 +25373,13 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
+/// Gives an encoding the light's direction. An edge at its default follows, an edge of one's own stays.
+void set_direction(auto& encoding, depth_direction direction) {
+    if constexpr (requires { encoding.edge; })
+        if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
+    encoding.direction = direction;
+}
+
 /// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
@@ -25405,7 +25412,7 @@ public:
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
-        encoding_.direction = set_up_.clip().direction;
+        detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         detail::require_shadow(set_up_.clip(), map_size, filter_);
@@ -25624,6 +25631,27 @@ template <prefilter Prefilter>
     return {"vertex", std::move(source), std::move(needs)};
 }
 
+/// Tells directional lights, warped or not, from lights with a place: along some direction neither x, y nor w changes.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
+    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// The vertex of a setup that says itself how it is placed.
+template <class SetUp>
+[[nodiscard]] own_text vertex_text_of() {
+    return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
+}
+
+/// The vertex of other setups: a product with the light's matrix.
+/// @param pancakes   moves casters onto the near plane, whose depth in clip space `at_near` says
+[[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
+    std::string place = "umbrage_shadow_coordinate(to_clip, world)";
+    if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
+    return vertex_text("", "    return " + place + ";\n", {&shadow_coordinate, &pancake});
+}
+
 }  // namespace detail
 
 /// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
@@ -25648,8 +25676,8 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights move casters that lie nearer than the
-/// near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
+/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that
+/// lie nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
 /// projection, then its position and the number of the half behind the vertex, (to_clip, world, position, number), and
 /// want the mesh finely cut: tessellate.
 /// @param name    letters, digits, single underscores between them
@@ -25660,15 +25688,11 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (requires { SetUp::vertex; }) {
-        item.texts = {detail::vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs})};
-    } else {
+    if constexpr (requires { SetUp::vertex; }) item.texts = {detail::vertex_text_of<SetUp>()};
+    else {
         const light_space<double> light = of.set_up().lights().front();
-        const bool parallel = light.projection[2][3] == 0.0;  // w is 1
-        const std::string product = "umbrage_shadow_coordinate(to_clip, world)";
-        const std::string at_near = std::to_string(static_cast<int>(near_depth(light.clip))) + ".0";
-        const std::string position = parallel ? "umbrage_pancake(" + product + ", " + at_near + ")" : product;
-        item.texts = {detail::vertex_text("", "    return " + position + ";\n", {&shadow_coordinate, &pancake})};
+        const int at_near = static_cast<int>(near_depth(light.clip));
+        item.texts = {detail::vertex_text_of_lights(detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
     }
     return item;
 }

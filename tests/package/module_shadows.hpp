@@ -5,13 +5,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/depth_pass.hpp>
 #include <umbrage/shadow/in_shader.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
+#include <umbrage/shadow/warped_maps.hpp>
 
 #include "module_filters.hpp"
 #include "module_words.hpp"
@@ -21,8 +24,8 @@ namespace package {
 /// One of a shadow's own texts, 0 the filter's look at a map, 1 the shadow's function, in a language.
 template <class SetUp>
 [[nodiscard]] std::string own_text(const shader_language& l, const auto& filter, const glsl::map_choice& choice,
-                                   int which) {
-    const auto texts = glsl::detail::shadow_texts<SetUp>(filter, umbrage::depth32f{}, choice, false);
+                                   int which, bool debug = false) {
+    const auto texts = glsl::detail::shadow_texts<SetUp>(filter, umbrage::depth32f{}, choice, debug);
     const glsl::detail::own_snippets own(texts);
     return l.words->translate(*(own.begin() + which));
 }
@@ -64,12 +67,20 @@ template <class SetUp>
     for (const umbrage::uniform_field& f : SetUp::fields)
         fields += (fields.empty() ? "" : ", ") + std::string("{ name: ") + literal(f.name) +
                   ", matrix: " + (f.matrix ? "true" : "false") + " }";
-    return "const " + std::string(name) + " = {\n    grid: [" + std::to_string(grid.columns) + ", " +
-           std::to_string(grid.rows) +
+    return "const " + std::string(name) + " = {\n    name: " + literal(name) + ", grid: [" +
+           std::to_string(grid.columns) + ", " + std::to_string(grid.rows) +
            "], outside: " + literal(SetUp::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
            ", bends: " + (umbrage::detail::bends_of<SetUp>().reach > 0.0f ? "true" : "false") + ",\n    fields: [" +
            fields + "],\n    needs: " + snippets(SetUp::needs) + ",\n    text: " + text(SetUp::tiles) +
            (several ? ",\n    of_layers: " + text({}) : "") + ",\n};\n";
+}
+
+/// What a depth pass calls for its vertices, in a language.
+inline std::string vertex_of_module(const shader_language& l, const glsl::own_text& own) {
+    const std::vector<glsl::own_text> texts{own};
+    const glsl::detail::own_snippets made(texts);
+    return "{ needs: " + snippets(own.needs) + ", text: " + template_literal(l.words->translate(*made.begin())) +
+           " };\n";
 }
 
 inline std::string kinds_module(const shader_language& l) {
@@ -77,12 +88,19 @@ inline std::string kinds_module(const shader_language& l) {
     out += maps_of_module<umbrage::single_map>(l, "one_map");
     out += maps_of_module<umbrage::cascaded_maps<1>>(l, "cascaded_maps");
     out += maps_of_module<umbrage::cascaded_maps<2>>(l, "cascaded_maps_8");
+    out += maps_of_module<umbrage::warped_maps>(l, "warped_maps");
     out += maps_of_module<umbrage::cube_maps>(l, "cube_maps");
     out += maps_of_module<umbrage::tetrahedron_map>(l, "tetrahedron_map");
     out += maps_of_module<umbrage::paraboloid_maps>(l, "paraboloid_maps") + '\n';
+    constexpr auto at_near = "99.0";  // a number in its place: shadow.mjs puts the near plane's depth there
+    const auto of_lights = [&](bool pancakes) {
+        return vertex_of_module(l, glsl::detail::vertex_text_of_lights(pancakes, at_near));
+    };
+    out += "const projected = " + of_lights(false) + "const pancaked = " + with_word(of_lights(true), at_near, "NEAR") +
+           "const bent = " + vertex_of_module(l, glsl::detail::vertex_text_of<umbrage::paraboloid_maps>()) + '\n';
     for (const kind_of_light& kind : kinds)
         out += "export const " + std::string(kind.name) + " = { language, name: " + literal(kind.name) +
-               ", maps: " + std::string(kind.maps) + " };\n";
+               ", maps: " + std::string(kind.maps) + ", vertex: " + std::string(kind.vertex) + " };\n";
     return out;
 }
 

@@ -8,14 +8,17 @@
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
 #include <umbrage/shadow/in_shader.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
+#include <umbrage/shadow/warped_maps.hpp>
 
 namespace package {
 
@@ -40,6 +43,11 @@ void for_each_light(const umbrage::clip_space& clip, const Use& use) {
         umbrage::fit_directional_light<float>({.direction = direction, .receivers = scene, .clip = clip}));
     use("cascades", umbrage::make_stable_cascades<4>(fit, umbrage::practical_splits<4>(0.5f, 60.0f, 0.9f)));
     use("cascades_8", umbrage::make_stable_cascades<6>(fit, umbrage::practical_splits<6>(0.5f, 60.0f, 0.9f)));
+    use("warped_cascades",
+        umbrage::warped_maps(umbrage::make_warped_cascades<3>(
+                                 fit, umbrage::practical_splits<3>(0.5f, 60.0f, 0.9f),
+                                 [](const auto& part) { return umbrage::fit_light_space_perspective(part); }),
+                             camera));
     use("point_light", umbrage::point_light<float>{.position = position,
                                                    .z_near = 0.1f,
                                                    .z_far = 30,

@@ -17,10 +17,10 @@ function made(use) {
         return null;
     }
 }
-function shadow_in(language, { kind, filter, encoding, direction, map, slots: [block, texture, sampler, set] }) {
-    const { shadow, encodings, snippets, ...all } = umbrage[language];
+function shadow_in(language, { kind, filter, encoding, direction, map, debug, slots: [block, texture, sampler, set] }) {
+    const { shadow, encodings, snippets, debug: debug_texts, ...all } = umbrage[language];
     return shadow('sun', { kind: all[kind], filter: snippets[filter], ...encoding && { encoding: encodings[encoding] },
-        map_size: 256, direction, ...map && { map }, block, texture, sampler, set });
+        map_size: 256, direction, ...map && { map }, block, texture, sampler, set, ...debug && { debug: debug_texts } });
 }
 
 let tried = 0, refused = 0, different = 0;
@@ -37,7 +37,14 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
         for (const language in umbrage) same(four(umbrage[language], language), test.four[language], `four shadows in ${language}`);
         continue;
     }
-    const { kind, filter, encoding, direction, map, version, texts } = test, what = [kind, filter, encoding, direction, map, version].join(' ');
+    if (test.vertices) {
+        for (const language in umbrage) {
+            const pass = umbrage[language].text([shadow_in(language, test).vertex_pass(test)]);
+            same(pass, test.vertices[language], `${test.kind}, ${test.direction}, ${test.range}, vertices in ${language}`);
+        }
+        continue;
+    }
+    const { kind, filter, encoding, direction, map, version, texts } = test, what = [kind, filter, encoding, direction, map, version, test.debug && 'debug'].join(' ');
     for (const language in umbrage) {
         const { source, text } = umbrage[language], all = items => language === 'glsl' ? source(version, items) : text(items);
         same(made(() => all([shadow_in(language, test)])), texts[language], `${what} in ${language}`);

@@ -17,7 +17,7 @@ mkdirSync(join(folder, 'node_modules'), { recursive: true });
 symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
-import { bind, box, cascades, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
+import { bind, box, cascades, debug, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
 import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
@@ -35,6 +35,8 @@ const soft: Filter | undefined = pcss16.filter, first: wgsl.WgslFunction | undef
 all.push(text([bind(rg11.write, 'sun', { direction: 'reversed' })]), String(soft?.reach), ...first?.needs ?? []);
 const sun: Shadow = shadow('sun', { kind: cascades, filter: pcss16, encoding: rg11, map_size: [512, 512], direction: 'reversed' });
 all.push(source('300 es', [sun]), text([sun.depth_pass], '450'), String(sun.cleared[0]), sun.target.format, String(sun.bytes));
+const debugged: Shadow = shadow('lit', { kind: cascades, filter: pcss16, map_size: 512, debug });
+all.push(text([debugged], '450'), text([debugged.vertex_pass(webgpu_clip_space)], '450'));
 export async function floats(): Promise<Float32Array> {
     const values = await load_values();
     const { block, matrices } = values(sun, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera:
@@ -46,6 +48,10 @@ export async function floats(): Promise<Float32Array> {
 
 // @ts-expect-error another language's kind
 shadow('sun', { kind: wgsl.cascades, filter: pcss16, map_size: 512 });
+// @ts-expect-error another language's debug functions
+shadow('sun', { kind: cascades, filter: pcss16, map_size: 512, debug: wgsl.debug });
+// @ts-expect-error no clip space
+sun.vertex_pass('webgpu');
 // @ts-expect-error no size
 shadow('sun', { kind: cascades, filter: pcss16 });
 // @ts-expect-error another language's

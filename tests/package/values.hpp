@@ -14,13 +14,16 @@
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
+#include <umbrage/shadow/warped_maps.hpp>
 
 namespace package {
 
@@ -65,22 +68,33 @@ inline clip_space clip_of(const asked& a) {
     return clip;
 }
 
+inline cascade_fit<double> fit_of(const asked& a, const clip_space& clip, glm::ivec2 map_size, double reach) {
+    return {
+        .camera = make_frustum<double>(
+            {.view = a.view, .projection = a.projection, .z_near = a.camera_near, .z_far = a.camera_far, .clip = clip}),
+        .direction = a.ahead,
+        .up = a.up,
+        .scene = {a.low, a.high},
+        .map_size = map_size,
+        .margin = reach,
+        .overlap = a.overlap,
+        .clip = clip};
+}
 template <std::size_t Count>
-auto cascades_of(const asked& a, const clip_space& clip, glm::ivec2 map_size, double reach) {
-    const auto camera = make_frustum<double>(
-        {.view = a.view, .projection = a.projection, .z_near = a.camera_near, .z_far = a.camera_far, .clip = clip});
-    const cascade_fit<double> fit{.camera = camera,
-                                  .direction = a.ahead,
-                                  .up = a.up,
-                                  .scene = {a.low, a.high},
-                                  .map_size = map_size,
-                                  .margin = reach,
-                                  .overlap = a.overlap,
-                                  .clip = clip};
+std::array<double, Count + 1> splits_of(const asked& a) {
+    if (!(a.has_splits > 0.5)) return practical_splits<Count>(a.camera_near, a.camera_far, a.lambda);
     std::array<double, Count + 1> splits;
-    if (a.has_splits > 0.5) std::copy_n(a.splits.begin(), Count + 1, splits.begin());
-    else splits = practical_splits<Count>(a.camera_near, a.camera_far, a.lambda);
-    return cascaded_maps(make_stable_cascades<Count>(fit, splits), static_cast<float>(a.blend_texels));
+    std::copy_n(a.splits.begin(), Count + 1, splits.begin());
+    return splits;
+}
+template <std::size_t Count>
+auto cascades_of(const asked& a, const cascade_fit<double>& fit) {
+    return cascaded_maps(make_stable_cascades<Count>(fit, splits_of<Count>(a)), static_cast<float>(a.blend_texels));
+}
+template <std::size_t Count>
+auto warped_of(const asked& a, const cascade_fit<double>& fit) {
+    const auto warp = [](const warp_fit<double>& part) { return fit_light_space_perspective(part); };
+    return warped_maps(make_warped_cascades<Count>(fit, splits_of<Count>(a), warp), fit.camera, fit.overlap);
 }
 
 /// Calls use(set-up) with the one of a kind's number, as `kinds` counts them.
@@ -91,6 +105,7 @@ void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, co
     const auto count = static_cast<int>(a.cascades);
     umbrage::detail::require(count >= (kind == 3 ? 5 : 1) && count <= (kind == 3 ? 8 : 4), "values", "cascades",
                              kind == 3 ? "5 to 8" : "1 to 4", count);
+    const auto fit = [&] { return fit_of(a, clip, map_size, reach); };
     if (kind == 0)
         use(single_map(make_spot_light<double>({.position = a.position,
                                                 .direction = a.ahead,
@@ -110,16 +125,20 @@ void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, co
         if (a.has_casters > 0.5) fit.casters = bounding_box<double>{a.caster_low, a.caster_high};
         use(single_map(fit_directional_light<double>(fit)));
     }
-    if (kind == 2 && count == 1) use(cascades_of<1>(a, clip, map_size, reach));
-    if (kind == 2 && count == 2) use(cascades_of<2>(a, clip, map_size, reach));
-    if (kind == 2 && count == 3) use(cascades_of<3>(a, clip, map_size, reach));
-    if (kind == 2 && count == 4) use(cascades_of<4>(a, clip, map_size, reach));
-    if (kind == 3 && count == 5) use(cascades_of<5>(a, clip, map_size, reach));
-    if (kind == 3 && count == 6) use(cascades_of<6>(a, clip, map_size, reach));
-    if (kind == 3 && count == 7) use(cascades_of<7>(a, clip, map_size, reach));
-    if (kind == 3 && count == 8) use(cascades_of<8>(a, clip, map_size, reach));
+    if (kind == 2 && count == 1) use(cascades_of<1>(a, fit()));
+    if (kind == 2 && count == 2) use(cascades_of<2>(a, fit()));
+    if (kind == 2 && count == 3) use(cascades_of<3>(a, fit()));
+    if (kind == 2 && count == 4) use(cascades_of<4>(a, fit()));
+    if (kind == 3 && count == 5) use(cascades_of<5>(a, fit()));
+    if (kind == 3 && count == 6) use(cascades_of<6>(a, fit()));
+    if (kind == 3 && count == 7) use(cascades_of<7>(a, fit()));
+    if (kind == 3 && count == 8) use(cascades_of<8>(a, fit()));
     if (kind == 4) use(cube_maps(point_light<double>{a.position, a.z_near, a.z_far, size, border, clip}));
     if (kind == 5) use(tetrahedron_map(tetrahedron_light<double>{a.position, a.z_near, a.z_far, size, border, clip}));
+    if (kind == 7 && count == 1) use(warped_of<1>(a, fit()));
+    if (kind == 7 && count == 2) use(warped_of<2>(a, fit()));
+    if (kind == 7 && count == 3) use(warped_of<3>(a, fit()));
+    if (kind == 7 && count == 4) use(warped_of<4>(a, fit()));
     if (kind == 6) use(paraboloid_maps(dual_paraboloid_light<double>{a.position, a.z_far, size, border, clip}));
 }
 

@@ -16,6 +16,7 @@
 
 #include "commonjs.hpp"
 #include "module.hpp"
+#include "module_debug.hpp"
 #include "module_encodings.hpp"
 #include "module_names.hpp"
 #include "module_shadows.hpp"
@@ -84,6 +85,7 @@ void write_npm(const fs::path& templates, const fs::path& folder) {
         write_module(data / "hooks", hooks_module(l));
         write_module(data / "looks", looks_module(l));
         write_module(data / "kinds", kinds_module(l));
+        write_module(data / "debug", debug_module(l));
         write_module(data / "encodings", encodings_module(l));
         const bool is_glsl = l.name == "glsl", is_wgsl = l.name == "wgsl";
         const std::string name(l.name), entry = is_glsl ? "umbrage" : name;

@@ -9,6 +9,7 @@
 
 #include "languages.hpp"
 #include "module_filters.hpp"
+#include "module_names.hpp"
 #include "shadows.hpp"
 
 namespace package {
@@ -52,6 +53,7 @@ public:
         out_ << ",\"direction\":" << (forward ? "\"forward\"" : "\"reversed\"");
         for (const named_texture& t : textures)
             if (slots.map == t.kind) out_ << ",\"map\":" << literal(t.name);
+        if (slots.debug) out_ << ",\"debug\":true";
         out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
              << "],\"size\":[" << of.size().x << ',' << of.size().y << "],\"cleared\":" << cleared(of)
              << ",\"bytes\":" << sizeof(of.uniforms()) << ",\"version\":" << literal(directive(v))
@@ -62,6 +64,21 @@ public:
                 out_ << ',' << literal(l.name) << ':' << tried([&] { return l.text({glsl::bind(of, "sun", slots)}); });
         out_ << ",\"pass_wgsl\":" << tried([&] { return umbrage::wgsl::text({glsl::bind_depth_pass(of, "sun")}); })
              << "}}\n";
+    }
+
+    /// What a shadow's depth pass calls for its vertices.
+    void add_vertices(std::string_view kind, const auto& of, const umbrage::clip_space& clip) {
+        const bool forward = clip.direction == umbrage::depth_direction::forward;
+        const bool from_zero = clip.range == umbrage::depth_range::zero_to_one;
+        out_ << "{\"kind\":" << literal(kind) << ",\"filter\":" << literal(of.filter().snippet->name)
+             << ",\"slots\":[0,1,2,0],\"direction\":" << (forward ? "\"forward\"" : "\"reversed\"")
+             << ",\"range\":" << (from_zero ? "\"zero_to_one\"" : "\"minus_one_to_one\"") << ",\"vertices\":{";
+        std::string_view comma = "";
+        for (const shader_language& l : languages) {
+            out_ << comma << literal(l.name) << ':' << literal(l.text({glsl::bind_vertex_pass(of, "sun")}));
+            comma = ",";
+        }
+        out_ << "}}\n";
     }
 
 private:
@@ -89,9 +106,38 @@ void of_encodings(writer& out, const umbrage::clip_space& clip) {
     for_each_light(clip, [&](std::string_view kind, const auto& light) {
         if constexpr (!bends<std::decay_t<decltype(light)>>)
             if (kind != "spot_light" && kind != "cascades") return;
-        umbrage::for_each_encoding([&](auto encoding) {
-            encoding = {.direction = clip.direction};  // and what it decodes to, which a shadow leaves as it is
+        umbrage::for_each_encoding([&](const auto& encoding) {
             out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding), {});
+        });
+    });
+}
+
+/// Debug functions: each light with a filter of each kind, in an atlas and in layers, and each encoding.
+void of_debug(writer& out, const umbrage::clip_space& clip) {
+    for_each_light(clip, [&](std::string_view kind, const auto& light) {
+        constexpr bool bent = bends<std::decay_t<decltype(light)>>;
+        const auto add = [&](const auto& filter) {
+            const umbrage::shadow of(light, glm::ivec2(shadow_size), filter);
+            out.add(kind, of, {.debug = true});
+            out.add(kind, of, {.map = glsl::texture::array, .debug = true});
+        };
+        add(umbrage::filters::tent<3>);
+        add(umbrage::filters::disc{});
+        add(umbrage::prefilters::vsm{});
+        if constexpr (!bent) add(umbrage::filters::pcss{});
+        if (bent || kind == "spot_light")
+            umbrage::for_each_encoding([&](const auto& encoding) {
+                out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding),
+                        {.debug = true});
+            });
+    });
+}
+
+void of_vertices(writer& out) {
+    for_each_clip_space([&](std::string_view, const umbrage::clip_space& clip) {
+        for_each_light(clip, [&](std::string_view kind, const auto& light) {
+            const umbrage::shadow of(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>);
+            out.add_vertices(kind, of, clip);
         });
     });
 }
@@ -128,7 +174,9 @@ int main(int argc, char** argv) {
     for (const umbrage::clip_space& clip : {umbrage::cpu_clip_space, umbrage::godot_clip_space}) {
         package::of_filters(out, clip);
         package::of_encodings(out, clip);
+        package::of_debug(out, clip);
     }
+    package::of_vertices(out);
     package::with_four([&](const std::vector<package::glsl::bound>& items) {
         file << "{\"four\":{\"glsl\":" << package::literal(package::glsl::source(package::glsl::version::v450, items));
         for (const package::shader_language& l : package::languages)

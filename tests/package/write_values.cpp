@@ -102,7 +102,8 @@ private:
                 along + ",\"receivers\":" + json(box) + (snap ? ",\"snap\":true" : "") +
                     (cast ? ",\"casters\":" + json(casters) : ""));
         }
-        if (kind == "cascades" || kind == "cascades_8") of_cascades(kind, filter, encoding, ahead, box, along);
+        if (kind == "cascades" || kind == "cascades_8" || kind == "warped_cascades")
+            of_cascades(kind, filter, encoding, ahead, box, along);
         if (kind == "point_light")
             add(kind, point_light<double>{position, z_near, z_far, size, border, clip_}, filter, encoding,
                 at + planes + ",\"border\":16");
@@ -142,6 +143,11 @@ private:
             add(kind, cascaded_maps(make_stable_cascades<3>(fit, splits), 8.0f), filter, encoding,
                 told + ",\"blend_texels\":8" + (own ? ",\"splits\":[0.5,4,13,60]" : ",\"cascades\":3"),
                 own ? "" : "exp");
+        } else if (kind == "warped_cascades") {
+            const auto warp = [](const warp_fit<double>& part) { return fit_light_space_perspective(part); };
+            add(kind,
+                warped_maps(make_warped_cascades<2>(fit, practical_splits<2>(0.5, 60.0, 0.9), warp), camera, 0.125),
+                filter, encoding, told + ",\"cascades\":2", "exp");
         } else
             add(kind, cascaded_maps(make_stable_cascades<8>(fit, practical_splits<8>(0.5, 60.0, 0.9))), filter,
                 encoding, told, "exp");

@@ -23,7 +23,7 @@ namespace umbrage {
     return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
 }
 
-/// Position of a vertex, clamped along z to the near plane. For directional lights, where w is 1.
+/// Position of a vertex, clamped along z to the near plane. For directional lights: w is 1, or a warp's.
 ///
 /// It is correct for triangles wholly on one side of the plane. A triangle that crosses the plane is bent, and its part
 /// behind the plane comes out too far from the light. Prefer a rasterizer that clamps.

@@ -9,10 +9,16 @@
 //
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -70,6 +76,27 @@ template <prefilter Prefilter>
     return {"vertex", std::move(source), std::move(needs)};
 }
 
+/// Tells directional lights, warped or not, from lights with a place: along some direction neither x, y nor w changes.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
+    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// The vertex of a setup that says itself how it is placed.
+template <class SetUp>
+[[nodiscard]] own_text vertex_text_of() {
+    return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
+}
+
+/// The vertex of other setups: a product with the light's matrix.
+/// @param pancakes   moves casters onto the near plane, whose depth in clip space `at_near` says
+[[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
+    std::string place = "umbrage_shadow_coordinate(to_clip, world)";
+    if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
+    return vertex_text("", "    return " + place + ";\n", {&shadow_coordinate, &pancake});
+}
+
 }  // namespace detail
 
 /// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
@@ -94,8 +121,8 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights move casters that lie nearer than the
-/// near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
+/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that
+/// lie nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
 /// projection, then its position and the number of the half behind the vertex, (to_clip, world, position, number), and
 /// want the mesh finely cut: tessellate.
 /// @param name    letters, digits, single underscores between them
@@ -106,15 +133,11 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (requires { SetUp::vertex; }) {
-        item.texts = {detail::vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs})};
-    } else {
+    if constexpr (requires { SetUp::vertex; }) item.texts = {detail::vertex_text_of<SetUp>()};
+    else {
         const light_space<double> light = of.set_up().lights().front();
-        const bool parallel = light.projection[2][3] == 0.0;  // w is 1
-        const std::string product = "umbrage_shadow_coordinate(to_clip, world)";
-        const std::string at_near = std::to_string(static_cast<int>(near_depth(light.clip))) + ".0";
-        const std::string position = parallel ? "umbrage_pancake(" + product + ", " + at_near + ")" : product;
-        item.texts = {detail::vertex_text("", "    return " + position + ";\n", {&shadow_coordinate, &pancake})};
+        const int at_near = static_cast<int>(near_depth(light.clip));
+        item.texts = {detail::vertex_text_of_lights(detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
     }
     return item;
 }

@@ -60,6 +60,13 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
+/// Gives an encoding the light's direction. An edge at its default follows, an edge of one's own stays.
+void set_direction(auto& encoding, depth_direction direction) {
+    if constexpr (requires { encoding.edge; })
+        if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
+    encoding.direction = direction;
+}
+
 /// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
@@ -92,7 +99,7 @@ public:
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
-        encoding_.direction = set_up_.clip().direction;
+        detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         detail::require_shadow(set_up_.clip(), map_size, filter_);

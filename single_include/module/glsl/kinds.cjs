@@ -2,7 +2,7 @@ const { language } = require('./language.cjs');
 const snippets = require('./snippets.cjs');
 
 const one_map = {
-    grid: [1, 1], outside: "bordered", bends: false,
+    name: "one_map", grid: [1, 1], outside: "bordered", bends: false,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
     text: `
@@ -14,7 +14,7 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels
 `,
 };
 const cascaded_maps = {
-    grid: [2, 2], outside: "bordered", bends: false,
+    name: "cascaded_maps", grid: [2, 2], outside: "bordered", bends: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "blending", matrix: false }],
     needs: [snippets.shadow_coordinate, snippets.cascade_by_projection, snippets.cascade_column, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
     text: `
@@ -83,7 +83,7 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation,
 `,
 };
 const cascaded_maps_8 = {
-    grid: [2, 4], outside: "bordered", bends: false,
+    name: "cascaded_maps_8", grid: [2, 4], outside: "bordered", bends: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "blending", matrix: false }],
     needs: [snippets.shadow_coordinate, snippets.cascade_by_projection_8, snippets.cascade_column_8, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
     text: `
@@ -151,8 +151,103 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation,
 }
 `,
 };
+const warped_maps = {
+    name: "warped_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "fades", matrix: true }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.project_coordinate, snippets.receiver_slope, snippets.cascade_by_depth, snippets.cascade_column, snippets.cascade_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * world.x + ahead.y * world.y + ahead.z * world.z + ahead.w;
+    UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
+    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
+    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
+    UMBRAGE_HIGHP mat4 planes = planes_0;
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    UMBRAGE_HIGHP vec2 origin = umbrage_cascade_tile(number, vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)), umbrage_receiver_slope(planes, normal, world), pixel);
+    bool last = number >= ends.w;
+    number = min(number + 1.0, ends.w);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    origin = umbrage_cascade_tile(number, vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)), umbrage_receiver_slope(planes, normal, world), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * world.x + ahead.y * world.y + ahead.z * world.z + ahead.w;
+    UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
+    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
+    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
+    UMBRAGE_HIGHP mat4 planes = planes_0;
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)), umbrage_receiver_slope(planes, normal, world), pixel);
+    bool last = number >= ends.w;
+    number = min(number + 1.0, ends.w);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    layer = number;
+    UMBRAGE_HIGHP float farther = 1.0;
+    if (weight > 0.0 && !last) {
+        farther = umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)), umbrage_receiver_slope(planes, normal, world), pixel);
+    }
+    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
+}
+`,
+};
 const cube_maps = {
-    grid: [3, 2], outside: "clamped", bends: false,
+    name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.cube_face, snippets.cube_face_point, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope, snippets.cube_tile],
     text: `
@@ -181,7 +276,7 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position,
 `,
 };
 const tetrahedron_map = {
-    grid: [1, 1], outside: "clamped", bends: false,
+    name: "tetrahedron_map", grid: [1, 1], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.tetrahedron_face, snippets.tetrahedron_face_point, snippets.tetrahedron_turned, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
     text: `
@@ -199,7 +294,7 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position,
 `,
 };
 const paraboloid_maps = {
-    grid: [2, 1], outside: "clamped", bends: true,
+    name: "paraboloid_maps", grid: [2, 1], outside: "clamped", bends: true,
     fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }],
     needs: [snippets.dual_paraboloid_coordinate, snippets.distance_depth, snippets.dual_paraboloid_slope, snippets.cascade_tile],
     text: `
@@ -228,13 +323,36 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position,
 `,
 };
 
-const spot_light = { language, name: "spot_light", maps: one_map };
-const directional_light = { language, name: "directional_light", maps: one_map };
-const cascades = { language, name: "cascades", maps: cascaded_maps };
-const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8 };
-const point_light = { language, name: "point_light", maps: cube_maps };
-const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map };
-const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps };
+const projected = { needs: [snippets.shadow_coordinate, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world) {
+    return umbrage_shadow_coordinate(to_clip, world);
+}
+` };
+const pancaked = { needs: [snippets.shadow_coordinate, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world) {
+    return umbrage_pancake(umbrage_shadow_coordinate(to_clip, world), NEAR);
+}
+` };
+const bent = { needs: [snippets.dual_paraboloid_position, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 position, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 p = umbrage_dual_paraboloid_position(world - position, number);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 place =
+        to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+    return place;
+}
+` };
+
+const spot_light = { language, name: "spot_light", maps: one_map, vertex: projected };
+const directional_light = { language, name: "directional_light", maps: one_map, vertex: pancaked };
+const cascades = { language, name: "cascades", maps: cascaded_maps, vertex: pancaked };
+const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8, vertex: pancaked };
+const point_light = { language, name: "point_light", maps: cube_maps, vertex: projected };
+const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
+const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
+const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
 
 module.exports = {
     spot_light,
@@ -244,4 +362,5 @@ module.exports = {
     point_light,
     tetrahedron_light,
     dual_paraboloid_light,
+    warped_cascades,
 };

@@ -2,7 +2,7 @@ const { language } = require('./language.cjs');
 const snippets = require('./snippets.cjs');
 
 const one_map = {
-    grid: [1, 1], outside: "bordered", bends: false,
+    name: "one_map", grid: [1, 1], outside: "bordered", bends: false,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
     text: `
@@ -15,7 +15,7 @@ fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, terms: v
 `,
 };
 const cascaded_maps = {
-    grid: [2, 2], outside: "bordered", bends: false,
+    name: "cascaded_maps", grid: [2, 2], outside: "bordered", bends: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "blending", matrix: false }],
     needs: [snippets.shadow_coordinate, snippets.cascade_by_projection, snippets.cascade_column, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
     text: `
@@ -86,7 +86,7 @@ fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: 
 `,
 };
 const cascaded_maps_8 = {
-    grid: [2, 4], outside: "bordered", bends: false,
+    name: "cascaded_maps_8", grid: [2, 4], outside: "bordered", bends: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "blending", matrix: false }],
     needs: [snippets.shadow_coordinate, snippets.cascade_by_projection_8, snippets.cascade_column_8, snippets.cascade_slope, snippets.cascade_coordinate, snippets.inside_cascade, snippets.cascade_border_fade, snippets.blend_cascades, snippets.cascade_tile],
     text: `
@@ -162,8 +162,119 @@ fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: 
 }
 `,
 };
+const warped_maps = {
+    name: "warped_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "fades", matrix: true }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.project_coordinate, snippets.receiver_slope, snippets.cascade_by_depth, snippets.cascade_column, snippets.cascade_fade, snippets.blend_cascades, snippets.cascade_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  fades: mat4x4f, ahead: vec4f, ends: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let depth: f32 = ahead.x * world.x + ahead.y * world.y + ahead.z * world.z + ahead.w;
+    var number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
+    let own: vec4f = umbrage_cascade_column(fades, number);
+    let weight: f32 = umbrage_cascade_fade(depth, own.x, own.y);
+    var to_texels: mat4x4f = to_texels_0;
+    var planes: mat4x4f = planes_0;
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    var origin: vec2f = umbrage_cascade_tile(number, vec2f(terms.x, terms.y));
+    let nearer: f32 =
+        umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)),
+                     umbrage_receiver_slope(planes, normal, world), pixel);
+    let last: bool = number >= ends.w;
+    number = min(number + 1.0, ends.w);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    origin = umbrage_cascade_tile(number, vec2f(terms.x, terms.y));
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther =
+            umbrage_look(map, terms, filter_terms,
+                         umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)),
+                         umbrage_receiver_slope(planes, normal, world), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  fades: mat4x4f, ahead: vec4f, ends: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let depth: f32 = ahead.x * world.x + ahead.y * world.y + ahead.z * world.z + ahead.w;
+    var number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
+    let own: vec4f = umbrage_cascade_column(fades, number);
+    let weight: f32 = umbrage_cascade_fade(depth, own.x, own.y);
+    var to_texels: mat4x4f = to_texels_0;
+    var planes: mat4x4f = planes_0;
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    var layer: f32 = number;
+    let nearer: f32 =
+        umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)),
+                     umbrage_receiver_slope(planes, normal, world), pixel);
+    let last: bool = number >= ends.w;
+    number = min(number + 1.0, ends.w);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    layer = number;
+    var farther: f32 = 1.0;
+    if (weight > 0.0 && !last) {
+        farther =
+            umbrage_look(map, terms, filter_terms,
+                         umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world)),
+                         umbrage_receiver_slope(planes, normal, world), pixel);
+    }
+    return select(nearer, umbrage_blend_cascades(nearer, farther, weight), weight > 0.0);
+}
+`,
+};
 const cube_maps = {
-    grid: [3, 2], outside: "clamped", bends: false,
+    name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.cube_face, snippets.cube_face_point, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope, snippets.cube_tile],
     text: `
@@ -194,7 +305,7 @@ fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, to_texels: mat4x4f, planes: 
 `,
 };
 const tetrahedron_map = {
-    grid: [1, 1], outside: "clamped", bends: false,
+    name: "tetrahedron_map", grid: [1, 1], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
     needs: [snippets.tetrahedron_face, snippets.tetrahedron_face_point, snippets.tetrahedron_turned, snippets.project_coordinate, snippets.shadow_coordinate, snippets.receiver_slope],
     text: `
@@ -213,7 +324,7 @@ fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, to_texels: mat4x4f, planes: 
 `,
 };
 const paraboloid_maps = {
-    grid: [2, 1], outside: "clamped", bends: true,
+    name: "paraboloid_maps", grid: [2, 1], outside: "clamped", bends: true,
     fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }],
     needs: [snippets.dual_paraboloid_coordinate, snippets.distance_depth, snippets.dual_paraboloid_slope, snippets.cascade_tile],
     text: `
@@ -244,13 +355,35 @@ fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, halves: vec4f, terms: vec4f,
 `,
 };
 
-const spot_light = { language, name: "spot_light", maps: one_map };
-const directional_light = { language, name: "directional_light", maps: one_map };
-const cascades = { language, name: "cascades", maps: cascaded_maps };
-const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8 };
-const point_light = { language, name: "point_light", maps: cube_maps };
-const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map };
-const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps };
+const projected = { needs: [snippets.shadow_coordinate, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f) -> vec4f {
+    return umbrage_shadow_coordinate(to_clip, world);
+}
+` };
+const pancaked = { needs: [snippets.shadow_coordinate, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f) -> vec4f {
+    return umbrage_pancake(umbrage_shadow_coordinate(to_clip, world), NEAR);
+}
+` };
+const bent = { needs: [snippets.dual_paraboloid_position, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f, position: vec3f, number: f32) -> vec4f {
+    let p: vec4f = umbrage_dual_paraboloid_position(world - position, number);
+    let place: vec4f = to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+    return place;
+}
+` };
+
+const spot_light = { language, name: "spot_light", maps: one_map, vertex: projected };
+const directional_light = { language, name: "directional_light", maps: one_map, vertex: pancaked };
+const cascades = { language, name: "cascades", maps: cascaded_maps, vertex: pancaked };
+const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8, vertex: pancaked };
+const point_light = { language, name: "point_light", maps: cube_maps, vertex: projected };
+const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
+const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
+const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
 
 module.exports = {
     spot_light,
@@ -260,4 +393,5 @@ module.exports = {
     point_light,
     tetrahedron_light,
     dual_paraboloid_light,
+    warped_cascades,
 };

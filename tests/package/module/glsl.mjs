@@ -21,6 +21,7 @@ export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 export const exactness = items => exactness_in(language, items);
 export { source, supports, text, versions } from './module/versions.mjs';
+export { debug } from './module/glsl/debug.mjs';
 export * from './module/glsl/encodings.mjs';
 export * from './module/glsl/kinds.mjs';
 export * from './module/glsl/snippets.mjs';

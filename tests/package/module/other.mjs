@@ -21,7 +21,8 @@ export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
-@functions@export * from './module/@language@/encodings.mjs';
+@functions@export { debug } from './module/@language@/debug.mjs';
+export * from './module/@language@/encodings.mjs';
 export * from './module/@language@/kinds.mjs';
 export * from './module/@language@/snippets.mjs';
 export * as encodings from './module/@language@/encodings.mjs';

@@ -7,7 +7,7 @@ function must(holds, condition, got) {
 }
 
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
-    block: 0, texture: 1, sampler: 2, set: 0 };
+    block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
 
 /** shadow() of a language. */
@@ -18,7 +18,7 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
     must(typeof options === 'object' && options !== null, 'options must be an object', options);
     for (const key of Object.keys(options))
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
-    const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, ...rest } = { ...defaults, ...options };
+    const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
     must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind?.name ?? kind);
     const look = filter?.language === language && filter.filter !== undefined
         ? looks[filter.filter.arguments.map(argument => argument.name).join(', ')] : undefined;
@@ -31,6 +31,7 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
     const size = typeof map_size === 'number' ? [map_size, map_size] : map_size;
     must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1),
         'map_size must be whole texels, or two of them', map_size);
+    must(debug === undefined || debug?.language === language && debug.reading !== undefined, `debug must be debug of ${language.name}`, debug);
     const hardens = filter.filter.arguments.some(argument => argument.name === 'softness');
     must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
 
@@ -48,17 +49,25 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
     const own = (name, text, needs) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
     const umbrage_look = own('look', look.text.replaceAll('umbrage_FILTER', `umbrage_${filter.name}`), look.needs(filter));
     const with_pixel = layers && several ? kind.maps.of_layers : kind.maps.text;
-    const umbrage_shadow = own('shadow', turns ? with_pixel : without_pixel(with_pixel), [...kind.maps.needs, umbrage_look]);
-    check(hooks, umbrage_look, map);
-    check(hooks, umbrage_shadow, map);
-    const item = bound(hooks, umbrage_shadow, name, map, [umbrage_look, umbrage_shadow]);
+    const umbrage_shadow = own('shadow', turns ? with_pixel : without_pixel(with_pixel), [...kind.maps.needs]);
+    const texts = [umbrage_look, umbrage_shadow];
+    const tolerance = is_moments ? 'moments' : encoding.name;
+    if (debug) texts.push(...debug_texts(own, debug, kind.maps, { hardens, turns, tolerance, layers: layers && several }));
+    texts.forEach((text, i) => text.needs.push(...texts.slice(0, i)));  // each may call those before it
+    for (const text of texts) check(hooks, text, map);
+    const item = bound(hooks, umbrage_shadow, name, map, texts);
     const all_fields = [...fields, ...terms];
-    const declares = { name, fields: all_fields, block, texture, sampler, set, turns };
+    const declares = { name, fields: all_fields, block, texture, sampler, set, functions: functions_of(turns, debug) };
     const texel = is_moments ? filter.filter : encoding;
     return {
         ...item,
         declared: { name, text: version => declare(declares, item.declarations(), version) },
         depth_pass: bound(hooks, texel.write, name, complete(hooks, { direction })),
+        vertex_pass: clip => {
+            must(clip?.direction === direction, `clip must be a clip space whose depth is ${direction}`, clip?.direction ?? clip);
+            const near = reversed ? '1.0' : clip.range === 'zero_to_one' ? '0.0' : '-1.0', { text, needs } = kind.vertex;
+            return bound(hooks, own('vertex', text.replace('NEAR', near), needs), name, complete(hooks, { direction }));
+        },
         cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
         target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
             grid: layers ? [1, 1] : [columns, rows], map_size: size },
@@ -66,6 +75,28 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         bytes: all_fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
     };
 };
+
+/** The functions that a text declares for a shadow. */
+const functions_of = (turns, debug) => [
+    { name: '', calls: 'shadow', says: 'visibility of a point of the world, 1.0 is lit; a normal of zero is none', components: 1,
+        reads_map: true, reads_fields: true, arguments: [['world', 3], ['normal', 3], ...turns ? [['pixel', 2]] : []] },
+    ...debug ? [
+        { name: 'probe', calls: 'point_color', says: 'debug color of a point of the world, as umbrage_probe_color says', components: 3,
+            reads_map: false, reads_fields: true, arguments: [['world', 3], ['normal', 3]] },
+        { name: 'calibrate', calls: 'reading', components: 1, reads_map: true, reads_fields: false, arguments: [['number', 1]],
+            says: 'what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n'
+                + '//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths' }] : []];
+
+/** The texts behind umbrage_probe_<name> and umbrage_calibrate_<name>, in the order in which they call each other. */
+function debug_texts(own, debug, maps, { hardens, turns, tolerance, layers }) {
+    const place = debug.place_color[hardens ? 'hardens' : turns ? 'disc' : 'plain'], of_maps = debug.maps[maps.name];
+    const color = of_maps.channel_color, choice = layers ? debug.layer : of_maps.choice;
+    return [own('place_color', place.text, [place.bias, debug.needs.place]),
+        own('channel_color', color, [...maps.needs]),
+        own('point_color', of_maps.point_color, [...debug.needs.point]),
+        own('lit_at', turns ? debug.lit_at_turned : debug.lit_at, [debug.needs.point[0]]),
+        own('reading', debug.reading.replace('{\n', `{\n${choice}`).replace('PARTS', (maps.bends ? debug.parts_of_bent : debug.parts)[tolerance]), [])];
+}
 
 /** A shadow's text for filters that do not turn from pixel to pixel. */
 const without_pixel = text => text.replace(/,\s+(UMBRAGE_HIGHP vec2 |float2 )?pixel(: vec2f)?\)/g, ')');

@@ -57,6 +57,18 @@ export interface Cascades extends OfAll {
     /** Width of the band in which the next cascade takes over. */
     blend_texels?: number;
 }
+/** Cascades that follow the view, in maps stretched along it: fewer texels for the same detail, but texels that move. */
+export interface WarpedCascades extends OfAll {
+    direction?: Vector;
+    scene: Box;
+    camera: Cascades['camera'];
+    /** How many: up to 4. */
+    cascades?: number;
+    lambda?: number;
+    splits?: readonly number[];
+    /** Share of a cascade over which the next one takes over. */
+    overlap?: number;
+}
 export interface PointLight extends OfAll {
     position?: Vector;
     z_near?: number;
@@ -75,7 +87,7 @@ export interface Values {
 /** A shadow's values for a light of its kind.
  *  @throws Error   as the C++ library: function, argument, condition, value */
 export type ValuesOf = (shadow: ShadowOf<Language>,
-    light: SpotLight | DirectionalLight | Cascades | PointLight | DualParaboloidLight) => Values;
+    light: SpotLight | DirectionalLight | Cascades | WarpedCascades | PointLight | DualParaboloidLight) => Values;
 
 /** Starts the WebAssembly, once. */
 export function load_values(): Promise<ValuesOf>;

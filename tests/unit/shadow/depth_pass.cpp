@@ -64,3 +64,20 @@ TEST_CASE("depth_pass: vertices of parallel lights are moved onto the near plane
               (void)glsl::bind_vertex_pass(packed_lamp, "");
           }).starts_with("umbrage::glsl::bind_vertex_pass: name must be letters"));
 }
+
+TEST_CASE("depth_pass: a light is directional where its rays are parallel, however it is warped or shifted") {
+    for (const clip_space clip : {opengl_clip_space, unity_clip_space, cpu_clip_space}) {
+        const shadow warped(shadow_scene::warped(clip), {256, 256}, filters::hard{});
+        CHECK(has(glsl::text({glsl::bind_vertex_pass(warped, "sun")}, version::v330), "umbrage_pancake("));
+        for (const float angle : {0.001f, 0.5f, 1.5f}) {
+            light_space<float> spot =
+                make_spot_light<float>({.outer_angle_radians = angle, .z_near = 1, .z_far = 20, .clip = clip});
+            for (const float shift : {0.0f, 0.9f, 5.0f}) {
+                spot.projection[2][0] = shift;  // off its axis
+                const shadow lamp(spot, {256, 256}, filters::hard{});
+                CHECK(has(glsl::text({glsl::bind_vertex_pass(lamp, "lamp")}, version::v330),
+                          "return umbrage_shadow_coordinate(to_clip, world);"));
+            }
+        }
+    }
+}

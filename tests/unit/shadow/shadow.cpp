@@ -86,6 +86,21 @@ TEST_CASE("shadow: filters and encodings take the light's direction of depth") {
     }
 }
 
+TEST_CASE("shadow: an encoding's edge follows the light's direction unless it was chosen") {
+    const auto edge_of = [](const clip_space& clip, const rg<11>& encoding) {
+        return shadow(shadow_scene::spot(clip), {256, 256}, filters::hard{}, encoding).encoding().edge;
+    };
+    CHECK(edge_of(cpu_clip_space, {}) == 1.0f);
+    CHECK(edge_of(unity_clip_space, {}) == 0.0f);
+    CHECK(edge_of(unity_clip_space, {.direction = depth_direction::reversed}) == 0.0f);
+    CHECK(edge_of(cpu_clip_space, {.direction = depth_direction::reversed}) == 1.0f);
+    CHECK(edge_of(unity_clip_space, {.edge = 0.5f}) == 0.5f);
+    // the bias is then that of one step on one side: the same for both directions
+    const shadow forward(shadow_scene::spot(cpu_clip_space), {256, 256}, filters::hard{}, rg<11>{});
+    const shadow reversed(shadow_scene::spot(unity_clip_space), {256, 256}, filters::hard{}, rg<11>{});
+    CHECK(forward.uniforms().terms.error == reversed.uniforms().terms.error);
+}
+
 TEST_CASE("shadow: a whole image has the bits of its receivers alone, in pieces of any order") {
     const auto points = some_points();
     image<glm::vec3> normals(points.size(), up);
