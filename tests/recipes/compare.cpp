@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+//
+// A recipe's picture against C++: each pixel's lights, lit or not, looked up in maps that C++ drew, or in one read back.
+// With casters elsewhere, they must differ.
+//
+//     recipes_compare RECIPE PICTURE.png [MAP.floats]    1 when more than 0.5 % of pixels differ, or one far from an edge
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb/stb_image.h>
+
+#include <umbrage/umbrage.hpp>
+
+#include "../../examples/recipes/scene.hpp"
+
+namespace {
+
+using namespace umbrage;
+
+/// The scene's triangles; in `casters` the fence is cut into its pickets, as the rasterizer here knows no holes.
+struct geometry {
+    std::vector<scene::vertex> corners = scene::make_mesh();
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+
+    geometry() {
+        for (std::size_t i = 0; i < corners.size(); i += 3) {
+            const bool fence = corners[i + 1].uv.x > 0 || corners[i + 2].uv.x > 0;
+            if (!fence) add(corners[i].position, corners[i + 1].position, corners[i + 2].position);
+        }
+        const scene::vertex *first = &corners[corners.size() - 6], *right = first + 1, *up = first + 5;
+        for (float begin = 0; begin < right->uv.x; ++begin) {
+            const auto at = [&](float along) {
+                return first->position + (right->position - first->position) * (along / right->uv.x);
+            };
+            const glm::vec3 a = at(begin), b = at(begin + 0.5f), rise = up->position - first->position;
+            add(a, b, b + rise), add(a, b + rise, a + rise);
+        }
+    }
+
+    /// What a ray meets first.
+    struct hit {
+        float distance = INFINITY;
+        std::size_t triangle = 0;
+    };
+    [[nodiscard]] hit trace(glm::vec3 from, glm::vec3 along) const {
+        hit nearest;
+        for (std::size_t i = 0; i < corners.size(); i += 3) {
+            const scene::vertex* v = &corners[i];
+            const glm::vec3 a = v[1].position - v->position, b = v[2].position - v->position, p = glm::cross(along, b),
+                            s = from - v->position, q = glm::cross(s, a);
+            const float d = glm::dot(a, p), x = glm::dot(s, p) / d, y = glm::dot(along, q) / d, t = glm::dot(b, q) / d;
+            if (!(x >= 0 && y >= 0 && x + y <= 1 && t > 0 && t < nearest.distance)) continue;
+            const glm::vec2 uv = v->uv + (v[1].uv - v->uv) * x + (v[2].uv - v->uv) * y;
+            if (glm::fract(uv.x) <= 0.5f) nearest = {t, i};
+        }
+        return nearest;
+    }
+
+private:
+    void add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        const auto k = static_cast<unsigned>(positions.size());
+        positions.insert(positions.end(), {a, b, c}), triangles.push_back({k, k + 1, k + 2});
+    }
+};
+
+/// A light as the picture shows it.
+struct light {
+    const char* name;
+    glm::length_t channel;
+    std::function<float(glm::vec3 world, glm::vec3 normal)> brightness;  ///< of a lit pixel, in the channel
+    std::function<glm::vec3(glm::vec3 world)> towards;
+    std::function<float(glm::vec3 world, glm::vec3 normal)> visibility;
+    std::function<float(glm::vec3 world)> texel;  ///< width across the light, world units
+};
+
+void read_floats(const char* file, image<float>& map) {
+    const auto bytes = std::streamsize(map.texels().size_bytes());
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(map.texels().data()), bytes);
+    if (!stream || stream.peek() != EOF) throw std::runtime_error(std::string(file) + ": not a map of this size");
+}
+
+/// Looks the light up as its shadow does.
+/// @param file   a map that the recipe drew; null: C++ draws it
+template <class Shadow>
+void look_up(light& l, const Shadow& shadow, const geometry& scene, const char* file) {
+    image<float> depths(shadow.size(), cleared_depth(shadow.set_up().clip()));
+    if (file != nullptr) read_floats(file, depths);
+    else shadow.draw(depths, {scene.positions, scene.triangles});
+    image<typename Shadow::texel> map(shadow.size(), shadow.cleared());
+    shadow.store(depths, map);
+    l.visibility = [shadow, map](glm::vec3 world, glm::vec3 normal) { return shadow(map, world, normal); };
+    l.texel = [shadow](glm::vec3 world) {
+        float width = 0;
+        for (const auto& space : shadow.set_up().lights()) {
+            const glm::dvec4 at = space.projection * space.view * glm::dvec4(world, 1.0);
+            width = float(2.0 * at.w / (space.projection[0][0] * shadow.map_size().x));
+            if (at.w > 0 && glm::abs(at.x) < 0.95 * at.w && glm::abs(at.y) < 0.95 * at.w) break;
+        }
+        return width;
+    };
+}
+
+light spot_light() {
+    const auto towards = [](glm::vec3 world) { return glm::normalize(glm::vec3(5, 8, 4) - world); };
+    return {"spot light",
+            0,
+            [=](glm::vec3 world, glm::vec3 normal) {
+                const float cone = glm::dot(towards(world), glm::normalize(glm::vec3(5, 8, 4)));
+                return 0.9f * glm::smoothstep(0.88f, 0.9f, cone) * glm::dot(normal, towards(world));
+            },
+            towards,
+            {},
+            {}};
+}
+light sun_light() {
+    const glm::vec3 to_sun = glm::normalize(glm::vec3(-1, 1.2f, 0.7f));
+    return {"sun",
+            2,
+            [=](glm::vec3, glm::vec3 normal) { return 0.85f * glm::dot(normal, to_sun); },
+            [=](glm::vec3) { return to_sun; },
+            {},
+            {}};
+}
+
+/// The lights of a recipe.
+std::vector<light> lights_of(const std::string& recipe, const geometry& scene, const char* file) {
+    std::vector<light> all{spot_light(), sun_light()};
+    const auto both = [&](auto spot, auto cascades) {
+        look_up(all[0], shadow(spot, {1024, 1024}, filters::tent<3>), scene, file);
+        look_up(all[1], shadow(cascades, {1024, 1024}, filters::tent<3>), scene, nullptr);
+    };
+    const auto as_scene = [&](clip_space clip) { both(scene::make_spot(clip), scene::make_cascades(clip)); };
+    if (recipe == "opengl") as_scene(opengl_clip_space);
+    else throw std::invalid_argument("no recipe " + recipe);
+    return all;
+}
+
+/// What the camera sees in each pixel whose surface no rasterizer takes for another.
+class pixels {
+public:
+    struct pixel {
+        glm::ivec2 at;
+        glm::vec3 world, normal;
+    };
+
+    explicit pixels(const geometry& scene) : scene_(scene) {
+        for (glm::ivec2 p(0); p.y < scene::picture_size.y; ++p.y)
+            for (p.x = 0; p.x < scene::picture_size.x; ++p.x) {
+                const glm::vec2 center = glm::vec2(p) + 0.5f;
+                const auto [distance, triangle] = scene.trace(scene::camera.position, ray(center));
+                if (!(distance < INFINITY) || at_border(center, triangle)) continue;
+                all_.push_back({p, scene::camera.position + ray(center) * distance, scene.corners[triangle].normal});
+            }
+    }
+    [[nodiscard]] const std::vector<pixel>& all() const { return all_; }
+
+private:
+    [[nodiscard]] glm::vec3 ray(glm::vec2 on_picture) const {
+        const glm::vec2 at = (2.0f * on_picture / glm::vec2(scene::picture_size) - 1.0f) *
+                             glm::vec2(scene::camera.tan_half_x, -scene::camera.tan_half_y);
+        return axes_ * glm::vec3(at, -1);
+    }
+    [[nodiscard]] bool at_border(glm::vec2 center, std::size_t triangle) const {
+        const scene::vertex& first = scene_.corners[triangle];
+        for (const glm::vec2 off : {glm::vec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+            const auto [distance, other] = scene_.trace(scene::camera.position, ray(center + off * 0.125f));
+            const scene::vertex& v = scene_.corners[other];
+            const float apart = glm::dot(v.position - first.position, first.normal);
+            if (!(distance < INFINITY) || v.normal != first.normal || glm::abs(apart) > 1e-4f) return true;
+        }
+        return false;
+    }
+
+    const geometry& scene_;
+    glm::mat3 axes_{glm::transpose(
+        glm::mat3(look_along(scene::camera.position, scene::camera.direction, scene::camera.up, handedness::right)))};
+    std::vector<pixel> all_;
+};
+
+/// A recipe's picture.
+class picture {
+public:
+    explicit picture(const char* file) {
+        glm::ivec2 size(0);
+        int channels = 0;
+        stbi_uc* bytes = stbi_load(file, &size.x, &size.y, &channels, 4);
+        if (bytes == nullptr || size != scene::picture_size)
+            throw std::runtime_error(std::string(file) + ": no picture of this size");
+        bytes_.assign(bytes, bytes + 4 * size.x * size.y);
+        stbi_image_free(bytes);
+    }
+
+    /// @return   false when too many pixels differ, or one that is farther than two texels from an edge
+    [[nodiscard]] bool agrees(const light& l, const pixels& seen, const char* with) const {
+        int compared = 0, dark = 0, differ = 0, astray = 0;
+        for (const auto& [at, world, normal] : seen.all()) {
+            const float full = l.brightness(world, normal);
+            if (full < 0.1f) continue;
+            const bool expected = l.visibility(world, normal) > 0.5f;
+            ++compared, dark += !expected;
+            if (lit(at, l.channel, full) == expected) continue;
+            ++differ, astray += !near_edge(l, world, normal, expected);
+        }
+        std::printf("%s, %s: %d pixels, %d in shadow, %d differ, %d of them farther than two texels from an edge\n",
+                    l.name, with, compared, dark, differ, astray);
+        return compared > 10000 && dark > 500 && 200 * differ <= compared && astray == 0;
+    }
+
+private:
+    [[nodiscard]] bool lit(glm::ivec2 p, glm::length_t channel, float full) const {
+        const float value = bytes_[std::size_t(4 * (p.y * scene::picture_size.x + p.x) + channel)];
+        return value / 255 - glm::vec3(0.1f, 0.1f, 0.15f)[channel] > 0.5f * full;
+    }
+    [[nodiscard]] static bool near_edge(const light& l, glm::vec3 world, glm::vec3 normal, bool expected) {
+        const glm::vec3 towards = l.towards(world),
+                        across = glm::normalize(glm::cross(towards, glm::vec3(0.3f, 0.1f, 1)));
+        for (int i = -4; i <= 4; ++i)
+            for (int j = -4; j <= 4; ++j) {
+                glm::vec3 off = (across * float(i) + glm::cross(towards, across) * float(j)) * (0.5f * l.texel(world));
+                off -= towards * (glm::dot(normal, off) / glm::dot(normal, towards));
+                if ((l.visibility(world + off, normal) > 0.5f) != expected) return true;
+            }
+        return false;
+    }
+
+    std::vector<unsigned char> bytes_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc < 3) throw std::invalid_argument("RECIPE PICTURE.png [MAP.floats]");
+    geometry scene;
+    const pixels seen(scene);
+    const picture drawn(argv[2]);
+    bool good = true;
+    for (const light& l : lights_of(argv[1], scene, nullptr)) good = drawn.agrees(l, seen, "own map") && good;
+    if (argc > 3) good = drawn.agrees(lights_of(argv[1], scene, argv[3])[0], seen, "map read back") && good;
+    for (glm::vec3& p : scene.positions) p.x += 0.1f;
+    for (const light& l : lights_of(argv[1], scene, nullptr))
+        good = !drawn.agrees(l, seen, "casters elsewhere") && good;
+    return good ? 0 : 1;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "recipes_compare: %s\n", error.what());
+    return 1;
+}

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+#
+# Runs a recipe by COMMAND and compares its picture, FOLDER/NAME.png, with C++; where it writes FOLDER/NAME.floats, a
+# map, with what C++ looks up in that one, too. SOURCE has at most LINES lines, 120 columns each.
+cmake_minimum_required(VERSION 3.21)
+if(NOT DEFINED LINES)
+    set(LINES 120)
+endif()
+file(READ ${SOURCE} text)
+string(REGEX MATCHALL "\n" lines "${text}")
+list(LENGTH lines count)
+string(REPEAT . 121 too_long)
+file(STRINGS ${SOURCE} wide REGEX "${too_long}")
+if(count GREATER LINES OR wide)
+    message(FATAL_ERROR "${SOURCE} has ${count} lines, or one of more than 120 columns: ${LINES} lines at most")
+endif()
+
+file(MAKE_DIRECTORY ${FOLDER})
+set(picture ${FOLDER}/${NAME}.png)
+set(map ${FOLDER}/${NAME}.floats)
+file(REMOVE ${picture} ${map})
+execute_process(COMMAND ${COMMAND} ${picture} ${map} RESULT_VARIABLE status OUTPUT_VARIABLE log ERROR_VARIABLE log)
+if(status AND log MATCHES "no OpenGL|skipped: |SKIPPED: ")
+    message("skipped: ${log}")
+    return()
+elseif(status OR NOT log STREQUAL "")
+    message(FATAL_ERROR "${COMMAND}: ${status}\n${log}")
+endif()
+
+if(NOT EXISTS ${map})
+    set(map "")
+endif()
+execute_process(COMMAND ${COMPARE} ${NAME} ${picture} ${map} RESULT_VARIABLE status OUTPUT_VARIABLE log ERROR_VARIABLE log)
+message("${log}")
+if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${picture} is not what C++ makes of it")
+endif()
