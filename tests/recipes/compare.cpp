@@ -139,7 +139,10 @@ std::vector<light> lights_of(const std::string& recipe, const geometry& scene, c
         look_up(all[1], shadow(cascades, {1024, 1024}, filters::tent<3>), scene, nullptr);
     };
     const auto as_scene = [&](clip_space clip) { both(scene::make_spot(clip), scene::make_cascades(clip)); };
+    clip_space reversed = webgpu_clip_space;
+    reversed.direction = depth_direction::reversed;
     if (recipe == "opengl" || recipe == "webgl2") as_scene(opengl_clip_space);
+    else if (recipe == "webgpu") as_scene(reversed);
     else throw std::invalid_argument("no recipe " + recipe);
     return all;
 }
