@@ -134,15 +134,16 @@ light sun_light() {
 /// The lights of a recipe.
 std::vector<light> lights_of(const std::string& recipe, const geometry& scene, const char* file) {
     std::vector<light> all{spot_light(), sun_light()};
-    const auto both = [&](auto spot, auto cascades) {
-        look_up(all[0], shadow(spot, {1024, 1024}, filters::tent<3>), scene, file);
-        look_up(all[1], shadow(cascades, {1024, 1024}, filters::tent<3>), scene, nullptr);
+    const auto both = [&](clip_space clip, const auto&... encoding) {
+        look_up(all[0], shadow(scene::make_spot(clip), {1024, 1024}, filters::tent<3>, encoding...), scene, file);
+        look_up(all[1], shadow(scene::make_cascades(clip), {1024, 1024}, filters::tent<3>, encoding...), scene,
+                nullptr);
     };
-    const auto as_scene = [&](clip_space clip) { both(scene::make_spot(clip), scene::make_cascades(clip)); };
     clip_space reversed = webgpu_clip_space;
     reversed.direction = depth_direction::reversed;
-    if (recipe == "opengl" || recipe == "webgl2") as_scene(opengl_clip_space);
-    else if (recipe == "webgpu") as_scene(reversed);
+    if (recipe == "opengl" || recipe == "webgl2") both(opengl_clip_space);
+    else if (recipe == "webgpu") both(reversed);
+    else if (recipe == "opengl_es2") both(opengl_clip_space, rgb24{});
     else throw std::invalid_argument("no recipe " + recipe);
     return all;
 }
