@@ -131,6 +131,12 @@ light sun_light() {
             {}};
 }
 
+light lamp_light(glm::vec3 position) {
+    const auto towards = [=](glm::vec3 world) { return glm::normalize(position - world); };
+    return {"lamp",  2,  [=](glm::vec3 world, glm::vec3 normal) { return 0.85f * glm::dot(normal, towards(world)); },
+            towards, {}, {}};
+}
+
 /// The lights of a recipe.
 std::vector<light> lights_of(const std::string& recipe, const geometry& scene, const char* file) {
     std::vector<light> all{spot_light(), sun_light()};
@@ -144,7 +150,13 @@ std::vector<light> lights_of(const std::string& recipe, const geometry& scene, c
     if (recipe == "opengl" || recipe == "webgl2") both(opengl_clip_space);
     else if (recipe == "webgpu") both(reversed);
     else if (recipe == "opengl_es2") both(opengl_clip_space, rgb24{});
-    else throw std::invalid_argument("no recipe " + recipe);
+    else if (recipe == "webgl") {
+        const point_light<float> lamp{
+            .position = {-1.5f, 2.6f, 1.8f}, .z_far = 50, .map_size = 512, .border = 3, .clip = opengl_clip_space};
+        both(opengl_clip_space, rgb24{});
+        all[1] = lamp_light(lamp.position);
+        look_up(all[1], shadow(lamp, {512, 512}, filters::tent<3>, rgb24{}), scene, nullptr);
+    } else throw std::invalid_argument("no recipe " + recipe);
     return all;
 }
 
