@@ -147,7 +147,7 @@ std::vector<light> lights_of(const std::string& recipe, const geometry& scene, c
     };
     clip_space reversed = webgpu_clip_space;
     reversed.direction = depth_direction::reversed;
-    if (recipe == "opengl" || recipe == "webgl2") both(opengl_clip_space);
+    if (recipe == "opengl" || recipe == "webgl2" || recipe == "with_moderngl") both(opengl_clip_space);
     else if (recipe == "webgpu") both(reversed);
     else if (recipe == "opengl_es2") both(opengl_clip_space, rgb24{});
     else if (recipe == "webgl") {
