@@ -145,10 +145,13 @@ std::vector<light> lights_of(const std::string& recipe, const geometry& scene, c
         look_up(all[1], shadow(scene::make_cascades(clip), {1024, 1024}, filters::tent<3>, encoding...), scene,
                 nullptr);
     };
-    clip_space reversed = webgpu_clip_space;
-    reversed.direction = depth_direction::reversed;
+    const auto reversed = [](clip_space clip) {
+        clip.direction = depth_direction::reversed;
+        return clip;
+    };
     if (recipe == "opengl" || recipe == "webgl2" || recipe == "with_moderngl") both(opengl_clip_space);
-    else if (recipe == "webgpu") both(reversed);
+    else if (recipe == "webgpu") both(reversed(webgpu_clip_space));
+    else if (recipe == "vulkan") both(reversed(vulkan_clip_space));
     else if (recipe == "opengl_es2") both(opengl_clip_space, rgb24{});
     else if (recipe == "webgl") {
         const point_light<float> lamp{
