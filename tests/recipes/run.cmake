@@ -1,37 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Runs a recipe by COMMAND and compares its picture, FOLDER/NAME.png, with C++; where it writes FOLDER/NAME.floats, a
-# map, with what C++ looks up in that one, too. SOURCE has at most 120 lines of 120 columns, or where it marks umbrage's
-# part, 40 of those.
+# map, with what C++ looks up in that one, too.
 cmake_minimum_required(VERSION 3.21)
-file(READ ${SOURCE} text)
-string(REGEX MATCHALL "\n" lines "${text}")
-list(LENGTH lines count)
-if(text MATCHES "// Umbrage begins")
-    file(STRINGS ${SOURCE} lines)
-    set(part FALSE)
-    set(marked 0)
-    foreach(line IN LISTS lines)
-        if(line MATCHES "// Umbrage begins")
-            set(part TRUE)
-        elseif(line MATCHES "// Umbrage ends")
-            set(part FALSE)
-        elseif(part)
-            math(EXPR marked "${marked} + 1")
-        endif()
-    endforeach()
-    if(marked EQUAL 0 OR marked GREATER 40)
-        message(FATAL_ERROR "${SOURCE}: ${marked} lines are umbrage's part, more than 40")
-    endif()
-elseif(count GREATER 120)
-    message(FATAL_ERROR "${SOURCE} has ${count} lines, more than 120")
-endif()
-string(REPEAT . 121 too_long)
-file(STRINGS ${SOURCE} wide REGEX "${too_long}")
-if(wide)
-    message(FATAL_ERROR "${SOURCE} has more than 120 columns: ${wide}")
-endif()
-
 file(MAKE_DIRECTORY ${FOLDER})
 set(picture ${FOLDER}/${NAME}.png)
 set(map ${FOLDER}/${NAME}.floats)
