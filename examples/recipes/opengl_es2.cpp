@@ -24,15 +24,16 @@ GLuint made(void (*make)(GLsizei, GLuint*)) {
     return name;
 }
 
-GLuint program(const std::string& fragment) {
-    const std::string vertex = R"(#version 100
+/// @param place   vertex function of clip space: (to_clip, position)
+GLuint program(const std::string& head, const std::string& place, const std::string& fragment) {
+    const std::string vertex = head + R"(
         attribute vec3 position, vertex_normal;
         attribute vec2 vertex_uv;
         uniform mat4 to_clip;
-        varying highp vec3 world, normal;
-        varying highp vec2 uv, clip_depth;
+        varying highp vec3 world, normal;  varying highp vec2 uv, clip_depth;
         void main() {
-            gl_Position = to_clip * vec4(position, 1.0), clip_depth = gl_Position.zw;
+            gl_Position = )" + place +
+                               R"((to_clip, position), clip_depth = gl_Position.zw;
             world = position, normal = vertex_normal, uv = vertex_uv;
         })";
     const GLuint id = glCreateProgram();
@@ -56,7 +57,15 @@ void draw(GLuint with, const glm::mat4& to_clip, GLsizei vertices) {
 }
 
 /// Draws all maps of a shadow, each into its tile of a texture, which is bound to a texture unit from here on.
-void draw_maps(const auto& shadow, GLuint depth_pass, GLuint unit, GLsizei vertices) {
+void draw_maps(const auto& shadow, GLuint unit, GLsizei vertices) {
+    const GLuint depth_pass =
+        program(glsl::source(es2, {glsl::bind_vertex_pass(shadow, "map")}), "umbrage_vertex_map",
+                glsl::source(es2, {glsl::bind_depth_pass(shadow, "map")}, precision) + scene::shading + R"(
+        varying vec2 uv, clip_depth;  // in place of gl_FragCoord.z, which is mediump
+        void main() {
+            if (is_hole(uv)) discard;
+            gl_FragColor = umbrage_write_map(clip_depth.x / clip_depth.y * 0.5 + 0.5);
+        })");
     const glm::ivec2 size = shadow.size(), tile = shadow.map_size();
     const GLuint map = made(glGenTextures);
     glActiveTexture(GL_TEXTURE0 + unit), glBindTexture(GL_TEXTURE_2D, map);
@@ -93,21 +102,13 @@ int main(int, char** argv) {
     constexpr auto clip = umbrage::opengl_clip_space;
     const umbrage::shadow spot(scene::make_spot(clip), {1024, 1024}, umbrage::filters::tent<3>, umbrage::rgb24{});
     const umbrage::shadow sun(scene::make_cascades(clip), {1024, 1024}, umbrage::filters::tent<3>, umbrage::rgb24{});
-
-    const GLuint depth_pass =
-        program(glsl::source(es2, {glsl::bind_depth_pass(spot, "map")}, precision) + scene::shading + R"(
-        varying vec2 uv, clip_depth;  // in place of gl_FragCoord.z, which is mediump
-        void main() {
-            if (is_hole(uv)) discard;
-            gl_FragColor = umbrage_write_map(clip_depth.x / clip_depth.y * 0.5 + 0.5);
-        })");
     glEnable(GL_DEPTH_TEST), glDisable(GL_DITHER);
-    draw_maps(spot, depth_pass, 0, window.vertices()), draw_maps(sun, depth_pass, 1, window.vertices());
+    draw_maps(spot, 0, window.vertices()), draw_maps(sun, 1, window.vertices());
 
     const GLuint view =
-        program(glsl::source(es2, {glsl::bind(spot, "spot"), glsl::bind(sun, "sun")}, precision) + scene::shading + R"(
-        varying vec3 world, normal;
-        varying vec2 uv;
+        program(glsl::source(es2, {glsl::shadow_coordinate}), "umbrage_shadow_coordinate",
+                glsl::source(es2, {glsl::bind(spot, "spot"), glsl::bind(sun, "sun")}, precision) + scene::shading + R"(
+        varying vec3 world, normal;  varying vec2 uv;
         void main() {
             if (is_hole(uv)) discard;
             gl_FragColor = vec4(shade(world, normal, umbrage_spot(world, normal), umbrage_sun(world, normal)), 1.0);
