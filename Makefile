@@ -128,10 +128,11 @@ demo:
 	build/examples/examples/shadow_render/shadow_render --output build/demo
 
 pictures:
-	$(call install,$(demo_packages))
+	$(call install,$(gallery_packages))
 	cmake --preset examples
-	cmake --build --preset examples --target pictures
+	cmake --build --preset examples --target pictures --target recipe_opengl
 	build/examples/examples/pictures/pictures --output .media
+	LIBGL_ALWAYS_SOFTWARE=true build/examples/examples/recipes/recipe_opengl .media/recipes.png
 
 gallery:
 	$(call install,$(gallery_packages))

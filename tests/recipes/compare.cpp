@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A recipe's picture against C++: each pixel's lights, lit or not, looked up in maps that C++ drew, or in one read back.
-// With casters elsewhere, they must differ.
+// A recipe's picture against C++: each pixel's lights, lit or not, looked up in maps that C++ drew, or in one read
+// back. With casters elsewhere they must differ.
 //
-//     recipes_compare RECIPE PICTURE.png [MAP.floats]    1 when more than 0.5 % of pixels differ, or one far from an edge
+//     recipes_compare RECIPE PICTURE.png [MAP.floats]
+//
+// Exit status 1 when more than 0.5 % of pixels differ, or one farther than two texels from a shadow's edge.
 #include <cmath>
 #include <cstdio>
 #include <exception>
