@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every recipe in C++ draws: a mesh with a fence, the numbers of its camera and lights, and a picture's file.
+// Scene of every recipe in C++: a mesh with a fence, its camera and lights, their shading, and a picture's file.
 #pragma once
 
 #include <cstdint>

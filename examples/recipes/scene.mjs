@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every recipe in JavaScript draws: a mesh with a fence, the numbers of its camera and lights, and their shading.
+// Scene of every recipe in JavaScript: a mesh with a fence, the numbers of its camera and lights, and their shading.
 
 export const size = [480, 320], sky = [0.5, 0.6, 0.7, 1];
 

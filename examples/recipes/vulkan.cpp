@@ -61,7 +61,7 @@ int main(int, char** argv) try {
     std::memcpy(vertices.bytes, mesh.data(), sizeof mesh[0] * mesh.size());
     const vulkan::buffer spot_block(on, spot.uniforms()), sun_block(on, sun.uniforms());  // umbrage's bytes
 
-    // What the fragment shader reads: block and map of each shadow
+    // Descriptors of the fragment shader: block and map of each shadow
     using type = vk::DescriptorType;
     const auto plain = on.device.createSampler({});
     const auto compares = on.device.createSampler({.compareEnable = true, .compareOp = vk::CompareOp::eGreaterOrEqual});

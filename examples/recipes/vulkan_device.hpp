@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands in place of your engine in the recipe of Vulkan: a device, memory, images, and a pipeline of the scene's
-// vertices. Everything is waited for; speed is no aim.
+// Stand-in for your engine, of the recipe of Vulkan: a device, memory, images, and a pipeline of the scene's vertices.
+// It waits for everything; speed is no aim.
 #pragma once
 
 #define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS

@@ -17,7 +17,7 @@ umbrage.shadow_text.restype = umbrage.shading_text.restype = ctypes.c_char_p
 
 
 def values(function, *sizes):
-    """What a function of C++ writes, as arrays of floats."""
+    """Arrays of floats that a function of C++ writes."""
     arrays = [np.zeros(size, 'f4') for size in sizes]
     function(*(ctypes.c_void_p(array.ctypes.data) for array in arrays))
     return arrays

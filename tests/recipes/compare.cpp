@@ -47,7 +47,7 @@ struct geometry {
         }
     }
 
-    /// What a ray meets first.
+    /// First triangle on a ray.
     struct hit {
         float distance = INFINITY;
         std::size_t triangle = 0;
@@ -165,7 +165,7 @@ std::vector<light> lights_of(const std::string& recipe, const geometry& scene, c
     return all;
 }
 
-/// What the camera sees in each pixel whose surface no rasterizer takes for another.
+/// Surfaces that the camera sees, in each pixel where no rasterizer takes another for them.
 class pixels {
 public:
     struct pixel {
