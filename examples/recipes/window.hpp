@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Stand-in for your window, of the recipes of OpenGL: a context, the scene's mesh as attributes 0 to 2 (position, normal,
-// uv), a target for the picture.
+// Stand-in for your window, of the recipes of OpenGL: a context, the scene's mesh as attributes 0 to 2 (position,
+// normal, uv), and a target for the picture.
 #pragma once
 
 #include <epoxy/gl.h>

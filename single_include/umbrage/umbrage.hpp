@@ -25676,10 +25676,10 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that
-/// lie nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the light's
-/// projection, then its position and the number of the half behind the vertex, (to_clip, world, position, number), and
-/// want the mesh finely cut: tessellate.
+/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that lie
+/// nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the
+/// light's projection. Behind the vertex they take the light's position and the number of the half: (to_clip, world,
+/// position, number). Tessellate the mesh for them.
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   another name
 /// @exactness     B, n = 6; dual paraboloids C
