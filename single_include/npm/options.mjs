@@ -33,11 +33,11 @@ function literal(type, value) {
 }
 
 /** A filter's arguments behind the receiver, in a shader: the light's radius is a disc's radius, and scales a softness.
- *  @param words   rotation and radius as the host's shader has them, and the language's vec3 */
+ *  @param words   rotation and radius as the host's shader has them, the latter if it has one, and the language's vec3 */
 export function further_arguments(filter, given, { rotation, radius, vec3 }) {
     return filter.filter.arguments.map(({ name, type }) => ', ' + (
         name === 'rotation' ? rotation
-        : name === 'radius' && type === 'float' && !(name in given.own) ? radius
+        : name === 'radius' && type === 'float' && radius && !(name in given.own) ? radius
         : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(${radius}, 1.0, 1.0))`
         : literal(type, given.all[name]))).join('');
 }

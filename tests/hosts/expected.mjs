@@ -15,6 +15,8 @@ const three_webgpu = {
     },
 };
 
+const babylon = { host: '@babylonjs/core', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5_cascades', 'pcss16_cascades'], said: { restored: 'true' } };
+
 export const expected = {
     'three.html': {
         host: 'three',
@@ -33,6 +35,8 @@ export const expected = {
             old: 'THREE must be r182 or later; got 176',
         },
     },
+    'babylon.html': { ...babylon, flags: webgpu },
+    'babylon.html#webgl': { ...babylon, flags: webgl },
     'three_webgpu.html': { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
     'three_webgpu.html#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },
 };

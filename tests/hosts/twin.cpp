@@ -31,7 +31,7 @@ std::vector<float> floats_of(const std::string& path, std::size_t count) {
 
 int main(int argc, char** argv) try {
     if (argc != 7) throw std::invalid_argument("FILTER RECEIVERS MAP WIDTH HEIGHT SIZE");
-    const std::string filter = argv[1];
+    const std::string name = argv[1], filter = name.substr(0, name.find("_cascades"));
     const int width = std::stoi(argv[4]), height = std::stoi(argv[5]), size = std::stoi(argv[6]);
     const std::vector<float> receivers = floats_of(argv[2], std::size_t(width * height) * 4);
     const std::vector<float> depths = floats_of(argv[3], std::size_t(size * size));

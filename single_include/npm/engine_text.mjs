@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// What the addons of engines share: both languages' words, and functions in an engine's text.
+import * as glsl from '../umbrage.mjs';
+import * as wgsl from '../wgsl.mjs';
+import { checked_arguments, must } from './options.mjs';
+
+/** A language's words, and the text of a filter, its rotation and the colors of a probe, bound to maps. */
+export const languages = {
+    glsl: {
+        bind: glsl.bind, text: items => glsl.text(items, '300 es'), rotation: glsl.disc_rotation, probe_color: glsl.probe_color,
+        vec2: 'vec2', vec3: 'vec3', vec4: 'vec4', local: type => type,
+        global: (type, name, value) => `highp ${type} ${name} = ${value};`,
+        first_bits: value => `uintBitsToFloat(floatBitsToUint(${value}) & 0xffff0000u)`,
+    },
+    wgsl: {
+        bind: wgsl.bind, text: wgsl.text, rotation: wgsl.disc_rotation, probe_color: wgsl.probe_color,
+        vec2: 'vec2f', vec3: 'vec3f', vec4: 'vec4f', local: () => 'let',
+        global: (type, name, value) => `var<private> ${name}: ${type}f = ${value};`,
+        first_bits: value => `bitcast<f32>(bitcast<u32>(${value}) & 0xffff0000u)`,
+    },
+};
+
+/** What was asked of an engine, checked: a filter in the language that the engine compiles. */
+export function checked_options(where, name, { [name]: filter, arguments: own, probe = false }) {
+    must(where, filter !== undefined, `${name} must be given, a filter of this package, for this engine`, filter);
+    const given = checked_arguments(where, filter, own);
+    must(where, filter.language.name === name.toUpperCase(), `${name} must be a filter in ${name.toUpperCase()}`, filter.language.name);
+    return { filter, given, probe };
+}
+
+/** A light's size in texels as the radius that scales a softness: 1.0 for 256 texels across all depths. The first eight bits,
+ *  as make_penumbra_params rounds, so that penumbras have C++'s bits. */
+export const light_radius = (language, texels) => language.first_bits(`(${texels}) / 256.0`);
+
+/** What a debug view or a test reads behind a filter: the last receiver, and its color. */
+export function globals(language, probe) {
+    const { vec3, vec4 } = language;
+    return `${language.global('vec4', 'umbrage_receiver', `${vec4}(0.0)`)}  // texels, texels, depth, visibility\n`
+        + (probe ? `${language.global('vec3', 'umbrage_color', `${vec3}(0.5)`)}\n` : '');
+}
+
+/** A receiver's visibility, in umbrage_receiver.w: the filter's call, and the probe's. */
+export function filtered(language, { filter, probe }, { map, maps, size, at, z, layer, further }) {
+    const layered = layer === undefined ? '' : `${layer}, `;
+    return `umbrage_receiver = ${language.vec4}(${at}, ${z}, 0.0);
+    umbrage_receiver.w = umbrage_${filter.name}_${map}(${maps}, ${layered}${size}, umbrage_receiver.xy, umbrage_receiver.z${further});
+${probe ? `    umbrage_color = umbrage_probe_color_${map}(umbrage_receiver.xyz, ${size}, 0.0, ${layer ?? '0.0'});\n` : ''}`;
+}
+
+/** Where a body ends, behind its closing brace; begin lies behind the opening one. */
+export function end_of_body(text, begin) {
+    let depth = 1, end = begin;
+    for (; depth > 0 && end < text.length; ++end) depth += { '{': 1, '}': -1 }[text[end]] ?? 0;
+    return end;
+}
+
+/** The text with another body in a function, which is known by its head, up to its brace. */
+export function with_body(where, text, head, body, known) {
+    const at = text.indexOf(head), begin = at + head.length;
+    must(where, at >= 0 && text.indexOf(head, begin) < 0, known, `another text of ${head.match(/\w+(?=\()/)}`);
+    return `${text.slice(0, begin)}\n    ${body}${text.slice(end_of_body(text, begin) - 1)}`;
+}

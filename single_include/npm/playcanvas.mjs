@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// PlayCanvas: the filters of this package on its own shadow maps, for every material that receives shadows. Its shadowBias,
+// normalOffsetBias and penumbraSize keep their meaning. One filter for each kind of shadow: filters that compare replace
+// SHADOW_PCF3_* and SHADOW_PCF5_*, those that search for blockers replace SHADOW_PCSS_32F of directional lights.
+//
+//     import { castano_dyadic5 } from 'umbrage';
+//     import * as wgsl from 'umbrage/wgsl';
+//     import { install } from 'umbrage/playcanvas';
+//     install(app.graphicsDevice, { glsl: castano_dyadic5, wgsl: wgsl.castano_dyadic5 });  // before the first frame
+import { GraphicsDevice, ShaderChunks, SHADERLANGUAGE_GLSL, SHADERLANGUAGE_WGSL } from 'playcanvas';
+import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
+import { further_arguments, must } from './options.mjs';
+
+const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
+const installed = new Map();  // device -> PlayCanvas' own chunks, and what is asked of each kind
+
+/** The function of each chunk that is replaced, by its head as PlayCanvas writes it. */
+const heads = {
+    glsl: {
+        pcf: {
+            shadowPCF3PS: 'float _getShadowPCF3x3(SHADOWMAP_ACCEPT(shadowMap), vec3 shadowCoord, vec3 shadowParams) {',
+            shadowPCF5PS: 'float _getShadowPCF5x5(SHADOWMAP_ACCEPT(shadowMap), vec3 shadowCoord, vec3 shadowParams) {',
+        },
+        pcss: {
+            shadowSoftPS: 'float PCSSDirectional(TEXTURE_ACCEPT(shadowMap), vec3 shadowCoords, vec4 cameraParams, '
+                + 'vec4 softShadowParams) {',
+        },
+    },
+    wgsl: {
+        pcf: {
+            shadowPCF3PS: 'fn _getShadowPCF3x3(shadowMap: texture_depth_2d, shadowMapSampler: sampler_comparison, '
+                + 'shadowCoord: vec3f, shadowParams: vec3f) -> f32 {',
+            shadowPCF5PS: 'fn _getShadowPCF5x5(shadowMap: texture_depth_2d, shadowMapSampler: sampler_comparison, '
+                + 'shadowCoord: vec3f, shadowParams: vec3f) -> f32 {',
+        },
+        pcss: {
+            shadowSoftPS: 'fn PCSSDirectional(shadowMap: texture_2d<f32>, shadowMapSampler: sampler, shadowCoords: vec3f, '
+                + 'cameraParams: vec4f, softShadowParams: vec4f) -> f32 {',
+        },
+    },
+};
+const bindings = { pcf: { texture: 'shadow', outside: 'bordered' }, pcss: { texture: 'texture_2d', outside: 'bordered' } };
+const words = {
+    glsl: { size: 'vec2(textureSize(shadowMap, 0))', sampler: '', pixel: 'gl_FragCoord.xy', color: 'gl_FragColor = vec4(umbrage_color, 1.0);' },
+    wgsl: { size: 'vec2f(textureDimensions(shadowMap))', sampler: ', shadowMapSampler', pixel: 'pcPosition.xy', color: 'output.color = vec4f(umbrage_color, 1.0);' },
+};
+
+function body_of(name, kind, asked) {
+    const language = languages[name], word = words[name], pcss = kind === 'pcss', at = pcss ? 'shadowCoords' : 'shadowCoord';
+    // a world's depth apart makes a penumbra of penumbraSize worlds' depths; cameraParams: half a map's width, far, near
+    const radius = pcss ? light_radius(language,
+        'softShadowParams.z * (cameraParams.y - cameraParams.z) / (2.0 * cameraParams.x) * size.x') : undefined;
+    return `${language.local('vec2')} size = ${word.size};
+    ${filtered(language, asked, {
+        map: `playcanvas_${kind}`, maps: `shadowMap${pcss ? '' : word.sampler}`, size: 'size', at: `${at}.xy * size`, z: `${at}.z`,
+        further: further_arguments(asked.filter, asked.given,
+            { rotation: `umbrage_disc_rotation(${word.pixel})`, radius, vec3: language.vec3 }),
+    })}    return umbrage_receiver.w;\n`;
+}
+
+/** PlayCanvas' chunks with the filters that were asked for. A shader may include several of them. */
+function with_filters(name, own, asked) {
+    const language = languages[name], items = [language.rotation], chunks = { ...own };
+    for (const [kind, { filter, probe }] of Object.entries(asked)) {
+        items.push(language.bind(filter, `playcanvas_${kind}`, bindings[kind]));
+        if (probe) items.push(language.bind(language.probe_color, `playcanvas_${kind}`, bindings[kind]));
+    }
+    const probe = Object.values(asked).some(options => options.probe);
+    const once = `\n#ifndef UMBRAGE_PLAYCANVAS\n#define UMBRAGE_PLAYCANVAS\n${globals(language, probe)}${language.text(items)}\n#endif\n`;
+    for (const [kind, options] of Object.entries(asked))
+        for (const [chunk, head] of Object.entries(heads[name][kind]))
+            chunks[chunk] = once + with_body(where, own[chunk], head, body_of(name, kind, options), known);
+    if (probe) chunks.outputPS += `\n#ifdef UMBRAGE_PLAYCANVAS\n${words[name].color}\n#endif\n`;
+    return chunks;
+}
+
+/** Puts a filter in place of PlayCanvas' own, for all lights and materials of a device. */
+export function install(device, options = {}) {
+    must(where, device instanceof GraphicsDevice, 'device must be a graphics device of this copy of playcanvas',
+        device?.constructor?.name ?? device);
+    const name = device.isWebGPU ? 'wgsl' : 'glsl', chunks = chunks_of(device);
+    const asked = checked_options(where, name, options), kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
+    must(where, chunks.has('shadowPCF3PS'), 'device must belong to an app that was initialized', 'no chunks');
+    const names = ['shadowPCF3PS', 'shadowPCF5PS', 'shadowSoftPS', 'outputPS'];
+    const { own, kinds } = installed.get(device) ?? { own: Object.fromEntries(names.map(key => [key, chunks.get(key) ?? ''])), kinds: {} };
+    const all = { ...kinds, [kind]: asked };
+    chunks.add(with_filters(name, own, all));
+    installed.set(device, { own, kinds: all });
+}
+
+/** Restores PlayCanvas' own text, byte for byte. */
+export function uninstall(device) {
+    chunks_of(device).add(installed.get(device)?.own ?? {});
+    installed.delete(device);
+}
+
+function chunks_of(device) {
+    return ShaderChunks.get(device, device.isWebGPU ? SHADERLANGUAGE_WGSL : SHADERLANGUAGE_GLSL);
+}

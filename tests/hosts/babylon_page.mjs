@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// Babylon.js with WebGPU or WebGL 2: pictures of each filter; receivers, visibilities and the map as floats for C++.
+import * as BABYLON from '@babylonjs/core';
+import * as glsl from '/package/umbrage.mjs';
+import * as wgsl from '/package/wgsl.mjs';
+import { install, uninstall } from '/package/npm/babylon.mjs';
+import { depths_in_webgl, depths_in_webgpu } from '/engine_maps.mjs';
+import { base64, height, map_size, width } from '/scene.mjs';
+
+const in_webgl = location.hash === '#webgl', { Vector3, MeshBuilder } = BABYLON;
+const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
+const soft = { arguments: { softness: [0.0625, 16, 256] } };
+
+async function started() {
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    if (in_webgl) return new BABYLON.Engine(canvas, false, { preserveDrawingBuffer: true });
+    const engine = new BABYLON.WebGPUEngine(canvas, { antialias: false });
+    await engine.initAsync();
+    return engine;
+}
+
+/** Pillars, a ball and a fence on a floor under a directional light, with a shadow generator. */
+function make_scene(engine, { soft, cascades, size = 96 } = {}) {
+    const scene = new BABYLON.Scene(engine);
+    scene.clearColor = new BABYLON.Color4(0.5, 0.6, 0.7, 1);
+    scene.useRightHandedSystem = true;
+    const camera = new BABYLON.FreeCamera('camera', new Vector3(5, 4.5, 7), scene);
+    camera.setTarget(new Vector3(0, 0.6, 0));
+    camera.fov = 0.7;
+    camera.minZ = 0.1;
+    camera.maxZ = 60;
+    new BABYLON.HemisphericLight('sky', new Vector3(0, 1, 0), scene).intensity = 0.5;
+    const light = new BABYLON.DirectionalLight('sun', new Vector3(4, -6, 2.5), scene);
+    light.position = new Vector3(-4, 6, -2.5);
+    light.intensity = 0.8;
+    light.autoUpdateExtends = false;
+    Object.assign(light, { orthoLeft: -6, orthoRight: 6, orthoBottom: -6, orthoTop: 6, shadowMinZ: 1, shadowMaxZ: 16 });
+    const generator = cascades ? new BABYLON.CascadedShadowGenerator(map_size, light, true)
+        : new BABYLON.ShadowGenerator(map_size, light, true);
+    generator.bias = 0.002;
+    generator.normalBias = 0.01;
+    if (cascades) Object.assign(generator, { numCascades: 2, lambda: 0, shadowMaxZ: 60, cascadeBlendPercentage: 0, ...cascades });
+    if (soft) {
+        generator.useContactHardeningShadow = true;
+        generator.contactHardeningLightSizeUVRatio = size / map_size;
+    } else generator.usePercentageCloserFiltering = true;
+    const add = (mesh, color, x, y, z) => {
+        mesh.material = new BABYLON.PBRMaterial('paint', scene);
+        Object.assign(mesh.material, { albedoColor: new BABYLON.Color3(...color), metallic: 0, roughness: 1 });
+        mesh.position.set(x, y, z);
+        mesh.receiveShadows = true;
+        if (y > 0) generator.addShadowCaster(mesh);
+    };
+    add(MeshBuilder.CreateGround('floor', { width: 14, height: 14 }, scene), [0.85, 0.85, 0.85], 0, 0, 0);
+    add(MeshBuilder.CreateBox('pillar', { width: 0.5, height: 3, depth: 0.5 }, scene), [0.8, 0.5, 0.4], -1.6, 1.5, -0.6);
+    add(MeshBuilder.CreateSphere('ball', { diameter: 1.2 }, scene), [0.4, 0.6, 0.8], 1.2, 0.8, 1);
+    for (let i = 0; i < 7; ++i)
+        add(MeshBuilder.CreateBox('rail', { width: 0.06, height: 1.2, depth: 0.06 }, scene), [0.6, 0.6, 0.6], -2.5 + i * 0.35, 0.6, 2.2);
+    return { engine, scene, camera, generator };
+}
+
+async function draw({ engine, scene }) {
+    await scene.whenReadyAsync();
+    for (let frame = 0; frame < 3; ++frame) {
+        engine.beginFrame();
+        scene.render();
+        engine.endFrame();
+    }
+}
+
+async function picture(made) {
+    await draw(made);
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    canvas.getContext('2d').drawImage(made.engine.getRenderingCanvas(), 0, 0);
+    return canvas.toDataURL();
+}
+
+/** A material whose color is what the addon's own function saw. */
+class Receiver extends BABYLON.MaterialPluginBase {
+    constructor(material) { super(material, 'Receiver', 200, { RECEIVER: true }, true, true); }
+    getClassName() { return 'Receiver'; }
+    isCompatible() { return true; }
+    getCustomCode(stage) {
+        return stage !== 'fragment' ? null : { CUSTOM_FRAGMENT_MAIN_END:
+            `#ifdef SHADOWS\n${in_webgl ? 'gl_FragColor' : 'fragmentOutputs.color'} = umbrage_receiver;\n#endif` };
+    }
+}
+
+async function floats_of(made) {
+    const { engine, scene, camera, generator } = made;
+    for (const mesh of scene.meshes) new Receiver(mesh.material);
+    const target = new BABYLON.RenderTargetTexture('receivers', { width, height }, scene,
+        { generateMipMaps: false, type: BABYLON.Constants.TEXTURETYPE_FLOAT });
+    Object.assign(target, { renderList: scene.meshes, activeCamera: camera, clearColor: new BABYLON.Color4(0, 0, 0, 0) });
+    scene.customRenderTargets.push(target);
+    await draw(made);
+    const receivers = await target.readPixels(), map = generator.getShadowMap();
+    const texture = generator.useContactHardeningShadow ? map.getInternalTexture() : map.depthStencilTexture;
+    const layered = generator instanceof BABYLON.CascadedShadowGenerator, { underlyingResource } = texture._hardwareTexture;
+    return { receivers, depths: in_webgl ? depths_in_webgl(engine._gl, underlyingResource, map_size, layered)
+        : await depths_in_webgpu(engine._device, underlyingResource, map_size, layered) };
+}
+
+export const done = (async () => {
+    const pictures = {}, floats = {}, said = {}, cascades = {};
+    const stores = [BABYLON.ShaderStore.IncludesShadersStore, BABYLON.ShaderStore.IncludesShadersStoreWGSL];
+    const texts = () => stores.map(store => store.shadowsFragmentFunctions + store.oitFragment).join('');
+    const own_text = texts();
+    for (const [name, filter, options, scene] of [
+        ['own_pcf', null, {}, {}],
+        ['hard', 'hard', {}, {}],
+        ['castano_dyadic5', 'castano_dyadic5', {}, {}],
+        ['disc16', 'disc16', { arguments: { radius: 3 } }, {}],
+        ['own_pcss', null, {}, { soft: true }],
+        ['pcss16', 'pcss16', soft, { soft: true }],
+        ['own_cascades', null, {}, { cascades }],
+        ['castano_dyadic5_cascades', 'castano_dyadic5', {}, { cascades }],
+        ['own_pcss_cascades', null, {}, { soft: true, cascades }],
+        ['pcss16_cascades', 'pcss16', soft, { soft: true, cascades }],
+    ]) {
+        const engine = await started();
+        if (filter) install(engine, { ...filters(filter), ...options });
+        pictures[name] = await picture(make_scene(engine, scene));
+        if (filter) {
+            const { receivers, depths } = await floats_of(make_scene(engine, scene));
+            floats[`${name}.receivers`] = base64(receivers);
+            floats[`${name}.map`] = base64(depths);
+            uninstall(engine);
+        }
+        engine.dispose();
+    }
+    said.restored = texts() === own_text;
+    said.api = in_webgl ? 'webgl' : 'webgpu';
+    return { pictures, floats, said };
+})();
