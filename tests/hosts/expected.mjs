@@ -15,7 +15,8 @@ const three_webgpu = {
     },
 };
 
-const babylon = { host: '@babylonjs/core', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5_cascades', 'pcss16_cascades'], said: { restored: 'true' } };
+const babylon = { host: '@babylonjs/core', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades'], said: { restored: 'true' } };
+const playcanvas = { host: 'playcanvas', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'castano_dyadic5.spot'], said: { restored: 'true' } };
 
 export const expected = {
     'three.html': {
@@ -37,6 +38,8 @@ export const expected = {
     },
     'babylon.html': { ...babylon, flags: webgpu },
     'babylon.html#webgl': { ...babylon, flags: webgl },
+    'playcanvas.html': { ...playcanvas, flags: webgpu },
+    'playcanvas.html#webgl': { ...playcanvas, flags: webgl },
     'three_webgpu.html': { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
     'three_webgpu.html#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },
 };

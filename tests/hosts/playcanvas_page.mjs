@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// PlayCanvas with WebGPU or WebGL 2: pictures of each filter; receivers, visibilities and the map as floats for C++.
+import * as pc from 'playcanvas';
+import * as glsl from '/package/umbrage.mjs';
+import * as wgsl from '/package/wgsl.mjs';
+import { install, uninstall } from '/package/npm/playcanvas.mjs';
+import { depths_in_webgl, depths_in_webgpu } from '/engine_maps.mjs';
+import { base64, height, map_size, width } from '/scene.mjs';
+
+const in_webgl = location.hash === '#webgl';
+const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
+const soft = { arguments: { softness: [0.0625, 16, 256] } };
+const spot = { light: 'spot', range: 20, outerConeAngle: 35, innerConeAngle: 30, shadowBias: 0.05, intensity: 30 };
+const point = { light: 'omni', range: 20, type: pc.SHADOW_PCF3_32F, intensity: 30 };
+const language = in_webgl ? pc.SHADERLANGUAGE_GLSL : pc.SHADERLANGUAGE_WGSL;
+
+async function started() {
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    const device = await pc.createGraphicsDevice(canvas, { antialias: false, preserveDrawingBuffer: true, glslangUrl: '', twgslUrl: '',
+        deviceTypes: [in_webgl ? pc.DEVICETYPE_WEBGL2 : pc.DEVICETYPE_WEBGPU] });
+    if (device.isWebGPU === in_webgl) throw new Error(`the device is ${device.deviceType}`);
+    const options = new pc.AppOptions();
+    options.graphicsDevice = device;
+    options.componentSystems = [pc.RenderComponentSystem, pc.CameraComponentSystem, pc.LightComponentSystem];
+    const app = new pc.AppBase(canvas);
+    app.init(options);
+    app.start();
+    return app;
+}
+
+/** Pillars, a ball and a fence on a floor under a light. */
+function make_scene(app, { type = pc.SHADOW_PCF5_32F, light: kind = 'directional', clustered = false, ...further } = {}) {
+    app.scene.clusteredLightingEnabled = clustered;
+    if (clustered) app.scene.lighting.shadowType = type;
+    app.scene.ambientLight = new pc.Color(0.35, 0.35, 0.35);
+    const add = (type, color, position, scale) => {
+        const entity = new pc.Entity(), material = new pc.StandardMaterial();
+        material.diffuse = new pc.Color(...color);
+        material.update();
+        entity.addComponent('render', { type, material, castShadows: type !== 'plane' });
+        entity.setPosition(...position);
+        entity.setLocalScale(...scale);
+        app.root.addChild(entity);
+    };
+    add('plane', [0.85, 0.85, 0.85], [0, 0, 0], [14, 1, 14]);
+    add('box', [0.8, 0.5, 0.4], [-1.6, 1.5, -0.6], [0.5, 3, 0.5]);
+    add('sphere', [0.4, 0.6, 0.8], [1.2, 0.8, 1], [1.2, 1.2, 1.2]);
+    for (let i = 0; i < 7; ++i) add('box', [0.6, 0.6, 0.6], [-2.5 + i * 0.35, 0.6, 2.2], [0.06, 1.2, 0.06]);
+    const camera = new pc.Entity(), light = new pc.Entity();
+    camera.addComponent('camera', { clearColor: new pc.Color(0.5, 0.6, 0.7), fov: 40, nearClip: 0.1, farClip: 60 });
+    camera.setPosition(5, 4.5, 7);
+    camera.lookAt(0, 0.6, 0);
+    app.root.addChild(camera);
+    light.addComponent('light', { type: kind, castShadows: true, shadowResolution: map_size, shadowDistance: 25, shadowType: type,
+        shadowBias: 0.2, normalOffsetBias: 0.05, intensity: 1.3, ...further });
+    if (kind === 'directional') light.setEulerAngles(40, 60, 0);
+    else {
+        light.setPosition(-4, 6, -2.5);
+        light.lookAt(0, 0, 0);
+        light.rotateLocal(90, 0, 0);
+    }
+    app.root.addChild(light);
+    return { app, camera, light };
+}
+
+const frames = (app, count) => new Promise(done => {
+    let frame = 0;
+    const on = app.on('frameend', () => { if (++frame === count) on.off(), done(); });
+});
+
+async function picture({ app }) {
+    await frames(app, 4);
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    canvas.getContext('2d').drawImage(app.graphicsDevice.canvas, 0, 0);
+    return canvas.toDataURL();
+}
+
+/** What the addon's own function saw, as the color of each pixel. */
+async function floats_of({ app, camera, light }) {
+    const device = app.graphicsDevice;
+    const texture = new pc.Texture(device, { width, height, format: pc.PIXELFORMAT_RGBA32F, mipmaps: false });
+    camera.camera.renderTarget = new pc.RenderTarget({ colorBuffer: texture, depth: true });
+    camera.camera.clearColor = new pc.Color(0, 0, 0, 0);
+    await frames(app, 4);
+    const receivers = await texture.read(0, 0, width, height, { renderTarget: camera.camera.renderTarget, immediate: true });
+    const { shadowBuffer } = light.light.light.getRenderData(light.light.type === 'directional' ? camera.camera.camera : null, 0);
+    return { receivers, depths: in_webgl ? depths_in_webgl(device.gl, shadowBuffer.impl._glTexture, map_size)
+        : await depths_in_webgpu(device.wgpu, shadowBuffer.impl.gpuTexture, map_size) };
+}
+
+/** The first number of a softness as the addon makes it of a directional light, in floats. */
+function per_code({ light }) {
+    const [width, far, near] = light.light.light._shadowCameraParams, float = new Float32Array(1);
+    float[0] = light.light.penumbraSize * (far - near) / (2 * width) * map_size / 256;
+    new Uint32Array(float.buffer)[0] &= 0xffff0000;
+    return float[0] * 0.0625;
+}
+
+const shown = { glsl: 'gl_FragColor = umbrage_receiver;', wgsl: 'output.color = umbrage_receiver;' };
+export const done = (async () => {
+    const pictures = {}, floats = {}, said = {};
+    said.restored = true;
+    for (const [name, filter, options, scene] of [
+        ['own_pcf', null, {}, {}],
+        ['hard', 'hard', {}, {}],
+        ['castano_dyadic5', 'castano_dyadic5', {}, {}],
+        ['disc16', 'disc16', { arguments: { radius: 3 } }, { type: pc.SHADOW_PCF3_32F }],
+        ['own_pcss', null, {}, { type: pc.SHADOW_PCSS_32F }],
+        ['pcss16', 'pcss16', soft, { type: pc.SHADOW_PCSS_32F }],
+        ['own.cascades', null, {}, { numCascades: 4 }],
+        ['castano_dyadic5.cascades', 'castano_dyadic5', {}, { numCascades: 4 }],
+        ['own_pcss.cascades', null, {}, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
+        ['pcss16.cascades', 'pcss16', soft, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
+        ['own.spot', null, {}, spot],
+        ['castano_dyadic5.spot', 'castano_dyadic5', {}, spot],
+        ['own.clustered', null, {}, { ...spot, clustered: true }],
+        ['castano_dyadic5.clustered', 'castano_dyadic5', {}, { ...spot, clustered: true }],
+        ['own.point', null, {}, { ...point }],
+        ['hard.point', 'hard', {}, { ...point }],
+    ]) {
+        const app = await started(), chunks = pc.ShaderChunks.get(app.graphicsDevice, language), own = new Map(chunks);
+        if (filter) install(app.graphicsDevice, { ...filters(filter), ...options });
+        pictures[name] = await picture(make_scene(app, scene));
+        app.destroy();
+        if (!filter) continue;
+        const again = await started(), its = pc.ShaderChunks.get(again.graphicsDevice, language);
+        install(again.graphicsDevice, { ...filters(filter), ...options });
+        its.set('outputPS', `#ifdef UMBRAGE_PLAYCANVAS\n${shown[language]}\n#endif\n`);
+        if (name === 'pcss16.cascades' || /point|clustered/.test(name)) { again.destroy(); continue; }
+        const made = make_scene(again, scene), { receivers, depths } = await floats_of(made);
+        floats[`${name}.receivers`] = base64(receivers);
+        floats[`${name}.map`] = base64(depths);
+        if (scene.type === pc.SHADOW_PCSS_32F) said[`${name}.per_code`] = per_code(made);
+        else said[`${name}.compare`] = 'less';  // as PlayCanvas sets its samplers
+        uninstall(again.graphicsDevice);
+        said.restored &&= [...its].every(([key, text]) => own.get(key) === text);
+        again.destroy();
+    }
+    return { pictures, floats, said };
+})();
