@@ -13,11 +13,11 @@ const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
 const soft = { arguments: { softness: [0.0625, 16, 256] } };
 const spot = { light: 'spot', range: 20, outerConeAngle: 35, innerConeAngle: 30, shadowBias: 0.05, intensity: 30 };
 const point = { light: 'omni', range: 20, type: pc.SHADOW_PCF3_32F, intensity: 30 };
-const language = in_webgl ? pc.SHADERLANGUAGE_GLSL : pc.SHADERLANGUAGE_WGSL;
 
 async function started() {
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
-    const device = await pc.createGraphicsDevice(canvas, { antialias: false, preserveDrawingBuffer: true, glslangUrl: '', twgslUrl: '',
+    document.body.append(canvas);
+    const device = await pc.createGraphicsDevice(canvas, { antialias: false, preserveDrawingBuffer: true,
         deviceTypes: [in_webgl ? pc.DEVICETYPE_WEBGL2 : pc.DEVICETYPE_WEBGPU] });
     if (device.isWebGPU === in_webgl) throw new Error(`the device is ${device.deviceType}`);
     const options = new pc.AppOptions();
@@ -29,14 +29,15 @@ async function started() {
     return app;
 }
 
-/** Pillars, a ball and a fence on a floor under a light. */
-function make_scene(app, { type = pc.SHADOW_PCF5_32F, light: kind = 'directional', clustered = false, ...further } = {}) {
+/** Pillars, a ball and a fence on a floor under a light. Programs are kept by their defines: name tells those of scenes apart. */
+function make_scene(app, name, { type = pc.SHADOW_PCF5_32F, light: kind = 'directional', clustered = false, ...further } = {}) {
     app.scene.clusteredLightingEnabled = clustered;
     if (clustered) app.scene.lighting.shadowType = type;
     app.scene.ambientLight = new pc.Color(0.35, 0.35, 0.35);
     const add = (type, color, position, scale) => {
         const entity = new pc.Entity(), material = new pc.StandardMaterial();
         material.diffuse = new pc.Color(...color);
+        material.setDefine(`SCENE_${name.toUpperCase().replace('.', '_')}`, true);
         material.update();
         entity.addComponent('render', { type, material, castShadows: type !== 'plane' });
         entity.setPosition(...position);
@@ -70,7 +71,7 @@ const frames = (app, count) => new Promise(done => {
 });
 
 async function picture({ app }) {
-    await frames(app, 4);
+    await frames(app, 2);
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
     canvas.getContext('2d').drawImage(app.graphicsDevice.canvas, 0, 0);
     return canvas.toDataURL();
@@ -79,10 +80,15 @@ async function picture({ app }) {
 /** What the addon's own function saw, as the color of each pixel. */
 async function floats_of({ app, camera, light }) {
     const device = app.graphicsDevice;
+    for (const { material } of app.root.findComponents('render')) {
+        material.shaderChunks.glsl.set('outputPS', '#ifdef UMBRAGE_PLAYCANVAS\ngl_FragColor = umbrage_receiver;\n#endif\n');
+        material.shaderChunks.wgsl.set('outputPS', '#ifdef UMBRAGE_PLAYCANVAS\noutput.color = umbrage_receiver;\n#endif\n');
+        material.update();
+    }
     const texture = new pc.Texture(device, { width, height, format: pc.PIXELFORMAT_RGBA32F, mipmaps: false });
     camera.camera.renderTarget = new pc.RenderTarget({ colorBuffer: texture, depth: true });
     camera.camera.clearColor = new pc.Color(0, 0, 0, 0);
-    await frames(app, 4);
+    await frames(app, 2);
     const receivers = await texture.read(0, 0, width, height, { renderTarget: camera.camera.renderTarget, immediate: true });
     const { shadowBuffer } = light.light.light.getRenderData(light.light.type === 'directional' ? camera.camera.camera : null, 0);
     return { receivers, depths: in_webgl ? depths_in_webgl(device.gl, shadowBuffer.impl._glTexture, map_size)
@@ -97,45 +103,49 @@ function per_code({ light }) {
     return float[0] * 0.0625;
 }
 
-const shown = { glsl: 'gl_FragColor = umbrage_receiver;', wgsl: 'output.color = umbrage_receiver;' };
+/** Scenes by name: filter, its further options, light. Those of engines' own shadows have no filter. */
+const scenes = {
+    own_pcf: [null, {}, {}],
+    hard: ['hard', {}, {}],
+    castano_dyadic5: ['castano_dyadic5', {}, {}],
+    disc16: ['disc16', { arguments: { radius: 3 } }, { type: pc.SHADOW_PCF3_32F }],
+    own_pcss: [null, {}, { type: pc.SHADOW_PCSS_32F }],
+    pcss16: ['pcss16', soft, { type: pc.SHADOW_PCSS_32F }],
+    ...(in_webgl && {  // the same functions in WGSL
+        'own.cascades': [null, {}, { numCascades: 4 }],
+        'castano_dyadic5.cascades': ['castano_dyadic5', {}, { numCascades: 4 }],
+        'own_pcss.cascades': [null, {}, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
+        'pcss16.cascades': ['pcss16', soft, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
+        'own.spot': [null, {}, spot],
+        'castano_dyadic5.spot': ['castano_dyadic5', {}, spot],
+        'own.clustered': [null, {}, { ...spot, clustered: true }],
+        'castano_dyadic5.clustered': ['castano_dyadic5', {}, { ...spot, clustered: true }],
+        'own.point': [null, {}, point],
+        'hard.point': ['hard', {}, point],
+    }),
+};
+
 export const done = (async () => {
-    const pictures = {}, floats = {}, said = {};
-    said.restored = true;
-    for (const [name, filter, options, scene] of [
-        ['own_pcf', null, {}, {}],
-        ['hard', 'hard', {}, {}],
-        ['castano_dyadic5', 'castano_dyadic5', {}, {}],
-        ['disc16', 'disc16', { arguments: { radius: 3 } }, { type: pc.SHADOW_PCF3_32F }],
-        ['own_pcss', null, {}, { type: pc.SHADOW_PCSS_32F }],
-        ['pcss16', 'pcss16', soft, { type: pc.SHADOW_PCSS_32F }],
-        ['own.cascades', null, {}, { numCascades: 4 }],
-        ['castano_dyadic5.cascades', 'castano_dyadic5', {}, { numCascades: 4 }],
-        ['own_pcss.cascades', null, {}, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
-        ['pcss16.cascades', 'pcss16', soft, { numCascades: 4, type: pc.SHADOW_PCSS_32F }],
-        ['own.spot', null, {}, spot],
-        ['castano_dyadic5.spot', 'castano_dyadic5', {}, spot],
-        ['own.clustered', null, {}, { ...spot, clustered: true }],
-        ['castano_dyadic5.clustered', 'castano_dyadic5', {}, { ...spot, clustered: true }],
-        ['own.point', null, {}, { ...point }],
-        ['hard.point', 'hard', {}, { ...point }],
-    ]) {
-        const app = await started(), chunks = pc.ShaderChunks.get(app.graphicsDevice, language), own = new Map(chunks);
-        if (filter) install(app.graphicsDevice, { ...filters(filter), ...options });
-        pictures[name] = await picture(make_scene(app, scene));
-        app.destroy();
-        if (!filter) continue;
-        const again = await started(), its = pc.ShaderChunks.get(again.graphicsDevice, language);
-        install(again.graphicsDevice, { ...filters(filter), ...options });
-        its.set('outputPS', `#ifdef UMBRAGE_PLAYCANVAS\n${shown[language]}\n#endif\n`);
-        if (name === 'pcss16.cascades' || /point|clustered/.test(name)) { again.destroy(); continue; }
-        const made = make_scene(again, scene), { receivers, depths } = await floats_of(made);
-        floats[`${name}.receivers`] = base64(receivers);
-        floats[`${name}.map`] = base64(depths);
-        if (scene.type === pc.SHADOW_PCSS_32F) said[`${name}.per_code`] = per_code(made);
-        else said[`${name}.compare`] = 'less';  // as PlayCanvas sets its samplers
-        uninstall(again.graphicsDevice);
-        said.restored &&= [...its].every(([key, text]) => own.get(key) === text);
-        again.destroy();
+    const pictures = {}, floats = {}, said = { restored: true };
+    let app;
+    for (const [name, [filter, options, scene]] of Object.entries(scenes)) {
+        if (in_webgl) app?.destroy();  // its state was changed; several devices of WebGPU stop a page
+        if (in_webgl || !app) app = await started();
+        const device = app.graphicsDevice;
+        const chunks = pc.ShaderChunks.get(device, in_webgl ? pc.SHADERLANGUAGE_GLSL : pc.SHADERLANGUAGE_WGSL), own = new Map(chunks);
+        if (filter) install(device, { ...filters(filter), ...options });
+        const made = make_scene(app, name, scene);
+        pictures[name] = await picture(made);
+        if (filter) {
+            const { receivers, depths } = await floats_of(made);
+            floats[`${name}.receivers`] = base64(receivers);
+            floats[`${name}.map`] = base64(depths);
+            if (scene.type === pc.SHADOW_PCSS_32F) said[`${name}.per_code`] = per_code(made);
+            else said[`${name}.compare`] = 'less';  // as PlayCanvas sets its samplers
+            uninstall(device);
+            said.restored &&= [...chunks].every(([key, text]) => own.get(key) === text);
+        }
+        for (const entity of [...app.root.children]) entity.destroy();
     }
     return { pictures, floats, said };
 })();

@@ -75,6 +75,8 @@ encodings.rg17;
 `;
 const addons = `
 import { pcss16 } from 'umbrage';
+import * as babylon from 'umbrage/babylon';
+import * as playcanvas from 'umbrage/playcanvas';
 import { install, uninstall } from 'umbrage/three';
 import { shadow_filter } from 'umbrage/three/webgpu';
 import * as wgsl from 'umbrage/wgsl';
@@ -87,6 +89,15 @@ shadow_filter({ wgsl: wgsl.pcss16, glsl: pcss16 });
 install(THREE, renderer, { filter: wgsl.pcss16 });
 // @ts-expect-error no filter
 shadow_filter({});
+declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device;
+babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, scene });
+babylon.uninstall(engine, { scene });
+playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16 });
+playcanvas.uninstall(device);
+// @ts-expect-error a filter in another language
+babylon.install(engine, { wgsl: pcss16 });
+// @ts-expect-error a filter in another language
+playcanvas.install(device, { glsl: wgsl.pcss16 });
 `;
 writeFileSync(join(folder, 'addons.mts'), addons);
 writeFileSync(join(folder, 'import.mts'), program);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Types of umbrage/babylon.
+import type { Snippet as GlslSnippet } from '../umbrage.mjs';
+import type { Snippet } from '../wgsl.mjs';
+
+/** What the addon uses of an engine. */
+export interface Engine {
+    readonly isWebGPU: boolean;
+    readonly version: number;
+    readonly useReverseDepthBuffer: boolean;
+    releaseEffects(): void;
+}
+
+/** What the addon uses of a scene. */
+export interface Scene { readonly meshes: readonly { resetDrawCache(): void }[] }
+
+/** A filter that compares depths replaces PCF of medium and high quality: hard, tent3, castano_dyadic5, disc16, ... One that
+ *  searches for blockers replaces PCSS: pcss16, dpcf16, ... */
+export interface Options {
+    /** The filter for an engine with WebGPU. */
+    readonly wgsl?: Snippet;
+    /** The filter for an engine with WebGL 2. */
+    readonly glsl?: GlslSnippet;
+    /** In place of the filter's defaults, see glsl.filter.arguments. A generator's contactHardeningLightSizeUVRatio scales the
+     *  softness. */
+    readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
+    readonly probe?: boolean;
+    /** A scene that was drawn before: its materials are compiled again. */
+    readonly scene?: Scene;
+}
+
+/** Puts a filter in place of Babylon.js' own, for all spot and directional lights, with cascades or without, and for all
+ *  materials. A call for each kind; a second call of a kind changes its filter.
+ *  @throws Error   an engine of another copy of @babylonjs/core, or with WebGL 1; a shader text that is not known; a filter or
+ *                  an argument that does not fit */
+export function install(engine: Engine, options: Options): void;
+
+/** Restores Babylon.js' own text, byte for byte. */
+export function uninstall(engine: Engine, options?: { readonly scene?: Scene }): void;

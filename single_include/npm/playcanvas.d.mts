@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Types of umbrage/playcanvas.
+import type { Snippet as GlslSnippet } from '../umbrage.mjs';
+import type { Snippet } from '../wgsl.mjs';
+
+/** What the addon uses of a graphics device. */
+export interface Device { readonly isWebGPU: boolean }
+
+/** A filter that compares depths replaces SHADOW_PCF3_* and SHADOW_PCF5_*: hard, tent3, castano_dyadic5, disc16, ... One that
+ *  searches for blockers replaces SHADOW_PCSS_32F of directional lights: pcss16, dpcf16, ... */
+export interface Options {
+    /** The filter for a device with WebGPU. */
+    readonly wgsl?: Snippet;
+    /** The filter for a device with WebGL 2. */
+    readonly glsl?: GlslSnippet;
+    /** In place of the filter's defaults, see glsl.filter.arguments. A light's penumbraSize scales the softness. */
+    readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
+    readonly probe?: boolean;
+}
+
+/** Puts a filter in place of PlayCanvas' own, for all materials that were not drawn before. A call for each kind; a second
+ *  call of a kind changes its filter.
+ *  @throws Error   a device of another copy of playcanvas, or of no app; chunks whose text is not known; a filter or an
+ *                  argument that does not fit */
+export function install(device: Device, options: Options): void;
+
+/** Restores PlayCanvas' own text, byte for byte. */
+export function uninstall(device: Device): void;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Opens a page of a host in Chromium and hands what it drew to C++:
+//     node drive.mjs PAGE PACKAGE TWIN NODE_MODULES FOLDER
+//
+// The page sets window.done, a promise of {pictures: {name: data URL}, floats: {name: base64}, said: {name: text}}. All of
+// it goes to FOLDER. Exit status 1 when a receiver differs, or something was not said as expected; 77 without the host.
+import { execFileSync } from 'node:child_process';
+import { createReadStream, existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
+import { dirname, extname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { expected } from './expected.mjs';
+import { height, map_size, width } from './scene.mjs';
+
+const [page_name, umbrage, twin, node_modules, folder] = process.argv.slice(2);
+const here = dirname(fileURLToPath(import.meta.url)), wants = expected[page_name];
+for (const needed of ['playwright-core', wants.host])
+    if (!existsSync(join(node_modules, needed))) {
+        console.log(`SKIPPED: no ${needed} in ${node_modules}`);
+        process.exit(77);
+    }
+const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
+
+const roots = { '/modules/': node_modules, '/package/': umbrage, '/': here };
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript' };
+const server = createServer((request, answer) => {
+    const url = decodeURI(request.url.split('?')[0]), root = Object.keys(roots).find(r => url.startsWith(r));
+    const file = join(roots[root], url.slice(root.length));
+    if (url === '/favicon.ico') return answer.writeHead(204).end();
+    if (!existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
+    answer.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' });
+    createReadStream(file).pipe(answer);
+}).listen(0, '127.0.0.1');
+await new Promise(ready => server.on('listening', ready));
+
+const browser = await chromium.launch({ executablePath: process.env.UMBRAGE_CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', ...wants.flags] });
+const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
+const complaints = [];
+page.on('console', m => { console.log(m.type(), m.text().slice(0,600)); if (m.type() === 'error') complaints.push(m.text().slice(0, 2000)); });
+page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
+page.on('pageerror', e => complaints.push(String(e?.stack ?? e).slice(0, 2000)));
+await page.goto(`http://127.0.0.1:${server.address().port}/${page_name}`);
+const { pictures, floats, said } = await page.evaluate(() => window.done).catch(error => {
+    console.log(complaints.join('\n'));
+    throw error;
+});
+await browser.close();
+server.close();
+
+mkdirSync(folder, { recursive: true });
+for (const [name, url] of Object.entries(pictures))
+    writeFileSync(join(folder, `${name}.png`), Buffer.from(url.split(',')[1], 'base64'));
+for (const [name, text] of Object.entries(floats)) writeFileSync(join(folder, name), Buffer.from(text, 'base64'));
+let failed = 0;
+const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what}`); };
+for (const name of wants.filters) {
+    const files = ['receivers', 'map'].map(kind => join(folder, `${name}.${kind}`));
+    try {
+        process.stdout.write(execFileSync(twin, [name, ...files, width, height, map_size, said[`${name}.per_code`] ?? 0.0234375, said[`${name}.compare`] ?? 'less_equal'], { encoding: 'utf8' }));
+    } catch (error) { check(false, error.stdout || error.message); }
+}
+for (const [name, part] of Object.entries(wants.said)) check(String(said[name]).includes(part), `${name}: ${said[name]}`);
+for (const complaint of complaints) check(false, complaint);
+process.exit(failed ? 1 : 0);
