@@ -131,7 +131,14 @@ export const done = (async () => {
         }
         engine.dispose();
     }
+    const engine = await started(), made = make_scene(engine), { scene } = made;
+    const own = await picture(made);
+    install(engine, { ...filters('hard'), scene });  // at run time
+    said.later = await picture(made) === pictures.hard;
+    install(engine, { ...filters('hard'), probe: true, scene });
+    pictures.probe = await picture(made);
+    uninstall(engine, { scene });
+    said.off = await picture(made) === own;
     said.restored = texts() === own_text;
-    said.api = in_webgl ? 'webgl' : 'webgpu';
     return { pictures, floats, said };
 })();

@@ -15,8 +15,13 @@ const three_webgpu = {
     },
 };
 
-const babylon = { host: '@babylonjs/core', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades'], said: { restored: 'true' } };
-const playcanvas = { host: 'playcanvas', filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'castano_dyadic5.spot'], said: { restored: 'true' } };
+const babylon = {
+    host: '@babylonjs/core',
+    filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades'],
+    said: { later: 'true', off: 'true', restored: 'true' },
+};
+
+const playcanvas = { host: 'playcanvas', filters: ['hard', 'disc16', 'pcss16'], said: { restored: 'true' } };
 
 export const expected = {
     'three.html': {
@@ -39,7 +44,10 @@ export const expected = {
     'babylon.html': { ...babylon, flags: webgpu },
     'babylon.html#webgl': { ...babylon, flags: webgl },
     'playcanvas.html': { ...playcanvas, flags: webgpu },
-    'playcanvas.html#webgl': { ...playcanvas, flags: webgl },
+    'playcanvas.html#webgl': {
+        ...playcanvas, flags: webgl,
+        filters: [...playcanvas.filters, 'castano_dyadic5', 'castano_dyadic5.cascades', 'castano_dyadic5.spot'],
+    },
     'three_webgpu.html': { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
     'three_webgpu.html#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },
 };
