@@ -8,7 +8,7 @@
 #     make gpu     what this machine's GPU computes beside C++: a page for each API, build/gpu/report-*.md
 #     make lint    the rules of the house that scripts hold
 #     make format  formats all C++ files
-#     make hosts   the npm package's addons in every version of three.js that they support
+#     make hosts   the npm package's addons in three.js, Babylon.js and PlayCanvas, and from an empty folder
 #     make users   the unit tests as users compile them: part of make prove
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
@@ -174,23 +174,32 @@ users:
 	    done; \
 	done
 
-# The npm package's addons in every version that they support.
+# The npm package's addons in every version of three.js that they support, and in Babylon.js and PlayCanvas; then from an
+# empty folder, as the package's page says, with a table of what an addon adds to a page.
 three_versions := 182 184 186
+engines := @babylonjs/core@9.35.0 playcanvas@2.23.3
+host_pages := three.html three_webgpu.html three_webgpu.html\#webgl
+engine_pages := babylon.html babylon.html\#webgl playcanvas.html playcanvas.html\#webgl
+hosts: node_modules += $(engines)
 hosts:
 	$(call install,$(unit_packages) $(node_packages) chromium)
 	$(from_npm)
 	@test -f build/dev/build.ninja || cmake --preset dev
 	cmake --build --preset dev --target hosts_twin
-	@status=0; for revision in $(three_versions) 187; do \
+	@status=0; \
+	drive() { \
+        echo "$$1, $$3"; \
+        node tests/hosts/drive.mjs $$3 single_include build/dev/tests/hosts/hosts_twin $$2 build/hosts/$$1/$$3 || status=1; \
+	}; \
+	for revision in $(three_versions) 187; do \
 	    modules=build/hosts/$$revision/node_modules; \
 	    test -d $$modules/three || npm install --prefix build/hosts/$$revision --silent --no-audit --no-fund \
 	        three@0.$$revision.0 playwright-core@1.56.1 || exit 1; \
-	    for page in three.html three_webgpu.html three_webgpu.html#webgl; do \
-	        echo "three.js r$$revision, $$page"; \
-	        node tests/hosts/drive.mjs $$page single_include build/dev/tests/hosts/hosts_twin $$modules \
-	            build/hosts/$$revision/$$page || status=1; \
-	    done; \
-	done; exit $$status
+	    for page in $(host_pages); do drive $$revision $$modules $$page; done; \
+	done; \
+	for page in $(engine_pages); do drive engines build/node_modules $$page; done; \
+	node tests/hosts/from_npm.mjs single_include build/node_modules build/hosts/from_npm three@0.187.0 $(engines) || status=1; \
+	exit $$status
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

@@ -91,7 +91,8 @@ function with_filters(name, own, asked) {
             items.push(language.bind(options.filter, map, binding));
             if (options.probe) items.push(language.bind(language.probe_color, map, binding));
             for (const called of functions[kind])
-                text = with_body(where, text, heads[name](called, kind === 'pcss', array), body_of(name, kind, array, options), known);
+                text = with_body(where, text, heads[name](called, kind === 'pcss', array),
+                    body_of(name, kind, array, options), known);
         }
     const place = '#ifdef SHADOWS\n', probe = Object.values(asked).some(options => options.probe);
     must(where, text.startsWith(place), known, `another beginning of ${shadows}`);

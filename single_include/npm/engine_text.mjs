@@ -3,12 +3,13 @@
 // What the addons of engines share: both languages' words, and functions in an engine's text.
 import * as glsl from '../umbrage.mjs';
 import * as wgsl from '../wgsl.mjs';
-import { checked_arguments, must } from './options.mjs';
+import { checked_arguments, end_of_body, must } from './options.mjs';
 
 /** A language's words, and the text of a filter, its rotation and the colors of a probe, bound to maps. */
 export const languages = {
     glsl: {
-        bind: glsl.bind, text: items => glsl.text(items, '300 es'), rotation: glsl.disc_rotation, probe_color: glsl.probe_color,
+        bind: glsl.bind, text: items => glsl.text(items, '300 es'),
+        rotation: glsl.disc_rotation, probe_color: glsl.probe_color,
         vec2: 'vec2', vec3: 'vec3', vec4: 'vec4', local: type => type,
         global: (type, name, value) => `highp ${type} ${name} = ${value};`,
         first_bits: value => `uintBitsToFloat(floatBitsToUint(${value}) & 0xffff0000u)`,
@@ -25,7 +26,8 @@ export const languages = {
 export function checked_options(where, name, { [name]: filter, arguments: own, probe = false }) {
     must(where, filter !== undefined, `${name} must be given, a filter of this package, for this engine`, filter);
     const given = checked_arguments(where, filter, own);
-    must(where, filter.language.name === name.toUpperCase(), `${name} must be a filter in ${name.toUpperCase()}`, filter.language.name);
+    const language = name.toUpperCase();
+    must(where, filter.language.name === language, `${name} must be a filter in ${language}`, filter.language.name);
     return { filter, given, probe };
 }
 
@@ -44,15 +46,9 @@ export function globals(language, probe) {
 export function filtered(language, { filter, probe }, { map, maps, size, at, z, layer, further }) {
     const layered = layer === undefined ? '' : `${layer}, `;
     return `umbrage_receiver = ${language.vec4}(${at}, ${z}, 0.0);
-    umbrage_receiver.w = umbrage_${filter.name}_${map}(${maps}, ${layered}${size}, umbrage_receiver.xy, umbrage_receiver.z${further});
+    umbrage_receiver.w = umbrage_${filter.name}_${map}(
+        ${maps}, ${layered}${size}, umbrage_receiver.xy, umbrage_receiver.z${further});
 ${probe ? `    umbrage_color = umbrage_probe_color_${map}(umbrage_receiver.xyz, ${size}, 0.0, ${layer ?? '0.0'});\n` : ''}`;
-}
-
-/** Where a body ends, behind its closing brace; begin lies behind the opening one. */
-export function end_of_body(text, begin) {
-    let depth = 1, end = begin;
-    for (; depth > 0 && end < text.length; ++end) depth += { '{': 1, '}': -1 }[text[end]] ?? 0;
-    return end;
 }
 
 /** The text with another body in a function, which is known by its head, up to its brace. */

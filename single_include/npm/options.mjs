@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the addons share: options are checked before a host's text is touched.
+// What the addons share: options are checked before a host's text is touched, whose functions are found by their braces.
 
 export function must(where, holds, condition, got) {
     if (!holds) throw new Error(`umbrage/${where}: ${condition}; got ${got}`);
@@ -40,4 +40,11 @@ export function further_arguments(filter, given, { rotation, radius, vec3 }) {
         : name === 'radius' && type === 'float' && radius && !(name in given.own) ? radius
         : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(${radius}, 1.0, 1.0))`
         : literal(type, given.all[name]))).join('');
+}
+
+/** Where a body ends, behind its closing brace; begin lies behind the opening one. */
+export function end_of_body(text, begin) {
+    let depth = 1, end = begin;
+    for (; depth > 0 && end < text.length; ++end) depth += { '{': 1, '}': -1 }[text[end]] ?? 0;
+    return end;
 }

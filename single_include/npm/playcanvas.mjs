@@ -13,7 +13,7 @@ import { checked_options, filtered, globals, languages, light_radius, with_body 
 import { further_arguments, must } from './options.mjs';
 
 const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
-const installed = new Map();  // device -> PlayCanvas' own chunks, and what is asked of each kind
+const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and what is asked of each kind
 
 /** The function of each chunk that is replaced, by its head as PlayCanvas writes it. */
 const heads = {
@@ -42,18 +42,26 @@ const heads = {
 };
 const bindings = { pcf: { texture: 'shadow', outside: 'bordered' }, pcss: { texture: 'texture_2d', outside: 'bordered' } };
 const words = {
-    glsl: { size: 'vec2(textureSize(shadowMap, 0))', sampler: '', pixel: 'gl_FragCoord.xy', color: 'gl_FragColor = vec4(umbrage_color, 1.0);' },
-    wgsl: { size: 'vec2f(textureDimensions(shadowMap))', sampler: ', shadowMapSampler', pixel: 'pcPosition.xy', color: 'output.color = vec4f(umbrage_color, 1.0);' },
+    glsl: {
+        size: 'vec2(textureSize(shadowMap, 0))', sampler: '', pixel: 'gl_FragCoord.xy',
+        color: 'gl_FragColor = vec4(umbrage_color, 1.0);',
+    },
+    wgsl: {
+        size: 'vec2f(textureDimensions(shadowMap))', sampler: ', shadowMapSampler', pixel: 'pcPosition.xy',
+        color: 'output.color = vec4f(umbrage_color, 1.0);',
+    },
 };
 
 function body_of(name, kind, asked) {
     const language = languages[name], word = words[name], pcss = kind === 'pcss', at = pcss ? 'shadowCoords' : 'shadowCoord';
-    // a world's depth apart makes a penumbra of penumbraSize worlds' depths; cameraParams: half a map's width, far, near
+    // a caster as far from its receiver as the planes are apart has a penumbra of penumbraSize times that distance;
+    // cameraParams: half a map's width, far, near
     const radius = pcss ? light_radius(language,
         'softShadowParams.z * (cameraParams.y - cameraParams.z) / (2.0 * cameraParams.x) * size.x') : undefined;
     return `${language.local('vec2')} size = ${word.size};
     ${filtered(language, asked, {
-        map: `playcanvas_${kind}`, maps: `shadowMap${pcss ? '' : word.sampler}`, size: 'size', at: `${at}.xy * size`, z: `${at}.z`,
+        map: `playcanvas_${kind}`, maps: `shadowMap${pcss ? '' : word.sampler}`,
+        size: 'size', at: `${at}.xy * size`, z: `${at}.z`,
         further: further_arguments(asked.filter, asked.given,
             { rotation: `umbrage_disc_rotation(${word.pixel})`, radius, vec3: language.vec3 }),
     })}    return umbrage_receiver.w;\n`;
@@ -67,7 +75,8 @@ function with_filters(name, own, asked) {
         if (probe) items.push(language.bind(language.probe_color, `playcanvas_${kind}`, bindings[kind]));
     }
     const probe = Object.values(asked).some(options => options.probe);
-    const once = `\n#ifndef UMBRAGE_PLAYCANVAS\n#define UMBRAGE_PLAYCANVAS\n${globals(language, probe)}${language.text(items)}\n#endif\n`;
+    const once = '\n#ifndef UMBRAGE_PLAYCANVAS\n#define UMBRAGE_PLAYCANVAS\n'
+        + `${globals(language, probe)}${language.text(items)}\n#endif\n`;
     for (const [kind, options] of Object.entries(asked))
         for (const [chunk, head] of Object.entries(heads[name][kind]))
             chunks[chunk] = once + with_body(where, own[chunk], head, body_of(name, kind, options), known);
@@ -83,7 +92,8 @@ export function install(device, options = {}) {
     const asked = checked_options(where, name, options), kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
     must(where, chunks.has('shadowPCF3PS'), 'device must belong to an app that was initialized', 'no chunks');
     const names = ['shadowPCF3PS', 'shadowPCF5PS', 'shadowSoftPS', 'outputPS'];
-    const { own, kinds } = installed.get(device) ?? { own: Object.fromEntries(names.map(key => [key, chunks.get(key) ?? ''])), kinds: {} };
+    const { own, kinds } = installed.get(device)
+        ?? { own: Object.fromEntries(names.map(key => [key, chunks.get(key) ?? ''])), kinds: {} };
     const all = { ...kinds, [kind]: asked };
     chunks.add(with_filters(name, own, all));
     installed.set(device, { own, kinds: all });

@@ -8,7 +8,7 @@
 //     import { install } from 'umbrage/three';
 //     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
 import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
-import { checked_arguments, further_arguments, must } from './options.mjs';
+import { checked_arguments, end_of_body, further_arguments, must } from './options.mjs';
 
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
 const installed = new Map();  // ShaderChunk -> what it takes to restore it
@@ -21,9 +21,7 @@ function own_function(chunk) {
         + 'float shadowRadius, vec4 shadowCoord';
     must('three: install', heads.length === 2 && head[0].includes(parameters),
         'THREE must have the shadow shader of r182 or later', 'another text of shadowmap_pars_fragment');
-    let depth = 1, end = head.index + head[0].length;
-    for (; depth > 0; ++end) depth += { '{': 1, '}': -1 }[chunk[end]] ?? 0;
-    return { head: head[0], begin: head.index, end };
+    return { head: head[0], begin: head.index, end: end_of_body(chunk, head.index + head[0].length) };
 }
 
 /** The chunk with our function in place of three's. */

@@ -56,7 +56,8 @@ function make_scene(engine, { soft, cascades, size = 96 } = {}) {
     add(MeshBuilder.CreateBox('pillar', { width: 0.5, height: 3, depth: 0.5 }, scene), [0.8, 0.5, 0.4], -1.6, 1.5, -0.6);
     add(MeshBuilder.CreateSphere('ball', { diameter: 1.2 }, scene), [0.4, 0.6, 0.8], 1.2, 0.8, 1);
     for (let i = 0; i < 7; ++i)
-        add(MeshBuilder.CreateBox('rail', { width: 0.06, height: 1.2, depth: 0.06 }, scene), [0.6, 0.6, 0.6], -2.5 + i * 0.35, 0.6, 2.2);
+        add(MeshBuilder.CreateBox('rail', { width: 0.06, height: 1.2, depth: 0.06 }, scene), [0.6, 0.6, 0.6],
+            -2.5 + i * 0.35, 0.6, 2.2);
     return { engine, scene, camera, generator };
 }
 

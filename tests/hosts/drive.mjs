@@ -60,7 +60,8 @@ const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what
 for (const name of wants.filters) {
     const files = ['receivers', 'map'].map(kind => join(folder, `${name}.${kind}`));
     try {
-        process.stdout.write(execFileSync(twin, [name, ...files, width, height, map_size, said[`${name}.per_code`] ?? 0.0234375, said[`${name}.compare`] ?? 'less_equal'], { encoding: 'utf8' }));
+        const [per_code, compare] = [said[`${name}.per_code`] ?? 0.0234375, said[`${name}.compare`] ?? 'less_equal'];
+        process.stdout.write(execFileSync(twin, [name, ...files, width, height, map_size, per_code, compare], { encoding: 'utf8' }));
     } catch (error) { check(false, error.stdout || error.message); }
 }
 for (const [name, part] of Object.entries(wants.said)) check(String(said[name]).includes(part), `${name}: ${said[name]}`);

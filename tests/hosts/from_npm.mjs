@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // From an empty folder to a picture, as the package's README says it: packed, installed beside a host, bundled, opened.
-//     node from_npm.mjs PACKAGE FOLDER HOST...      for example playcanvas@2.23.3
+//     node from_npm.mjs PACKAGE NODE_MODULES FOLDER HOST...      for example playcanvas@2.23.3
 //
-// FOLDER has playwright-core and esbuild in node_modules. Prints what a page weighs without the addon and with it. Exit
+// NODE_MODULES has playwright-core and esbuild. Prints what a page weighs without the addon and with it. Exit
 // status 1: the picture has no shadow, or the addon changes nothing in it.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -11,8 +11,9 @@ import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 
-const [umbrage, folder, ...hosts] = process.argv.slice(2).map((argument, i) => (i < 2 ? resolve(argument) : argument));
-const { chromium } = createRequire(join(folder, 'x.js'))('playwright-core'), { build } = createRequire(join(folder, 'x.js'))('esbuild');
+const [umbrage, node_modules, folder, ...hosts] = process.argv.slice(2).map((argument, i) => (i < 3 ? resolve(argument) : argument));
+const required = createRequire(join(node_modules, 'x.js')), { chromium } = required('playwright-core'), { build } = required('esbuild');
+mkdirSync(folder, { recursive: true });
 const readme = readFileSync(join(umbrage, 'README.md'), 'utf8');
 const run = (program, ...args) => execFileSync(program, args, { encoding: 'utf8', maxBuffer: 1 << 24 });
 const [{ filename, size }] = JSON.parse(run('npm', 'pack', umbrage, '--json', '--silent', '--pack-destination', folder));

@@ -139,7 +139,8 @@ export const done = (async () => {
         if (in_webgl) app?.destroy();  // its state was changed; several devices of WebGPU stop a page
         if (in_webgl || !app) app = await started();
         const device = app.graphicsDevice;
-        const chunks = pc.ShaderChunks.get(device, in_webgl ? pc.SHADERLANGUAGE_GLSL : pc.SHADERLANGUAGE_WGSL), own = new Map(chunks);
+        const language = in_webgl ? pc.SHADERLANGUAGE_GLSL : pc.SHADERLANGUAGE_WGSL;
+        const chunks = pc.ShaderChunks.get(device, language), own = new Map(chunks);
         if (filter) install(device, { ...filters(filter), ...options });
         const made = make_scene(app, name, scene);
         pictures[name] = await picture(made);

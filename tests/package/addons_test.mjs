@@ -22,7 +22,7 @@ const check = (what, good) => {
 };
 const refusal = call => { try { call(); return 'accepted'; } catch (error) { return error.message; } };
 
-/** An engine as its own text: {addon, engine(webgpu), other, read(), write(text), searched}. */
+/** An engine as its text: makes one, gives its chunks as a map; names what is replaced, and says what is not known. */
 const hosts = {
     async babylon() {
         const { AbstractEngine } = await load('@babylonjs/core/Engines/abstractEngine.js');
@@ -42,15 +42,18 @@ const hosts = {
     },
     async playcanvas() {
         const pc = await load('playcanvas/build/playcanvas/src/index.js');
+        const source = 'playcanvas/build/playcanvas/src/scene/shader-lib';
         const chunks = {
-            wgsl: (await load('playcanvas/build/playcanvas/src/scene/shader-lib/wgsl/collections/shader-chunks-wgsl.js')).shaderChunksWGSL,
-            glsl: (await load('playcanvas/build/playcanvas/src/scene/shader-lib/glsl/collections/shader-chunks-glsl.js')).shaderChunksGLSL,
+            wgsl: (await load(`${source}/wgsl/collections/shader-chunks-wgsl.js`)).shaderChunksWGSL,
+            glsl: (await load(`${source}/glsl/collections/shader-chunks-glsl.js`)).shaderChunksGLSL,
         };
         const addon = await load('umbrage/npm/playcanvas.mjs');
-        const chunks_of = device => pc.ShaderChunks.get(device, device.isWebGPU ? pc.SHADERLANGUAGE_WGSL : pc.SHADERLANGUAGE_GLSL);
+        const language = ({ isWebGPU }) => (isWebGPU ? pc.SHADERLANGUAGE_WGSL : pc.SHADERLANGUAGE_GLSL);
+        const chunks_of = device => pc.ShaderChunks.get(device, language(device));
         const bare = isWebGPU => Object.create(pc.GraphicsDevice.prototype, { isWebGPU: { value: isWebGPU }, on: { value() {} } });
         const early = refusal(() => addon.install(bare(false), { glsl: glsl.hard }));
-        check(`playcanvas, before its app: ${early}`, early.endsWith('device must belong to an app that was initialized; got no chunks'));
+        check(`playcanvas, before its app: ${early}`,
+            early.endsWith('device must belong to an app that was initialized; got no chunks'));
         return {
             addon, first: 'shadowPCF3PS', unknown: 'another text of _getShadowPCF3x3', chunks: chunks_of,
             replaced: { pcf: '_getShadowPCF5x5', pcss: 'PCSSDirectional' }, engine: isWebGPU => {
@@ -91,10 +94,14 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
         check(`${where}: restored byte for byte`, texts() === own);
 
         const other = language === 'glsl' ? wgsl : glsl;
-        say('no filter', () => addon.install(engine), `${language} must be given, a filter of this package, for this engine; got undefined`);
-        say('another language', () => addon.install(engine, { [language]: other.pcss16 }), `${language} must be a filter in ${language.toUpperCase()}`);
-        say('moments', () => addon.install(engine, { [language]: vsm }), 'filter must read depths through one coordinate; got vsm');
-        say('an argument', () => addon.install(engine, { [language]: pcss16, arguments: { softnes: 1 } }), 'arguments must be among (softness, rotation)');
+        say('no filter', () => addon.install(engine),
+            `${language} must be given, a filter of this package, for this engine; got undefined`);
+        say('another language', () => addon.install(engine, { [language]: other.pcss16 }),
+            `${language} must be a filter in ${language.toUpperCase()}; got `);
+        say('moments', () => addon.install(engine, { [language]: vsm }),
+            'filter must read depths through one coordinate; got vsm');
+        say('an argument', () => addon.install(engine, { [language]: pcss16, arguments: { softnes: 1 } }),
+            'arguments must be among (softness, rotation)');
         say('another engine', () => addon.install({}, { [language]: pcss16 }), 'of this copy of');
         check(`${where}: untouched by what is refused`, texts() === own);
         chunks.set(first, chunks.get(first).replace(unknown.split(' ').at(-1), 'renamed'));
