@@ -12,11 +12,12 @@ const in_webgl = location.hash === '#webgl', { Vector3, MeshBuilder } = BABYLON;
 const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
 const soft = { arguments: { softness: [0.0625, 16, 256] } };
 
-async function started() {
+async function started(reversed = false) {
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
-    if (in_webgl) return new BABYLON.Engine(canvas, false, { preserveDrawingBuffer: true });
-    const engine = new BABYLON.WebGPUEngine(canvas, { antialias: false });
-    await engine.initAsync();
+    const engine = in_webgl ? new BABYLON.Engine(canvas, false, { preserveDrawingBuffer: true })
+        : new BABYLON.WebGPUEngine(canvas, { antialias: false });
+    if (!in_webgl) await engine.initAsync();
+    engine.useReverseDepthBuffer = reversed;
     return engine;
 }
 
@@ -119,15 +120,18 @@ export const done = (async () => {
         ['castano_dyadic5.cascades', 'castano_dyadic5', {}, { cascades }],
         ['own_pcss.cascades', null, {}, { soft: true, cascades }],
         ['pcss16.cascades', 'pcss16', soft, { soft: true, cascades }],
+        ['own.reversed', null, {}, { reversed: true }],
+        ['castano_dyadic5.reversed', 'castano_dyadic5', {}, { reversed: true }],
+        ['pcss16.reversed', 'pcss16', soft, { soft: true, reversed: true }],
     ]) {
-        const engine = await started();
+        const engine = await started(scene.reversed);
         if (filter) install(engine, { ...filters(filter), ...options });
         pictures[name] = await picture(make_scene(engine, scene));
         if (filter) {
             const { receivers, depths } = await floats_of(make_scene(engine, scene));
             floats[`${name}.receivers`] = base64(receivers);
             floats[`${name}.map`] = base64(depths);
-            if (!scene.soft) said[`${name}.compare`] = 'less';  // as Babylon.js sets its samplers
+            if (!scene.soft) said[`${name}.compare`] = scene.reversed ? 'greater' : 'less';  // as Babylon.js sets its samplers
             uninstall(engine);
         }
         engine.dispose();

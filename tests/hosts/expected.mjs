@@ -17,7 +17,8 @@ const three_webgpu = {
 
 const babylon = {
     host: '@babylonjs/core',
-    filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades'],
+    filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades',
+        'castano_dyadic5.reversed', 'pcss16.reversed'],
     said: { later: 'true', off: 'true', restored: 'true' },
 };
 

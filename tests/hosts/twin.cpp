@@ -3,9 +3,9 @@
 // What a host's own shader said of its receivers, said again by C++:
 //     hosts_twin FILTER[.SCENE] RECEIVERS MAP WIDTH HEIGHT SIZE PER_CODE COMPARE
 //
-// PER_CODE is that of a softness. COMPARE is less for samplers that ask for less, else less_equal. RECEIVERS are floats:
-// (x, y) in texels, depth and visibility of each pixel, from below. MAP has SIZE x SIZE depths. Prints receivers, those
-// in penumbra and those that differ. Exit status 1: one differs, or nothing was tried.
+// PER_CODE is that of a softness. COMPARE is less or greater for samplers that ask for it, else less_equal. RECEIVERS
+// are floats: (x, y) in texels, depth and visibility of each pixel, from below. MAP has SIZE x SIZE depths. Prints
+// receivers, those in penumbra and those that differ. Exit status 1: one differs, or nothing was tried.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -34,10 +34,15 @@ struct less {
     bool operator()(float receiver, float stored) const { return receiver < stored; }
 };
 
+/// The same of reversed depth.
+struct greater {
+    bool operator()(float receiver, float stored) const { return receiver > stored; }
+};
+
 template <class Compare>
 float visibility(const std::string& filter, const image<float>& map, const float* r, glm::vec2 rotation, float per_code,
                  Compare is_lit) {
-    const auto texels = bordered(map, 1.0f);
+    const auto texels = bordered(map, is_lit(0.0f, 1.0f) ? 1.0f : 0.0f);
     const glm::vec2 at(r[0], r[1]);
     if (filter == "hard") return hard(texels, at, r[2], is_lit);
     if (filter == "castano_dyadic5") return castano_dyadic<5>(texels, at, r[2], is_lit);
@@ -64,8 +69,12 @@ int main(int argc, char** argv) try {
             const float* const r = &receivers[std::size_t(y * width + x) * 4];
             if (r[0] == 0 && r[1] == 0 && r[2] == 0 && r[3] == 0) continue;  // where nothing was drawn
             const glm::vec2 rotation = disc_rotation(glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
-            const float expected = compare == "less" ? visibility(filter, map, r, rotation, per_code, less{})
-                                                     : visibility(filter, map, r, rotation, per_code, less_equal{});
+            const auto expected_by = [&](auto is_lit) {
+                return visibility(filter, map, r, rotation, per_code, is_lit);
+            };
+            const float expected = compare == "less"      ? expected_by(less{})
+                                   : compare == "greater" ? expected_by(greater{})
+                                                          : expected_by(less_equal{});
             ++tried;
             in_penumbra += expected > 0 && expected < 1;
             differing += expected != r[3];
