@@ -4,7 +4,7 @@
 import type { Snippet as GlslSnippet } from '../umbrage.mjs';
 import type { Snippet } from '../wgsl.mjs';
 
-/** What the addon uses of an engine. */
+/** Members of an engine that the addon uses. */
 export interface Engine {
     readonly isWebGPU: boolean;
     readonly version: number;
@@ -12,7 +12,7 @@ export interface Engine {
     releaseEffects(): void;
 }
 
-/** What the addon uses of a scene. */
+/** Members of a scene that the addon uses. */
 export interface Scene { readonly meshes: readonly { resetDrawCache(): void }[] }
 
 /** A filter that compares depths replaces PCF of medium and high quality: hard, tent3, castano_dyadic5, disc16, ... One that

@@ -20,7 +20,7 @@ import { further_arguments, must } from './options.mjs';
 const where = 'babylon: install', known = '@babylonjs/core must have the shadow shader of 9.35';
 const shadows = 'shadowsFragmentFunctions', last = 'oitFragment';  // the latter is included behind a material's color
 const stores = { glsl: ShaderStore.IncludesShadersStore, wgsl: ShaderStore.IncludesShadersStoreWGSL };
-const installed = new Map();  // language -> Babylon.js' own texts, and what is asked of each kind
+const installed = new Map();  // language -> Babylon.js' own texts, and the options of each kind
 
 /** Names of the functions of a kind, without and with cascades. */
 const functions = { pcf: ['PCF3', 'PCF5'], pcss: ['PCSS16', 'PCSS32', 'PCSS64'] };
@@ -42,7 +42,7 @@ const heads = {
         + `${pcss && array ? ',lightSizeUVCorrection: vec2f,depthCorrection: f32,penumbraDarkness: f32' : ''})->f32\n{`,
 };
 
-/** What else the languages say differently: maps as arguments, depth in [0, 1], the pixel. */
+/** Words of Babylon.js' shaders in both languages: maps as arguments, depth in [0, 1], the pixel. */
 const words = {
     glsl: {
         maps: pcss => (pcss ? 'depthSampler' : 'shadowSampler'), size: map => `vec2(textureSize(${map}, 0).xy)`, z: 'ZINCLIP',
@@ -61,7 +61,7 @@ function map_of(kind, array, reversed) {
     return { name, binding: { texture, outside: 'bordered', direction: reversed && kind === 'pcf' ? 'reversed' : 'forward' } };
 }
 
-/** A depth in a cascade, whose planes hold the casters beyond it: nearer than an empty texel, as the sampler asks for less. */
+/** A depth in a cascade, whose planes hold the casters beyond it. Nearer than an empty texel, as the sampler compares by less. */
 const clamped = (z, pcss, reversed) => `clamp(${z}, ${reversed && !pcss ? '1.1754944e-38, 1.0' : '0.0, 0.99999994'})`;
 
 function body_of(name, kind, array, asked) {
@@ -81,7 +81,7 @@ function body_of(name, kind, array, asked) {
     })}    return computeFallOff(mix(darkness, 1.0, umbrage_receiver.w), clipSpace.xy, frustumEdgeFalloff);\n`;
 }
 
-/** Babylon.js' text with the filters that were asked for in place of its own. */
+/** Babylon.js' text with the given filters in place of its own. */
 function with_filters(name, own, asked) {
     const language = languages[name], items = [language.rotation];
     let text = own;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What the addons of engines share: both languages' words, and functions in an engine's text.
+// Parts that the addons of engines share: both languages' words, and functions in an engine's text.
 import * as glsl from '../umbrage.mjs';
 import * as wgsl from '../wgsl.mjs';
 import { checked_arguments, end_of_body, must } from './options.mjs';
 
-/** A language's words, and the text of a filter, its rotation and the colors of a probe, bound to maps. */
+/** Each language's module, and its words. */
 export const languages = {
     glsl: {
         bind: glsl.bind, text: items => glsl.text(items, '300 es'),
@@ -22,7 +22,7 @@ export const languages = {
     },
 };
 
-/** What was asked of an engine, checked: a filter in the language that the engine compiles. */
+/** Checked options: a filter in the language that the engine compiles, and its arguments. */
 export function checked_options(where, name, { [name]: filter, arguments: own, probe = false }) {
     must(where, filter !== undefined, `${name} must be given, a filter of this package, for this engine`, filter);
     const given = checked_arguments(where, filter, own);
@@ -35,14 +35,14 @@ export function checked_options(where, name, { [name]: filter, arguments: own, p
  *  as make_penumbra_params rounds, so that penumbras have C++'s bits. */
 export const light_radius = (language, texels) => language.first_bits(`(${texels}) / 256.0`);
 
-/** What a debug view or a test reads behind a filter: the last receiver, and its color. */
+/** Globals for a probe or a test: the last receiver, and its color. */
 export function globals(language, probe) {
     const { vec3, vec4 } = language;
     return `${language.global('vec4', 'umbrage_receiver', `${vec4}(0.0)`)}  // texels, texels, depth, visibility\n`
         + (probe ? `${language.global('vec3', 'umbrage_color', `${vec3}(0.5)`)}\n` : '');
 }
 
-/** A receiver's visibility, in umbrage_receiver.w: the filter's call, and the probe's. */
+/** Calls of the filter and the probe. The visibility is in umbrage_receiver.w. */
 export function filtered(language, { filter, probe }, { map, maps, size, at, z, layer, further }) {
     const layered = layer === undefined ? '' : `${layer}, `;
     return `umbrage_receiver = ${language.vec4}(${at}, ${z}, 0.0);

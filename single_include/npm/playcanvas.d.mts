@@ -4,7 +4,7 @@
 import type { Snippet as GlslSnippet } from '../umbrage.mjs';
 import type { Snippet } from '../wgsl.mjs';
 
-/** What the addon uses of a graphics device. */
+/** Members of a graphics device that the addon uses. */
 export interface Device { readonly isWebGPU: boolean }
 
 /** A filter that compares depths replaces SHADOW_PCF3_* and SHADOW_PCF5_*: hard, tent3, castano_dyadic5, disc16, ... One that

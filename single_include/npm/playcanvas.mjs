@@ -13,7 +13,7 @@ import { checked_options, filtered, globals, languages, light_radius, with_body 
 import { further_arguments, must } from './options.mjs';
 
 const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
-const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and what is asked of each kind
+const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and the options of each kind
 
 /** The function of each chunk that is replaced, by its head as PlayCanvas writes it. */
 const heads = {
@@ -67,7 +67,7 @@ function body_of(name, kind, asked) {
     })}    return umbrage_receiver.w;\n`;
 }
 
-/** PlayCanvas' chunks with the filters that were asked for. A shader may include several of them. */
+/** PlayCanvas' chunks with the given filters. A shader may include several of them. */
 function with_filters(name, own, asked) {
     const language = languages[name], items = [language.rotation], chunks = { ...own };
     for (const [kind, { filter, probe }] of Object.entries(asked)) {

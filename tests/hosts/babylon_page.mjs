@@ -78,7 +78,7 @@ async function picture(made) {
     return canvas.toDataURL();
 }
 
-/** A material whose color is what the addon's own function saw. */
+/** A plugin of materials: their color is the receiver as the addon's own function saw it. */
 class Receiver extends BABYLON.MaterialPluginBase {
     constructor(material) { super(material, 'Receiver', 200, { RECEIVER: true }, true, true); }
     getClassName() { return 'Receiver'; }

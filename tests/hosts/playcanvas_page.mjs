@@ -81,7 +81,7 @@ async function picture({ app }) {
     return canvas.toDataURL();
 }
 
-/** What the addon's own function saw, as the color of each pixel. */
+/** Receivers as the addon's own function saw them, as the color of each pixel. */
 async function floats_of({ app, camera, light }) {
     const device = app.graphicsDevice;
     for (const { material } of app.root.findComponents('render')) {
@@ -107,7 +107,7 @@ function per_code({ light }) {
     return float[0] * 0.0625;
 }
 
-/** Scenes by name: filter, its further options, light. Those of engines' own shadows have no filter. */
+/** Scenes by name: filter, its further options, light. A scene with PlayCanvas' own shadows has no filter. */
 const scenes = {
     own_pcf: [null, {}, {}],
     hard: ['hard', {}, {}],

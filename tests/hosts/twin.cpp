@@ -3,7 +3,7 @@
 // What a host's own shader said of its receivers, said again by C++:
 //     hosts_twin FILTER[.SCENE] RECEIVERS MAP WIDTH HEIGHT SIZE PER_CODE COMPARE
 //
-// PER_CODE is that of a softness. COMPARE is less or greater for samplers that ask for it, else less_equal. RECEIVERS
+// PER_CODE is that of a softness. COMPARE is that of the sampler: less, greater or less_equal. RECEIVERS
 // are floats: (x, y) in texels, depth and visibility of each pixel, from below. MAP has SIZE x SIZE depths. Prints
 // receivers, those in penumbra and those that differ. Exit status 1: one differs, or nothing was tried.
 #include <cstdio>

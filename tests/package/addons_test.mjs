@@ -22,7 +22,7 @@ const check = (what, good) => {
 };
 const refusal = call => { try { call(); return 'accepted'; } catch (error) { return error.message; } };
 
-/** An engine as its text: makes one, gives its chunks as a map; names what is replaced, and says what is not known. */
+/** Each host: its addon, an engine of it, its chunks as a map, names of replaced functions, and the reason of a refusal. */
 const hosts = {
     async babylon() {
         const { AbstractEngine } = await load('@babylonjs/core/Engines/abstractEngine.js');
