@@ -21,8 +21,8 @@ async function started(reversed = false) {
     return engine;
 }
 
-/** Pillars, a ball and a fence on a floor under a directional light, with a shadow generator. */
-function make_scene(engine, { soft, cascades, size = 96 } = {}) {
+/** Pillars, a ball and a fence on a floor under a light with a shadow generator. */
+function make_scene(engine, { soft, cascades, spot, size = 96 } = {}) {
     const scene = new BABYLON.Scene(engine);
     scene.clearColor = new BABYLON.Color4(0.5, 0.6, 0.7, 1);
     scene.useRightHandedSystem = true;
@@ -32,9 +32,11 @@ function make_scene(engine, { soft, cascades, size = 96 } = {}) {
     camera.minZ = 0.1;
     camera.maxZ = 60;
     new BABYLON.HemisphericLight('sky', new Vector3(0, 1, 0), scene).intensity = 0.5;
-    const light = new BABYLON.DirectionalLight('sun', new Vector3(4, -6, 2.5), scene);
-    light.position = new Vector3(-4, 6, -2.5);
-    light.intensity = 0.8;
+    const position = new Vector3(-4, 6, -2.5), direction = new Vector3(4, -6, 2.5);
+    const light = spot ? new BABYLON.SpotLight('spot', position, direction, 1.2, 2, scene)
+        : new BABYLON.DirectionalLight('sun', direction, scene);
+    light.position = position;
+    light.intensity = spot ? 200 : 0.8;
     light.autoUpdateExtends = false;
     Object.assign(light, { orthoLeft: -6, orthoRight: 6, orthoBottom: -6, orthoTop: 6, shadowMinZ: 1, shadowMaxZ: 16 });
     const generator = cascades ? new BABYLON.CascadedShadowGenerator(map_size, light, true)
@@ -120,6 +122,9 @@ export const done = (async () => {
         ['castano_dyadic5.cascades', 'castano_dyadic5', {}, { cascades }],
         ['own_pcss.cascades', null, {}, { soft: true, cascades }],
         ['pcss16.cascades', 'pcss16', soft, { soft: true, cascades }],
+        ['own.spot', null, {}, { spot: true }],
+        ['castano_dyadic5.spot', 'castano_dyadic5', {}, { spot: true }],
+        ['pcss16.spot', 'pcss16', soft, { spot: true, soft: true }],
         ['own.reversed', null, {}, { reversed: true }],
         ['castano_dyadic5.reversed', 'castano_dyadic5', {}, { reversed: true }],
         ['pcss16.reversed', 'pcss16', soft, { soft: true, reversed: true }],

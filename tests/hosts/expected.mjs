@@ -18,7 +18,7 @@ const three_webgpu = {
 const babylon = {
     host: '@babylonjs/core',
     filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades',
-        'castano_dyadic5.reversed', 'pcss16.reversed'],
+        'castano_dyadic5.reversed', 'pcss16.reversed', 'castano_dyadic5.spot', 'pcss16.spot'],
     said: { later: 'true', off: 'true', restored: 'true' },
 };
 
