@@ -11,6 +11,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
 
 #include "run.hpp"
 
@@ -30,6 +31,21 @@ inline CLI::Validator within(double low, double high) {
                 return number && value >= low && value <= high ? std::string() : "must be " + range + ", is " + input;
             },
             range};
+}
+
+/// A width and a height, both from low to high: "480x320", or one number for both.
+inline CLI::Option* add_size(CLI::App& app, const std::string& name, glm::ivec2& size, const std::string& about,
+                             int low, int high) {
+    const auto shown = [](glm::ivec2 s) { return std::to_string(s.x) + "x" + std::to_string(s.y); };
+    const auto read = [&size, low, high, name](const std::string& text) {
+        const auto cross = text.find('x');
+        const std::string sides[]{text.substr(0, cross), cross == text.npos ? text : text.substr(cross + 1)};
+        for (int i = 0; i < 2; ++i)
+            if (!CLI::detail::lexical_cast(sides[i], size[i]) || size[i] < low || size[i] > high)
+                throw CLI::ValidationError(name, "must be " + std::to_string(low) + " to " + std::to_string(high) +
+                                                     ", or two such as 480x320, is " + text);
+    };
+    return app.add_option_function<std::string>(name, read, about)->type_name("SIZE")->default_str(shown(size));
 }
 
 /// The file of a mesh: an option, or an argument, that may be left out but not left empty.

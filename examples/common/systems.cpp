@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "systems.hpp"
 
+#include <utility>
+
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -14,10 +16,23 @@ scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file,
     return out;
 }
 
-light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
-                 umbrage::clip_space clip) {
-    const glm::vec3 towards = direction_at(azimuth, elevation);
-    const glm::vec3 up = direction_at(azimuth, elevation + 90);  // turns with the light, never parallel to it
+scene make_pane(const shadow_system& s) {
+    const glm::vec3 low(-2.3f, 0, 0.75f), across(1.3f, 0, -0.75f), up(0, 1.15f, 0);
+    mesh m;
+    for (glm::vec3 corner : {low, low + across, low + across + up, low + up}) {
+        m.positions.push_back(corner * s.scene_scale);
+        m.normals.push_back(glm::normalize(glm::cross(across, up)));
+        m.colors.emplace_back(0.55f, 0.75f, 0.80f);
+    }
+    m.triangles = {{0, 1, 2}, {0, 2, 3}};
+    scene out{.geometry = std::move(m)};
+    find_bounds(out);
+    return out;
+}
+
+light make_light(const shadow_system& s, const scene& scene, umbrage::clip_space clip) {
+    const glm::vec3 towards = direction_at(s.azimuth, s.elevation);
+    const glm::vec3 up = direction_at(s.azimuth, s.elevation + 90);  // turns with the light, never parallel to it
     light out{.spot = s.light == light_kind::spot, .direction = -towards};
     switch (s.light) {
         case light_kind::spot: {
@@ -50,14 +65,14 @@ light make_light(const shadow_system& s, const scene& scene, float azimuth, floa
             out.space = umbrage::make_directional_light<float>({.direction = out.direction,
                                                                 .up = up,
                                                                 .offset = s.offset,
-                                                                .map_size = glm::ivec2(map_size),
+                                                                .map_size = s.map_size,
                                                                 .texels_per_unit = s.texels_per_unit,
                                                                 .z_near = out.z_near,
                                                                 .z_far = out.z_far,
                                                                 .clip = clip});
             break;
     }
-    out.units = umbrage::make_light_units(out.space, {1, 1});
+    out.units = umbrage::make_light_units(out.space, s.map_size);
     return out;
 }
 

@@ -5,8 +5,8 @@
 //
 //     example::shadow_system system = example::radeon_8500;
 //     example::scene scene = example::make_scene(system);
-//     example::light light = example::make_light(system, scene, 60, 40, system.map_size);
-//     glm::vec3 point = example::lifted(system, light, position, face_normal, map_size);  // what to look up
+//     example::light light = example::make_light(system, scene);
+//     glm::vec3 point = example::lifted(system, light, position, face_normal);  // what to look up
 //
 #pragma once
 
@@ -66,8 +66,9 @@ struct shadow_system {
     light_kind light = light_kind::spot;
     float distance = 10;     ///< of a spot from what it looks at, world units
     float outer_angle = 36;  ///< of a spot, degrees between axis and edge of the cone; 36 holds the whole floor
-    float azimuth = 60, elevation = 40;  ///< where the light is to begin with, degrees
-    int map_size = 1024;
+    float azimuth = 60,
+          elevation = 40;  ///< of the light, degrees; 0: towards the camera, 90: its right, straight above
+    glm::ivec2 map_size{1024};
     float texels_per_unit = 10, offset = 10, z_near = 0.1f, z_far = 40;  ///< of an exercise's light
 
     depth_kind depth = depth_kind::linear;
@@ -78,13 +79,14 @@ struct shadow_system {
     test_kind test = test_kind::less_equal;
     std::optional<float> radius{};            ///< of a box or a disc, texels; without one as it is by itself
     float light_size = 0.4f, max_radius = 8;  ///< diameter, and texels: what contact hardening makes penumbras of
-    float epsilon = 0x1p-18f;                 ///< constant bias in the map's depth
+    float epsilon = 0x1p-18f;                 ///< constant bias, in the map's depth from 0 to 1: see depth_kind
     std::string_view bias = "normal_offset";  ///< one of example::biases; the originals had none
     float reach = covered(umbrage::filters::hard{}.reach());  ///< texels that it covers
 
     shading_kind shading = shading_kind::diffuse_ambient;
-    float ambient = 0.22f;
-    bool textured = false;  ///< multiply by texture()
+    glm::vec3 ambient{0.22f};  ///< share of the light that reaches shadows
+    bool textured = false;     ///< multiply by texture()
+    float glass = 0;           ///< alpha of a pane, which takes shadows and casts none; 0: there is none
     float scene_scale = 1;
 };
 
@@ -107,20 +109,23 @@ inline constexpr shadow_system dx_sdk{
     .light = light_kind::spot,
     .distance = 8,
     .outer_angle = 24,
-    .map_size = 512,
+    .map_size = glm::ivec2(512),
     .depth = depth_kind::projected,
     .filter = "pcf_2x2_dx_sdk",
     .epsilon = 0.00005f,
     .reach = covered(umbrage::filters::pcf_2x2_dx_sdk{}.reach()),
+    .ambient = glm::vec3(0.20f, 0.22f, 0.30f),
     .textured = true,
+    .glass = 0.45f,
 };
 
-/// The directional-light exercise: linear depth over the far plane, 10 texels per world unit, one comparison.
+/// The directional-light exercise: linear depth over the far plane, 10 texels per world unit, one comparison. Its map
+/// has the shape of the screen.
 inline constexpr shadow_system exercise{
     .name = "exercise",
     .title = "Directional-light exercise",
     .light = light_kind::exercise,
-    .map_size = 320,  // more makes the map wider, not finer
+    .map_size = glm::ivec2(480, 320),  // more makes the map wider, not finer
     .filter = "hard",
     .test = test_kind::exercise,
     .epsilon = 0.0005f,
@@ -138,7 +143,7 @@ inline constexpr shadow_system self_shadowing{
     .filter = "hard",
     .epsilon = 0.5f / 2048,  // both sides round down alike
     .shading = shading_kind::darken,
-    .ambient = 0.4f,
+    .ambient = glm::vec3(0.4f),
 };
 
 inline const std::array systems{radeon_8500, dx_sdk, exercise, self_shadowing};
@@ -159,7 +164,7 @@ struct light {
     bool spot = true;
     glm::vec3 position{0}, direction{0, -1, 0};  ///< of length one; a directional light has no position
     float cos_outer = 0, z_near = 0, z_far = 1;
-    glm::vec2 units{1};  ///< umbrage::make_light_units of a map of one texel
+    glm::vec2 units{1};  ///< umbrage::make_light_units of the map
     umbrage::light_space<float> space{};
 
     [[nodiscard]] glm::mat4 world_to_clip() const { return space.projection * space.view; }
@@ -173,10 +178,8 @@ struct light {
     /// Distance along the axis of a spot: w of its shadow coordinates.
     [[nodiscard]] float w(glm::vec3 p) const { return spot ? glm::dot(p - position, direction) : 1.0f; }
 
-    /// Edge of a texel's footprint at a point, across the light, in world units.
-    [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
-        return umbrage::texels_to_world(1.0f / static_cast<float>(map_size), units, w(p));
-    }
+    /// Longer edge of a texel's footprint at a point, across the light, in world units.
+    [[nodiscard]] float texel_world(glm::vec3 p) const { return umbrage::texels_to_world(1.0f, units, w(p)); }
 
     /// The system's kind of depth from the depth pass's z/w in [0, 1].
     [[nodiscard]] float depth(const shadow_system& s, float z) const {
@@ -187,18 +190,24 @@ struct light {
     }
 };
 
-/// @param azimuth, elevation  degrees; azimuth 0 is towards the camera, 90 to its right; elevation 90 straight above
-[[nodiscard]] light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
-                               umbrage::clip_space clip = picture_clip);
+[[nodiscard]] light make_light(const shadow_system& s, const scene& scene, umbrage::clip_space clip = picture_clip);
+
+/// The pane of systems that have one: upright where the shadow of the solids falls, with two sides.
+[[nodiscard]] scene make_pane(const shadow_system& s);
 
 /// The point to look up instead of the surface itself, by a normal offset. With a reach of 0 a system has epsilon
 /// alone, as the originals had.
 /// @param normal  of the flat triangle, which is what the map holds; of length one, on the camera's side
-[[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal,
-                                      int map_size) {
+[[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal) {
     const glm::vec3 way = l.spot ? (position - l.position) / l.w(position) : l.direction;
     return position + umbrage::normal_offset(normal, l.direction, way,
-                                             umbrage::offset_width(s.reach, l.texel_world(position, map_size)), 0.0f);
+                                             umbrage::offset_width(s.reach, l.texel_world(position)), 0.0f);
+}
+
+/// Size of a map's picture in the corner of another: three tenths as high, of the map's own shape.
+[[nodiscard]] inline glm::ivec2 overlay_size(glm::ivec2 map, int picture_height) {
+    const int height = std::max(1, picture_height * 3 / 10);
+    return {std::max(1, height * map.x / map.y), height};
 }
 
 /// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the color.
@@ -217,7 +226,7 @@ struct light {
     const float facing =
         glm::clamp(4 * n_dot_l, 0.0f, 1.0f);  // ps.1.x: mul_x4_sat; hides the map's teeth where light grazes
     return umbrage::diffuse_ambient(color, s.ambient, n_dot_l, 1.0f) *
-           (s.ambient + (1 - s.ambient) * facing * visibility);
+           (s.ambient + (1.0f - s.ambient) * facing * visibility);
 }
 
 }  // namespace example

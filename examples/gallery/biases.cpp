@@ -31,8 +31,8 @@ namespace glsl = umbrage::glsl;
 struct scene_of_biases {
     example::stage stage;
     shadow_system system;
-    example::light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
-    umbrage::image<float> map = depth_pass(system, stage.scene, light, system.map_size);
+    example::light light = make_light(system, stage.scene);
+    umbrage::image<float> map = depth_pass(system, stage.scene, light);
     glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
     umbrage::image<by_rays> expected = traced(stage, light, system.map_size, 1);
 
@@ -105,7 +105,7 @@ void add_biases(page& page, const settings& o, const std::filesystem::path& fold
         text("The exercise's scene, of which its map has %d × %d texels, with one comparison. Too little bias "
              "and surfaces shadow themselves; too much, and shadows come off what casts them. Where rays to the "
              "light are of another opinion, edges aside, is colored.",
-             system.map_size, system.map_size));
+             system.map_size.x, system.map_size.y));
     add_bias(page, on, "epsilon", "The exercise's epsilon",
              "0.0005 of the far plane's distance, whatever the slope: too little for all but what faces the light.",
              on.visibility(constant(epsilon)), {glsl::biased});

@@ -41,7 +41,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
     system.filter = "hard";
     constexpr float reach = 1000, rounding = 0x1p-18f;
     const stage stage(system, {.output = folder, .size = o.size * 3 / 4});
-    light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
+    light light = make_light(system, stage.scene);
     light.z_far = reach;
     light.space = umbrage::make_spot_light<float>({.position = light.position,
                                                    .direction = light.direction,
@@ -50,7 +50,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
                                                    .z_near = light.z_near,
                                                    .z_far = reach,
                                                    .clip = picture_clip});
-    auto depth = depth_pass(system, stage.scene, light, system.map_size);
+    auto depth = depth_pass(system, stage.scene, light);
     const float cleared = light.depth(system, umbrage::cleared_depth(light.space.clip));
     for (float& d : depth.texels())
         if (d == cleared) d = 1;  // as a target holds it where nothing was drawn
@@ -89,7 +89,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
              {"codes", std::to_string(encoding.codes)},
              {"codes in this map", std::to_string(map.codes)},
              {"pixels other than with exact depth", std::to_string(other)},
-             {text("encode %s, best of 5", square(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
+             {text("encode %s, best of 5", by(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
              {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
             together_and_alone(snippets_of(encoding), glsl::stored_as(encoding)));
     });

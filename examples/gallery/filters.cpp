@@ -47,7 +47,7 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                 std::string_view title, std::string_view about, const any_filter& filter,
                 const std::vector<glsl::snippet>& snippets) {
     shadow_system system = radeon_8500;
-    system.map_size = 256;
+    system.map_size = glm::ivec2(256);
     system.reach = covered(filter.reach);
     system.epsilon = 0x1p-18f;  // floats, rounded twice
     stage stage(system, {.output = folder, .size = 3});
@@ -55,8 +55,8 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     stage.camera = make_camera({.target = {-1.75f, 0, 0.35f}, .elevation = 55, .distance = 7.5f, .fov = 10});
     stage.seen = camera_pass(stage.scene.geometry, stage.camera, size);
 
-    const light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
-    const auto map = depth_pass(system, stage.scene, light, system.map_size);
+    const light light = make_light(system, stage.scene);
+    const auto map = depth_pass(system, stage.scene, light);
     const glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
     const bias_light by =
         make_bias_light(light.space, light.direction, map.size(), system.reach, light.w(stage.scene.target));

@@ -90,7 +90,7 @@ umbrage::image<float> visibility_of(const example::shadow_system& s, const examp
     const auto fetch = umbrage::clamped(map);
     const auto bordered = umbrage::bordered(map);
     return stage.visibility([&](const example::surface& at) {
-        const glm::vec3 point = example::lifted(s, light, at.position, at.face_normal, map.size().x);
+        const glm::vec3 point = example::lifted(s, light, at.position, at.face_normal);
         const glm::vec3 p = project_coordinate(shadow_coordinate(to_texels, point));
         const float depth = light.depth(s, p.z);
         if (s.test == example::test_kind::exercise)

@@ -46,7 +46,7 @@ template <class... Values>
     return out + '.';
 }
 [[nodiscard]] inline std::string milliseconds(double ms) { return text("%.1f ms", ms); }
-[[nodiscard]] inline std::string square(int size) { return text("%d × %d", size, size); }
+[[nodiscard]] inline std::string by(glm::ivec2 size) { return text("%d × %d", size.x, size.y); }
 [[nodiscard]] inline std::string depth_error(double error) {
     return error > 0 ? text("%.2e = 2^%.4g", error, std::log2(error)) : "0";
 }

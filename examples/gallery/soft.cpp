@@ -34,8 +34,8 @@ constexpr int blur = 3;
 struct scene_of_soft {
     example::stage stage;
     shadow_system system;
-    example::light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
-    umbrage::image<float> map = depth_pass(system, stage.scene, light, system.map_size);
+    example::light light = make_light(system, stage.scene);
+    umbrage::image<float> map = depth_pass(system, stage.scene, light);
 
     [[nodiscard]] umbrage::penumbra_params softness() const {
         return umbrage::make_penumbra_params(umbrage::make_light_units(light.space, map.size()), light_radius, 1.0f,
@@ -87,7 +87,7 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
                 {page.picture(gray(visibility)), "Visibility"}},
                {{"bias", std::string(bias_name)},
                 {"a texel", std::to_string(bytes) + " bytes"},
-                {text("map of %s", square(on.system.map_size).c_str()), milliseconds(map_ms)},
+                {text("map of %s", by(on.system.map_size).c_str()), milliseconds(map_ms)},
                 {text("%d receivers, best of 5", size.x * size.y), milliseconds(ms)}},
                together_and_alone(snippets));
 }

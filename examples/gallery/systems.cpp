@@ -79,8 +79,8 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
                        .filter = std::string(system.filter)};
     double depth_ms = 0, camera_ms = 0, visibility_ms = 0, shade_ms = 0;
     const stage stage = timed(camera_ms, [&] { return example::stage(system, with); });
-    const light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
-    const auto depth = timed(depth_ms, [&] { return depth_pass(system, stage.scene, light, system.map_size); });
+    const light light = make_light(system, stage.scene);
+    const auto depth = timed(depth_ms, [&] { return depth_pass(system, stage.scene, light); });
     const float empty = light.depth(system, umbrage::cleared_depth(light.space.clip));
     const stored_depth map = stored(depth, system.encoding, empty);
     const bool ps14 = system.receiver != receiver_kind::plain;
@@ -98,7 +98,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
     const int edge = shaded.size().y;
     std::vector<figure> figures{{page.picture(shaded), "On the CPU, the map in the corner"},
                                 {page.picture(gray(visibility)), "Visibility, white is lit"}};
-    std::vector<number> numbers{{"shadow map", square(system.map_size)},
+    std::vector<number> numbers{{"shadow map", by(system.map_size)},
                                 {"bits of depth", map.channels.empty() ? "32, float"
                                                   : ps14               ? "11 in two channels"
                                                                        : std::string(system.encoding)},

@@ -94,6 +94,17 @@ TEST_CASE("dx_sdk: a cone, and soft edges") {
     stands_all_lights("dx_sdk");
 }
 
+TEST_CASE("dx_sdk: ambient light has a color, and a pane lets light through and takes shadows") {
+    REQUIRE(runs("dx_sdk", "", 960));
+    const auto shaded = picture("dx_sdk", "picture.png");
+    const auto bluer = [&](glm::ivec2 at) { return shaded[at].b - shaded[at].r; };
+    CHECK(bluer({930, 480}) > 15);                            // a gray floor outside the cone
+    CHECK(std::abs(bluer({400, 600})) < 6);                   // a lit one
+    CHECK(bluer({190, 355}) > 10);                            // the pane, lit, before a lit floor
+    CHECK(shaded[{190, 355}].g > shaded[{190, 420}].g + 20);  // the ring's shadow on it
+    CHECK(shaded[{160, 455}].g > shaded[{160, 478}].g + 5);   // its lower edge: no darker floor below than through it
+}
+
 TEST_CASE("exercise: the light moves, and each of its shadows is where rays say") {
     draws("exercise", "--frames 8");
     const auto frames = picture("exercise", "frames.png");
@@ -176,7 +187,14 @@ TEST_CASE("originals: the exercise's light can be moved and its box changed") {
         const auto other = picture("exercise", "depth.png");
         CHECK(!std::ranges::equal(own.texels(), other.texels()));
     }
-    CHECK(runs("exercise", "--frames 1 --rays --map-size 640 --texels-per-unit 20"));
+    CHECK(own.size() == glm::ivec2(480, 320));  // the shape of the screen
+    CHECK(runs("exercise", "--frames 1 --rays --map-size 960x640 --texels-per-unit 20"));
+    CHECK(picture("exercise", "depth.png").size() == glm::ivec2(960, 640));
+    for (const char* program : {"radeon_8500", "dx_sdk", "self_shadowing"})
+        for (const char* size : {"900x600", "600x900"}) {
+            CAPTURE(program);
+            CHECK(runs(program, std::string("--rays --map-size ") + size));
+        }
     REQUIRE(runs("exercise", "--frames 1 --epsilon 0.5"));
     CHECK(share(picture("exercise", "visibility.png"), black) == 0);
     CHECK(!runs("exercise", "--near 5 --far 5 2> /dev/null"));
@@ -184,8 +202,9 @@ TEST_CASE("originals: the exercise's light can be moved and its box changed") {
 
 TEST_CASE("originals: what cannot be drawn is refused") {
     for (const char* program : {"radeon_8500", "dx_sdk", "exercise", "self_shadowing"})
-        for (const char* arguments : {"--map-size 0", "--elevation 0", "--size -1", "no_such_mesh.obj", "''",
-                                      "--filter none", "--encoding none"}) {
+        for (const char* arguments :
+             {"--map-size 0", "--map-size 9x480", "--map-size 480x", "--map-size 480x320x2", "--elevation 0",
+              "--size -1", "no_such_mesh.obj", "''", "--filter none", "--encoding none"}) {
             CAPTURE(program);
             CAPTURE(arguments);
             CHECK(!runs(program, std::string(arguments) + " 2> /dev/null"));

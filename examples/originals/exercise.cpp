@@ -26,18 +26,18 @@ struct frame {
     picture shaded;
 };
 
-frame render(const shadow_system& system, const stage& stage, float azimuth, float elevation, int map_size) {
+frame render(const shadow_system& system, const stage& stage) {
     // Light, and the way from the world to texels of its map.
-    const light light = make_light(system, stage.scene, azimuth, elevation, map_size);
-    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(map_size));
+    const light light = make_light(system, stage.scene);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, system.map_size);
 
     // Depth pass: keeps what is nearer or equally near.
-    umbrage::image<float> map = stored(system, light, depth_pass(system, stage.scene, light, map_size));
+    umbrage::image<float> map = stored(system, light, depth_pass(system, stage.scene, light));
     const auto fetch = umbrage::bordered(map, 1.0f);  // what the map does not reach is lit
 
     // Visibility: one texel, one comparison.
     umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.face_normal, map_size);
+        const glm::vec3 point = lifted(system, light, s.position, s.face_normal);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float current = light.depth(system, p.z);
         if (system.filter != exercise.filter)
@@ -51,14 +51,14 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
     return {light, std::move(map), std::move(visibility), std::move(shaded)};
 }
 
-void run(const options& o, const shadow_system& system, int frames) {
+void run(const options& o, shadow_system system, int frames) {
     const stage stage(system, o);
     std::vector<picture> moving;
     for (int i = 0; i < frames; ++i) {
-        const float turned = o.azimuth + 360.0f * static_cast<float>(i) / static_cast<float>(frames);
-        frame f = render(system, stage, turned, o.elevation, o.map_size);
+        system.azimuth = o.azimuth + 360.0f * static_cast<float>(i) / static_cast<float>(frames);
+        frame f = render(system, stage);
         if (i == 0) write(o, f.shaded, f.visibility, f.map);
-        if (o.rays) compare_with_rays(stage, f.light, f.visibility, o.map_size, 3);
+        if (o.rays) compare_with_rays(stage, f.light, f.visibility, system.map_size, 3);
         moving.push_back(std::move(f.shaded));
     }
     write(o, "frames.png", side_by_side(moving));

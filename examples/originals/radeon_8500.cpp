@@ -8,7 +8,6 @@
 // The same pixels once more with 8 bits, with exact depth, and in the card's own fixed point show what that bought.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -28,25 +27,17 @@ namespace {
 
 using namespace example;
 
-/// A number of pixel shader 1.4: steps of 1/4096.
-float s3_12(float v) { return std::floor(v * 4096.0f + 0.5f) / 4096.0f; }
-
-/// r / 8 + g on such numbers; the shift right drops three bits.
-float decode_s3_12(glm::vec2 sampled) {
-    return std::floor(s3_12(sampled.x) * 4096.0f / 8.0f) / 4096.0f + s3_12(sampled.y);
-}
-
 void run(const options& o) {
     const shadow_system system = o.of(radeon_8500);
     const stage stage(system, o);
 
     // Light: a texture matrix, and from it one for each of four taps, as the application set them up.
-    const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
-    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
+    const light light = make_light(system, stage.scene);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, system.map_size);
     const auto taps = umbrage::tap_matrices(world_to_texels);
 
     // Depth pass.
-    const umbrage::image<float> depth = depth_pass(system, stage.scene, light, o.map_size);
+    const umbrage::image<float> depth = depth_pass(system, stage.scene, light);
 
     // Encode: a nearest fetch from 2048 x 1 texels, with the depth as coordinate.
     static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
@@ -61,7 +52,7 @@ void run(const options& o) {
     // fetch: texel -> what the map holds, decoded;  scale: the depth on decode's scale
     const auto visibility_with = [&](auto fetch, auto scale) {
         return stage.visibility([&](const surface& s) {
-            const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
+            const glm::vec3 point = lifted(system, light, s.position, s.face_normal);
             const auto project = [&](const glm::mat4& m) {
                 return umbrage::project_coordinate(umbrage::shadow_coordinate(m, point));
             };
@@ -88,8 +79,9 @@ void run(const options& o) {
                                       as_it_is)},
         way{"11 bits", visibility_with([&](glm::ivec2 t) { return umbrage::decode_ps14(sampled(t)); },
                                        [](float z) { return umbrage::receiver_ps14(z); })},
-        way{"11 bits in s3.12", visibility_with([&](glm::ivec2 t) { return decode_s3_12(sampled(t)); },
-                                                [](float z) { return s3_12(umbrage::receiver_ps14(z)); })},
+        way{"11 bits in s3.12",
+            visibility_with([&](glm::ivec2 t) { return umbrage::decode_fixed_ps14(sampled(t)); },
+                            [](float z) { return umbrage::fixed_ps14(umbrage::receiver_ps14(z)); })},
         way{"exact", visibility_with(umbrage::clamped(depth), as_it_is)}};
     std::vector<std::size_t> shown{1, 2};
     if (system.encoding != radeon_8500.encoding) {
@@ -117,7 +109,7 @@ void run(const options& o) {
     std::ranges::transform(map.texels(), channels.texels().begin(), [](glm::u8vec2 t) { return glm::u8vec3(t, 0); });
     write(o, "map.png", channels);
     if (o.rays)
-        for (std::size_t i : shown) compare_with_rays(stage, light, ways[i].visibility, o.map_size, 5);
+        for (std::size_t i : shown) compare_with_rays(stage, light, ways[i].visibility, system.map_size, 5);
 }
 
 }  // namespace

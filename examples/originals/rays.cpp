@@ -15,18 +15,19 @@
 
 namespace example {
 
-umbrage::image<by_rays> traced(const stage& on, const light& l, int map_size, float reach) {
+umbrage::image<by_rays> traced(const stage& on, const light& l, glm::ivec2 map_size, float reach) {
     const ray_tracer rays(on.scene.geometry);
-    const glm::mat4 to_texels = umbrage::texture_matrix(l.space, glm::ivec2(map_size));
+    const glm::mat4 to_texels = umbrage::texture_matrix(l.space, map_size);
     umbrage::image<by_rays> out(on.seen.size(), by_rays::unknown);
     on.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
         const glm::vec3 way = l.to_light(s.position);
         const float facing = glm::dot(s.face_normal, way);
         if (facing < 0.05f || l.cone(s.position) == 0) return;  // dark without any shadow
         const glm::vec3 place = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
-        const auto inside = [&](float at) { return at > reach && at < static_cast<float>(map_size) - reach; };
-        if (!inside(place.x) || !inside(place.y)) return;  // the map knows only one side of what is there
-        const float step = reach * l.texel_world(s.position, map_size);
+        const auto inside = [&](float at, int size) { return at > reach && at < static_cast<float>(size) - reach; };
+        if (!inside(place.x, map_size.x) || !inside(place.y, map_size.y))
+            return;  // the map knows only one side of what is there
+        const float step = reach * l.texel_world(s.position);
         const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
         const glm::vec3 across = glm::cross(way, side);
         // Beside the surface in its plane, as a texel beside has it; and as far above as the bias may lift it.
@@ -47,7 +48,7 @@ umbrage::image<by_rays> traced(const stage& on, const light& l, int map_size, fl
     return out;
 }
 
-void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, int map_size,
+void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, glm::ivec2 map_size,
                        float reach) {
     const umbrage::image<by_rays> expected = traced(on, l, map_size, reach);
     int lit = 0, shadow = 0, leaks = 0, acne = 0;
@@ -62,8 +63,9 @@ void compare_with_rays(const stage& on, const light& l, const umbrage::image<flo
                 shadow, leaks, acne);
     if ((leaks + acne) * 500 > certain) throw std::runtime_error("the shadow map disagrees with rays to the light");
     if (shadow == 0 || lit == 0)
-        throw std::runtime_error("rays tell nothing: with " + std::to_string(map_size) + " texels no " +
-                                 (shadow == 0 ? "shadow" : "light") + " is wider than what filter and bias reach");
+        throw std::runtime_error("rays tell nothing: with " + std::to_string(map_size.x) + " x " +
+                                 std::to_string(map_size.y) + " texels no " + (shadow == 0 ? "shadow" : "light") +
+                                 " is wider than what filter and bias reach");
 }
 
 }  // namespace example

@@ -26,11 +26,11 @@ void run(const options& o) {
     const stage stage(system, o);
 
     // Light: orthographic, so that depth grows evenly and the look-up texture can lie along it.
-    const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
-    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
+    const light light = make_light(system, stage.scene);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, system.map_size);
 
     // Depth pass.
-    const umbrage::image<float> depth = depth_pass(system, stage.scene, light, o.map_size);
+    const umbrage::image<float> depth = depth_pass(system, stage.scene, light);
 
     // Encode, for the map and for the receivers alike.
     static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
@@ -49,7 +49,7 @@ void run(const options& o) {
     // fetch: texel -> what the map holds, decoded;  scale: a depth, decoded likewise
     const auto visibility_with = [&](auto fetch, auto scale) {
         return stage.visibility([&](const surface& s) {
-            const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
+            const glm::vec3 point = lifted(system, light, s.position, s.face_normal);
             const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
             return filtered(system, fetch, glm::vec2(p), scale(umbrage::biased(p.z, system.epsilon)));
         });
@@ -67,7 +67,7 @@ void run(const options& o) {
     picture channels(map.size());
     std::ranges::transform(map.texels(), channels.texels().begin(), [](glm::u8vec2 t) { return glm::u8vec3(t, 0); });
     write(o, "map.png", channels);
-    if (o.rays) compare_with_rays(stage, light, visibility, o.map_size, 4);
+    if (o.rays) compare_with_rays(stage, light, visibility, system.map_size, 4);
 }
 
 }  // namespace

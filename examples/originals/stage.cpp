@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/filter/filters.hpp>
@@ -34,12 +35,12 @@ std::optional<options> read_options(const shadow_system& s, int argc, char** arg
     app.add_option("--azimuth", o.azimuth, "of the light, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(5, 90));
     app.add_option("--size", o.size, "width of the picture, pixels; its height is two thirds")->check(within(3, 4096));
-    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(16, 8192));
+    add_size(app, "--map-size", o.map_size, "texels of the map: 512, or 480x320", 16, 8192);
     app.add_option("--reach", o.reach,
                    "texels that a normal offset covers; 0 leaves the original's bias alone, without it they are what "
                    "the filter's own reach asks for")
         ->check(within(0, 16));
-    app.add_option("--epsilon", o.epsilon, "constant bias in the map's depth")->check(within(-1, 1));
+    app.add_option("--epsilon", o.epsilon, "constant bias, in the map's depth from 0 to 1")->check(within(-1, 1));
     add_encoding(app, o.encoding)
         ->description("how a depth is stored; all but the original's own are decoded by their readers");
     add_filter(app, o.filter);
@@ -64,6 +65,18 @@ stage::stage(const shadow_system& s, const options& o)
         throw std::runtime_error("cannot make the folder " + o.output.string());
 }
 
+stage stage::before(example::scene front) const {
+    stage out = *this;
+    mesh all = scene.geometry;
+    const auto behind = static_cast<std::uint32_t>(all.triangles.size());
+    append(all, front.geometry, glm::mat4(1));
+    out.seen = camera_pass(all, camera, seen.size());
+    for (std::uint32_t& triangle : out.seen.texels())
+        triangle = triangle == nothing || triangle < behind ? nothing : triangle - behind;
+    out.scene = std::move(front);
+    return out;
+}
+
 picture stage::shade(const shadow_system& s, const light& l, const umbrage::image<float>& visibility) const {
     picture out(seen.size(), to_srgb(sky));
     for_each_surface([&](glm::ivec2 pixel, const surface& at) {
@@ -73,8 +86,8 @@ picture stage::shade(const shadow_system& s, const light& l, const umbrage::imag
     return out;
 }
 
-umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l, int map_size) {
-    umbrage::image<float> depth(glm::ivec2(map_size), umbrage::cleared_depth(l.space.clip));
+umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l) {
+    umbrage::image<float> depth(s.map_size, umbrage::cleared_depth(l.space.clip));
     umbrage::rasterize_depth(depth, view_of(scene.geometry), l.world_to_clip(), l.space.clip);
     for (float& z : depth.texels()) z = l.depth(s, z);
     return depth;
@@ -92,8 +105,14 @@ float filtered(const shadow_system& s, const std::function<float(glm::ivec2)>& f
 }
 
 void show_map(picture& on, const umbrage::image<float>& depth) {
-    const int edge = std::max(1, on.size().y * 3 / 10);
-    umbrage::overlay(on, depth, {.size{edge, edge}, .map_origin = picture_clip.origin}, umbrage::stretch(depth));
+    const glm::ivec2 size = overlay_size(depth.size(), on.size().y);
+    umbrage::overlay(on, depth, {.size = size, .map_origin = picture_clip.origin}, umbrage::stretch(depth));
+}
+
+void blend(picture& over, const stage& seen, const picture& with, float alpha) {
+    seen.for_each_surface([&](glm::ivec2 pixel, const surface&) {
+        over[pixel] = glm::u8vec3(glm::mix(glm::vec3(over[pixel]), glm::vec3(with[pixel]), alpha) + 0.5f);
+    });
 }
 
 picture side_by_side(std::span<const picture> pictures) {

@@ -28,9 +28,10 @@ namespace example {
 struct options {
     std::filesystem::path output = "out", mesh{};
     float azimuth = 0, elevation = 0;
-    int size = 960, map_size = 0;
+    int size = 960;
+    glm::ivec2 map_size{0};
     std::optional<float> reach{};  ///< without one what the filter's own asks for
-    float epsilon = 0;
+    float epsilon = 0;             ///< depth, from 0 to 1
     std::string encoding{}, filter{};
     bool rays = false;
 
@@ -38,6 +39,9 @@ struct options {
     [[nodiscard]] shadow_system of(shadow_system s) const {
         s.reach = reach.value_or(covered(reach_of(filter)));
         s.epsilon = epsilon;
+        s.azimuth = azimuth;
+        s.elevation = elevation;
+        s.map_size = map_size;
         s.encoding = encoding;
         s.filter = filter;
         return s;
@@ -60,6 +64,9 @@ struct stage {
     umbrage::image<std::uint32_t> seen;  ///< triangle behind each pixel
 
     stage(const shadow_system& s, const options& o);
+
+    /// What else stands before it, where the camera sees that first.
+    [[nodiscard]] stage before(example::scene front) const;
 
     /// Calls use(pixel, surface) wherever the camera sees one.
     template <class Use>
@@ -84,8 +91,7 @@ struct stage {
 };
 
 /// The depth pass: the distance to what the light sees first, in the system's kind of depth.
-[[nodiscard]] umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l,
-                                               int map_size);
+[[nodiscard]] umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l);
 
 /// What the system's encoding keeps of a depth image.
 [[nodiscard]] umbrage::image<float> stored(const shadow_system& s, const light& l, const umbrage::image<float>& depth);
@@ -97,6 +103,9 @@ struct stage {
 
 /// The map in the top left corner, its histogram stretched.
 void show_map(picture& on, const umbrage::image<float>& depth);
+
+/// Blends a picture over another wherever the camera sees something.
+void blend(picture& over, const stage& seen, const picture& with, float alpha);
 
 /// Pictures of one size in a row.
 [[nodiscard]] picture side_by_side(std::span<const picture> pictures);

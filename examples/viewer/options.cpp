@@ -38,11 +38,13 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
         ->check(within(0, largest_radius));
     app.add_option("--light-size", o.light_size, "diameter, of pcss and dpcf, world units")
         ->check(within(0, largest_light));
-    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(smallest_map, largest_map));
+    example::add_size(app, "--map-size", o.map_size, "texels of the map: 512, or 480x320", smallest_map, largest_map)
+        ->default_str("");
     example::add_bias(app, o.bias);
     app.add_option("--reach", o.reach, "texels that the bias covers; without it, what the filter's own asks for")
         ->check(within(0, 16));
-    app.add_option("--epsilon", o.epsilon, "constant bias besides, in the map's depth")->check(within(-1, 1));
+    app.add_option("--epsilon", o.epsilon, "constant bias besides, in the map's depth from 0 to 1")
+        ->check(within(-1, 1));
 
     example::add_choice(app, "--scene", o.ground, ground_names(),
                         "outdoor: a kilometre of hills, one of plain, or a few things on a floor");

@@ -17,7 +17,7 @@ struct options {
 
     std::optional<float> azimuth{}, elevation{};  ///< of the light
     std::optional<std::string> encoding{}, filter{}, bias{};
-    std::optional<int> map_size{};
+    glm::ivec2 map_size{0};  ///< 0: the system's own
     std::optional<float> radius{}, light_size{}, reach{}, epsilon{};
 
     std::string ground = "outdoor";      ///< outdoors, what there is

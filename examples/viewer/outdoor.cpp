@@ -40,7 +40,7 @@ umbrage::cascade_fit<float> fit_of(const session& s, const example::camera& c) {
             .direction = sun(s),
             .up = example::direction_at(s.system.azimuth, s.system.elevation + 90),
             .scene{s.scene.low, s.scene.high},
-            .map_size = glm::ivec2(s.system.map_size),
+            .map_size = s.system.map_size,
             .margin = 2 * s.system.reach,
             .overlap = cascade_fade_share,
             .clip = umbrage::opengl_clip_space};
@@ -181,7 +181,7 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
     const auto uniforms = umbrage::make_cascade_uniforms(cascades, cascade_fade_share);
     std::array<glm::mat4, 4> planes;
-    make_layers(s.system.map_size, 4);
+    make_layers(s.system.map_size.x, 4);
     for (std::size_t i = 0; i < 4; ++i) {
         const auto& of = cascades[i].light;
         const umbrage::light_space<double> light{glm::dmat4(of.view), glm::dmat4(of.projection), of.clip};
@@ -203,7 +203,7 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
 
 void outdoor::place_one(const session& s, const example::camera& c, glm::ivec2 size) {
     const umbrage::bounding_box<double> scene{s.scene.low, s.scene.high};
-    make_layers(2 * s.system.map_size, 1);
+    make_layers(2 * s.system.map_size.x, 1);
     const view seen = look(s.scene, c, size, 16);
     umbrage::frustum<double> range = c.frustum;
     range.z_near = seen.least, range.z_far = seen.greatest;
@@ -232,7 +232,7 @@ void outdoor::place_one(const session& s, const example::camera& c, glm::ivec2 s
 }
 
 void outdoor::place_pages(const session& s, const example::camera& c, glm::ivec2 size) {
-    const int edge = 2 * s.system.map_size;
+    const int edge = 2 * s.system.map_size.x;
     const glm::vec2 wanted(edge, s.system.reach);
     if (!pages_ || pages_for_ != wanted) {
         pages_.emplace(edge, s.system.reach);

@@ -54,7 +54,7 @@ void outdoor::draw_cut(glm::vec3 position, const umbrage::light_space<double>& l
 void outdoor::place_lamp(const session& s, const example::camera& c) {
     const glm::vec3 at = s.lamp_position();
     const float range = glm::length(glm::max(glm::abs(s.scene.low - at), glm::abs(s.scene.high - at)));
-    const lamp_maps maps = viewer::place_lamp(s.placement, at, range, 2 * s.system.map_size, s.system.reach);
+    const lamp_maps maps = viewer::place_lamp(s.placement, at, range, 2 * s.system.map_size.x, s.system.reach);
     make_layers(maps.size, maps.layers);
     if (s.placement == in_paraboloids) cut(s.scene, at, range, maps);
     depth_->use().set("map_size", glm::vec2(static_cast<float>(map_size_)));

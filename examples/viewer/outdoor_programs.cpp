@@ -259,7 +259,8 @@ uniform vec3 eye;
 uniform vec4 light;  // towards it and 0, or where it is from the eye and 1
 vec3 light_direction;
 uniform vec2 map_size;
-uniform float epsilon, ambient;
+uniform float epsilon;
+uniform vec3 ambient;
 uniform sampler2DArray maps;
 
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }

@@ -11,6 +11,7 @@
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/images/moment_table.hpp>
 #include <umbrage/images/variance_table.hpp>
@@ -177,8 +178,11 @@ filter filter_of(const shadow_system& s) {
         }
         if constexpr (requires { of.radius; }) arguments += ", " + std::to_string(of.radius);
     });
+    if (has_tap_matrices(s)) {
+        snippet = &glsl::four_tap_hardware;
+        arguments = "tap(tap_0), tap(tap_1), tap(tap_2), tap(tap_3), receiver";
+    }
     uses.push_back(*snippet);
-    if (snippet == &glsl::four_tap) arguments = "tap(0), tap(1), tap(2), tap(3), receiver";
     if (snippet == &glsl::pcf_2x2_dx_sdk) arguments = moved ? "p.xy, depth, depth - biased" : "p.xy, depth, epsilon";
     return {uses, "umbrage_" + std::string(snippet->name) + "(" + map + ", " + map + "_size, " + arguments + ")"};
 }

@@ -43,6 +43,9 @@ inline constexpr const char* planes = "uniform vec3 planes;\n";
 /// Whether stored depths and receivers become z/w when they are compared.
 [[nodiscard]] bool compares_projected(const example::shadow_system& s);
 
+/// Whether the vertex shader applies four texture matrices, one a tap.
+[[nodiscard]] inline bool has_tap_matrices(const example::shadow_system& s) { return s.filter == "four_tap"; }
+
 /// What a bias does to a receiver, and what it declares ahead of the snippets.
 struct bias {
     snippets uses;

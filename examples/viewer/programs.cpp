@@ -11,6 +11,7 @@
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
+#include <umbrage/view/overlay_texel.hpp>
 
 #include <names.hpp>
 #include <soft.hpp>
@@ -55,25 +56,31 @@ void main() {
 }
 )GLSL";
 
-/// depth_here(): the map's depth at a corner's place, nearest texel.
+/// depth_here(): the map's depth under a pixel of a rectangle of `overlay_size` pixels.
 std::string overlay_head(const shadow_system& s, version v, const snippets& more, bool layers) {
     const glsl::binding map = layers ? glsl::binding{.texture = glsl::texture::array}
                                      : encoding_called(s.encoding).map;  // whatever way the system itself reads it
-    return fragment_text(v, joined({{glsl::fetch_depth, glsl::saturate}, more}, map), R"GLSL(
-uniform vec2 map_size;
+    return fragment_text(v, joined({{glsl::fetch_depth, glsl::overlay_texel, glsl::saturate}, more}, map), R"GLSL(
+uniform vec2 map_size, overlay_size;
 varying vec2 at;
+
+/// Texel of the whole, its first at the bottom left.
+vec2 texel_of(vec2 whole) {
+    vec2 pixel = floor(at * overlay_size) + 0.5, rate = whole / overlay_size;
+    return vec2(umbrage_overlay_texel(pixel.x, overlay_size.x, whole.x, rate.x),
+                whole.y - 1.0 - umbrage_overlay_texel(pixel.y, overlay_size.y, whole.y, rate.y));
+}
 )GLSL") + (layers ? R"GLSL(
 uniform sampler2DArray map;
-uniform vec2 tiles;  // layers side by side, and above each other
+uniform vec2 tiles;  // layers side by side, and below each other
 float depth_here() {
-    vec2 tile = min(floor(at * tiles), tiles - 1.0), within = at * tiles - tile;
-    return umbrage_fetch_depth(map, tile.y * tiles.x + tile.x, map_size,
-                               floor(vec2(within.x, 1.0 - within.y) * map_size));
+    vec2 texel = texel_of(tiles * map_size), tile = floor(texel / map_size);
+    return umbrage_fetch_depth(map, (tiles.y - 1.0 - tile.y) * tiles.x + tile.x, map_size, texel - tile * map_size);
 }
 )GLSL"
                   : R"GLSL(
 uniform sampler2D map;
-float depth_here() { return umbrage_fetch_depth(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size)); }
+float depth_here() { return umbrage_fetch_depth(map, map_size, texel_of(map_size)); }
 )GLSL");
 }
 
@@ -103,7 +110,7 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const storage how = storage_of(s);
     const filter filter = filter_of(s);
     const bias bias = bias_of(s);
-    const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
+    const bool projects = compares_projected(s), four = has_tap_matrices(s), ahead = example::filters_ahead(s.filter);
     const bool sums = summed_table_of(s).has_value();
     const glsl::binding map = !ahead ? compared_map(s, how.map)
                               : sums ? glsl::binding{.texture = glsl::texture::integer}
@@ -115,40 +122,49 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
                                   "(ambient + (1.0 - ambient) * clamp(4.0 * n_dot_l, 0.0, 1.0) * visibility)";
 
     stages out;
-    out.vertex = vertex_text(v, {}, R"GLSL(
+    out.vertex = vertex_text(v, {glsl::shadow_coordinate},
+                             R"GLSL(
 attribute vec3 position, normal, face_normal;
 attribute vec4 color;
-uniform mat4 world_to_clip;
+uniform mat4 world_to_clip, taps[4];
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_color;
-void main() {
-    world = position;
+)GLSL" + std::string(four ? "varying vec4 tap_0, tap_1, tap_2, tap_3;\n" : "") +
+                                 "void main() {\n" +
+                                 (four ? R"GLSL(    tap_0 = umbrage_shadow_coordinate(taps[0], position);
+    tap_1 = umbrage_shadow_coordinate(taps[1], position);
+    tap_2 = umbrage_shadow_coordinate(taps[2], position);
+    tap_3 = umbrage_shadow_coordinate(taps[3], position);
+)GLSL"
+                                       : "") +
+                                 R"GLSL(    world = position;
     world_normal = normal;
     world_face = face_normal;
     surface_color = color;
     gl_Position = world_to_clip * vec4(position, 1.0);
 }
 )GLSL");
-    out.fragment = fragment_text(v,
-                                 joined({how.writers,
-                                         depth_snippets(),
-                                         bias.uses,
-                                         filter.uses,
-                                         {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
-                                          glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
-                                        map),
-                                 R"GLSL(
+    out.fragment = fragment_text(
+        v,
+        joined({how.writers,
+                depth_snippets(),
+                bias.uses,
+                filter.uses,
+                {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate, glsl::texels_to_world,
+                 glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
+               map),
+        R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_color;   // alpha: 1 on the floor
 uniform vec3 eye, light_direction;
 uniform vec4 light_position;  // w: 1 for a spot, 0 for a directional light
-uniform float cos_outer, reach, constant, epsilon, ambient;
-uniform mat4 world_to_texels, plane_matrix, taps[4];
+uniform float cos_outer, reach, constant, epsilon, alpha;
+uniform mat4 world_to_texels, plane_matrix;
 uniform sampler2D map, table;
 uniform vec2 map_size, moments_size, units;
-uniform vec3 softness;
-uniform )GLSL" + std::string(sums ? "usampler2D" : "sampler2D") +
-                                     " moments;\n" + map_depth(s) + R"GLSL(
+uniform vec3 softness, ambient;
+uniform )GLSL" +
+            std::string(sums ? "usampler2D" : "sampler2D") + " moments;\n" + map_depth(s) + R"GLSL(
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }
 vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
 
@@ -166,8 +182,17 @@ float solid_texture(vec3 point) {
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 
 vec3 looked_up;
-vec2 tap(int i) { return umbrage_project_coordinate(umbrage_shadow_coordinate(taps[i], looked_up)).xy; }
-
+)GLSL" +
+            std::string(
+                four
+                    ? R"GLSL(varying vec4 tap_0, tap_1, tap_2, tap_3;  // from the vertex shader, over the map from 0 to 1
+vec2 tap(vec4 coordinate) {
+    vec4 moved = world_to_texels * vec4(looked_up - world, 0.0);  // by the bias
+    return umbrage_project_coordinate(coordinate + vec4(moved.xy / map_size, moved.zw)).xy;
+}
+)GLSL"
+                    : "") +
+            R"GLSL(
 void main() {
     vec3 face = towards(unit(world_face, vec3(0.0, 1.0, 0.0)), eye - world);
     vec3 normal = towards(unit(world_normal, face), face);
@@ -179,7 +204,7 @@ void main() {
     vec3 offset = vec3(0.0, 0.0, 0.0);
     float by = 0.0;
     )GLSL" + bias.statement +
-                                     R"GLSL(
+            R"GLSL(
 
     // Light, and where in its map the surface lies.
     looked_up = world + offset;
@@ -189,18 +214,19 @@ void main() {
     // Fetch, decode, compare, filter.
     float biased = umbrage_biased(depth, epsilon);
 )GLSL" + (example::moves_stored_depths(s.bias) ? "    plane_at = p.xy;\n" : "") +
-                                     (projects || ahead ? "    depth = " + compared("depth") +
-                                                              ";\n    biased = " + compared("biased") + ";\n"
-                                                        : std::string()) +
-                                     R"GLSL(
-    float receiver = )GLSL" + receiver_of(s) +
-                                     R"GLSL(;
-    float visibility = )GLSL" + filter.visibility +
-                                     R"GLSL(;
+            (projects || ahead ? "    depth = " + compared("depth") + ";\n    biased = " + compared("biased") + ";\n"
+                               : std::string()) +
+            R"GLSL(
+    float receiver = )GLSL" +
+            receiver_of(s) +
+            R"GLSL(;
+    float visibility = )GLSL" +
+            filter.visibility +
+            R"GLSL(;
     if (light_position.w > 0.0)
         visibility *= umbrage_spot_cone(light_direction, world - light_position.xyz, cos_outer);
 )GLSL",
-                                 bias.ahead);
+        bias.ahead);
     if (mask) {
         out.fragment += "    fragment_color = vec4(vec3(visibility), 1.0);\n}\n";
         return out;
@@ -208,13 +234,13 @@ void main() {
     out.fragment += R"GLSL(
     // Shade.
     vec3 albedo = surface_color.a > 0.5 ? floor_color(world) : surface_color.rgb;
-)GLSL" + std::string(s.textured ? "    albedo *= solid_texture(world);\n" : "") +
+)GLSL" + std::string(s.textured ? "    if (alpha == 1.0) albedo *= solid_texture(world);\n" : "") +
                     R"GLSL(
     vec3 to_light = light_position.w > 0.0 ? normalize(light_position.xyz - world) : -light_direction;
     float n_dot_l = dot(normal, to_light);
     vec3 seen = )GLSL" +
                     lit + R"GLSL(;
-    fragment_color = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
+    fragment_color = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), alpha);
 }
 )GLSL";
     return out;

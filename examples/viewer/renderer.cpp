@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -69,23 +70,28 @@ renderer::renderer() : small_({64, 64}, texels_of::bytes) {
     glBufferData(GL_ARRAY_BUFFER, sizeof strip, strip, GL_STATIC_DRAW);
 }
 
-void renderer::upload(const example::scene& scene) {
-    const example::mesh& m = scene.geometry;
+void renderer::upload(const example::scene& scene, const example::scene& pane) {
     std::vector<vertex> all;
-    all.reserve(3 * m.triangles.size());
-    for (std::size_t i = 0; i < m.triangles.size(); ++i) {
-        const glm::uvec3 t = m.triangles[i];
-        const glm::vec3 a = m.positions[t.x], b = m.positions[t.y], c = m.positions[t.z];
-        const float on_floor = i < scene.floor_triangles ? 1 : 0;
-        for (int k = 0; k < 3; ++k)
-            all.push_back({m.positions[t[k]], m.normals[t[k]], glm::cross(b - a, c - a), {m.colors[t[k]], on_floor}});
-    }
+    const auto add = [&](const example::scene& of) {
+        const example::mesh& m = of.geometry;
+        for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+            const glm::uvec3 t = m.triangles[i];
+            const glm::vec3 a = m.positions[t.x], b = m.positions[t.y], c = m.positions[t.z];
+            const float on_floor = i < of.floor_triangles ? 1 : 0;
+            for (int k = 0; k < 3; ++k)
+                all.push_back(
+                    {m.positions[t[k]], m.normals[t[k]], glm::cross(b - a, c - a), {m.colors[t[k]], on_floor}});
+        }
+    };
+    add(scene);
     vertices_ = static_cast<GLsizei>(all.size());
+    add(pane);
+    pane_vertices_ = static_cast<GLsizei>(all.size()) - vertices_;
     glBindBuffer(GL_ARRAY_BUFFER, mesh_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(vertex)), all.data(), GL_STATIC_DRAW);
 }
 
-void renderer::draw_mesh() const {
+void renderer::draw_mesh(GLint first, GLsizei count) const {
     glBindBuffer(GL_ARRAY_BUFFER, mesh_);
     attribute_at(position, 3, sizeof(vertex), offsetof(vertex, position));
     attribute_at(normal, 3, sizeof(vertex), offsetof(vertex, normal));
@@ -94,11 +100,12 @@ void renderer::draw_mesh() const {
     glDisableVertexAttribArray(corner);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    glDrawArrays(GL_TRIANGLES, 0, vertices_);
+    glDrawArrays(GL_TRIANGLES, first, count);
 }
 
-void renderer::draw_rectangle(const program& p, glm::vec4 place) const {
-    p.set("place", place);
+/// @param pixels   of the rectangle
+void renderer::draw_rectangle(const program& p, glm::vec4 place, glm::ivec2 pixels) const {
+    p.set("place", place).set("overlay_size", glm::vec2(pixels));
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     for (GLuint i : {position, normal, face_normal, color}) glDisableVertexAttribArray(i);
     attribute_at(corner, 2, sizeof(glm::vec2), 0);
@@ -114,16 +121,15 @@ void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
         return;
     }
     if (scene_ != s.scenes) {
-        upload(s.scene);
+        upload(s.scene, example::make_pane(s.system));
         scene_ = s.scenes;
     }
-    const int edge = s.system.map_size;
-    const example::light light =
-        example::make_light(s.system, s.scene, s.system.azimuth, s.system.elevation, edge, umbrage::opengl_clip_space);
+    const glm::ivec2 map_size = s.system.map_size;
+    const example::light light = example::make_light(s.system, s.scene, umbrage::opengl_clip_space);
     const texels_of kind = encoding_called(s.system.encoding).texels;
     bind(1, table_);
     bind(0, 0);
-    if (!map_ || map_->size.x != edge || map_->kind != kind) map_.emplace(glm::ivec2(edge), kind);
+    if (!map_ || map_->size != map_size || map_->kind != kind) map_.emplace(map_size, kind);
 
     depth_pass(s, light);
     bind(0, map_->texels);
@@ -144,7 +150,7 @@ void renderer::depth_pass(const session& s, const example::light& l) {
         .set("world_to_texels", umbrage::texture_matrix(l.space, map_->size))
         .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
         .set("table", 1);
-    draw_mesh();
+    draw_mesh(0, vertices_);
 }
 
 /// Leaves the map bound, and beside it the one of moments or sums.
@@ -158,7 +164,7 @@ void renderer::filter_ahead(const session& s, const example::light& l) {
     const auto draw_into = [&](const target& to, const program& p) {
         glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
         p.set("map_size", glm::vec2(map_->size));
-        draw_rectangle(p, everywhere);
+        draw_rectangle(p, everywhere, map_->size);
     };
     draw_into(*moments_, updated(write_moments_, moments_stages(s.system, dialect()))
                              .set("map", 0)
@@ -189,8 +195,11 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         example::make_bias_light(l.space, l.direction, map_->size, s.system.reach, l.w(s.scene.target));
     glViewport(0, 0, size.x, size.y);
     clear(s.mask ? glm::vec4(1) : glm::vec4(glm::vec3(example::to_srgb(example::sky)) / 255.0f, 1));
-    updated(camera_, camera_stages(s.system, dialect(), s.mask))
-        .set("world_to_clip", opengl(camera.world_to_clip))
+    std::array<glm::vec2, 4> offsets = umbrage::default_taps<float>;
+    for (glm::vec2& offset : offsets) offset /= glm::vec2(map_->size);
+    const auto taps = umbrage::tap_matrices(umbrage::texture_matrix(l.space, {1, 1}), offsets);
+    const program& p = updated(camera_, camera_stages(s.system, dialect(), s.mask));
+    p.set("world_to_clip", opengl(camera.world_to_clip))
         .set("eye", camera.position)
         .set("light_direction", l.direction)
         .set("light_position", glm::vec4(l.position, l.spot ? 1 : 0))
@@ -204,26 +213,33 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("ambient", s.system.ambient)
         .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
         .set("world_to_texels", world_to_texels)
-        .set("taps", umbrage::tap_matrices(world_to_texels).front(), 4)
+        .set("taps", taps.front(), 4)
         .set("map", 0)
         .set("moments", 2)
         .set("map_size", glm::vec2(map_->size))
         .set("moments_size", glm::vec2(moments_size_))
-        .set("table", 1);
-    draw_mesh();
+        .set("table", 1)
+        .set("alpha", 1.0f);
+    draw_mesh(0, vertices_);
+    if (s.system.glass == 0 || s.mask) return;
+    p.set("alpha", s.system.glass);  // a translucent receiver, last
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    draw_mesh(vertices_, pane_vertices_);
+    glDisable(GL_BLEND);
 }
 
 /// The map, or the outdoor ones as tiles, as the program shows it.
-void renderer::draw_map(const session& s, const program& p, glm::vec4 place) const {
+void renderer::draw_map(const session& s, const program& p, glm::vec4 place, glm::ivec2 pixels) const {
     p.set("map", 0).set("map_size", glm::vec2(s.outdoor() ? glm::ivec2(outdoor_->map_size()) : map_->size));
     if (s.outdoor()) p.set("tiles", outdoor_->tiles());
-    draw_rectangle(p, place);
+    draw_rectangle(p, place, pixels);
 }
 
 umbrage::contrast_stretch renderer::stretch(const session& s) {
     glBindFramebuffer(GL_FRAMEBUFFER, small_.framebuffer);
     glViewport(0, 0, small_.size.x, small_.size.y);
-    draw_map(s, updated(read_back_, read_back_stages(s.system, dialect(), s.outdoor())), {-1, 1, 2, 2});
+    draw_map(s, updated(read_back_, read_back_stages(s.system, dialect(), s.outdoor())), {-1, 1, 2, 2}, small_.size);
     umbrage::image<glm::u8vec4> bytes(small_.size);
     glReadPixels(0, 0, small_.size.x, small_.size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.texels().data());
     umbrage::image<float> depth(small_.size);
@@ -237,11 +253,11 @@ void renderer::overlay(const session& s, GLuint framebuffer, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
     const glm::vec2 tiles = s.outdoor() ? outdoor_->tiles() : glm::vec2(1);
-    const glm::vec2 extent =
-        static_cast<float>(size.y * 3 / 10) * glm::vec2(std::sqrt(tiles.x / tiles.y), std::sqrt(tiles.y / tiles.x));
+    const glm::vec2 spread(std::sqrt(tiles.x / tiles.y), std::sqrt(tiles.y / tiles.x));
+    const glm::ivec2 pixels(glm::vec2(example::overlay_size(s.system.map_size, size.y)) * spread);
     const program& p = updated(overlay_, overlay_stages(s.system, dialect(), s.outdoor()));
     p.set("low", low).set("high", high);
-    draw_map(s, p, {-1, 1, 2.0f * extent / glm::vec2(size)});
+    draw_map(s, p, {-1, 1, 2.0f * glm::vec2(pixels) / glm::vec2(size)}, pixels);
     check_errors("the map's picture");
 }
 

@@ -29,19 +29,19 @@ public:
     }
 
 private:
-    void upload(const example::scene& scene);
-    void draw_mesh() const;
-    void draw_rectangle(const program& p, glm::vec4 place) const;
+    void upload(const example::scene& scene, const example::scene& pane);
+    void draw_mesh(GLint first, GLsizei count) const;
+    void draw_rectangle(const program& p, glm::vec4 place, glm::ivec2 pixels) const;
     void depth_pass(const session& s, const example::light& l);
     void filter_ahead(const session& s, const example::light& l);
     void camera_pass(const session& s, const example::light& l, glm::ivec2 size);
-    void draw_map(const session& s, const program& p, glm::vec4 place) const;
+    void draw_map(const session& s, const program& p, glm::vec4 place, glm::ivec2 pixels) const;
     void overlay(const session& s, GLuint framebuffer, glm::ivec2 size);
     [[nodiscard]] umbrage::contrast_stretch stretch(const session& s);
 
     handle<buffer_kind> mesh_, corners_;
     handle<texture_kind> table_;  ///< 11 bits of depth in two channels, 2048 x 1
-    GLsizei vertices_ = 0;
+    GLsizei vertices_ = 0, pane_vertices_ = 0;
     int scene_ = 0;  ///< the one in mesh_
     std::optional<target> map_, moments_, blurred_;
     handle<texture_kind> sums_;  ///< a summed-area table in place of moments_

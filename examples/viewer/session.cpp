@@ -97,7 +97,7 @@ session::session(const options& o)
     if (o.radius) radius(*o.radius);
     if (o.light_size) system.light_size = *o.light_size;
     if (o.bias) bias(*o.bias);
-    if (o.map_size) system.map_size = *o.map_size;
+    if (o.map_size != glm::ivec2(0)) system.map_size = o.map_size;
     if (o.epsilon) system.epsilon = *o.epsilon;
     if (o.reach) system.reach = *o.reach;
 }
@@ -209,8 +209,8 @@ void session::press(int pressed) {
         case 'D': system.light_size = std::min(system.light_size * 1.25f, largest_light); break;
         case '+': system.epsilon *= 1.25f; break;
         case '-': system.epsilon *= 0.8f; break;
-        case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;
-        case 'N': system.map_size = std::max(system.map_size / 2, smallest_map); break;
+        case 'M': system.map_size = glm::min(system.map_size * 2, largest_map / 2); break;
+        case 'N': system.map_size = glm::max(system.map_size / 2, smallest_map); break;
         case 'T': map = !map; break;
         case 'V': mask = !mask; break;
         case 'H': text = !text; break;
@@ -252,13 +252,14 @@ std::string session::describe() const {
     out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter;
     if (system.radius) out << " (radius " << *system.radius << " if any)";
     if (example::hardens(system.filter)) out << " (light " << system.light_size << " across)";
-    const int edge = outdoor() && !cascaded() ? 2 * system.map_size : system.map_size;
+    const glm::ivec2 size = outdoor() && !cascaded() ? 2 * system.map_size : system.map_size;
     out << "\nbias " << system.bias << ", epsilon " << system.epsilon
         << (outdoor() && cascaded() ? "\n4 cascades, "
             : outdoor() && paged()  ? "\npages in "
             : outdoor() && lamp()   ? "\nas many texels as "
                                     : "\nmap ")
-        << edge << " x " << edge << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation << '\n';
+        << size.x << " x " << size.y << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation
+        << '\n';
     return out.str();
 }
 

@@ -51,7 +51,7 @@ inline constexpr example::shadow_system outdoor_system{
     .title = "Outdoors",
     .light = example::light_kind::fitted,
     .elevation = 30,
-    .map_size = 1024,
+    .map_size = glm::ivec2(1024),
     .depth = example::depth_kind::projected,
     .filter = "pcf_2x2",
     .epsilon = 0x1p-16f,

@@ -31,9 +31,9 @@ public:
           camera_(example::make_camera(
               example::make_camera_setup(s, scene_, static_cast<float>(size.x) / static_cast<float>(size.y)))),
           seen_(example::camera_pass(scene_.geometry, camera_, size)),
-          light_(example::make_light(s, scene_, s.azimuth, s.elevation, s.map_size)),
-          to_texels_(umbrage::texture_matrix(light_.space, glm::ivec2(s.map_size))),
-          map_(glm::ivec2(s.map_size), umbrage::cleared_depth(light_.space.clip)) {
+          light_(example::make_light(s, scene_)),
+          to_texels_(umbrage::texture_matrix(light_.space, s.map_size)),
+          map_(s.map_size, umbrage::cleared_depth(light_.space.clip)) {
         umbrage::rasterize_depth(map_, example::view_of(scene_.geometry), light_.world_to_clip(), light_.space.clip);
         for (float& z : map_.texels()) z = light_.depth(s, z);
     }
@@ -44,7 +44,7 @@ public:
         if (seen_[pixel] == example::nothing) return false;
         const example::surface at = example::surface_at(scene_, camera_, seen_, pixel);
         const glm::vec3 way = light_.spot ? glm::normalize(at.position - light_.position) : light_.direction;
-        const float texel = light_.texel_world(at.position, system_.map_size);
+        const float texel = light_.texel_world(at.position);
         const glm::vec3 up(0, 1, 0);
         const glm::vec3 side = glm::normalize(glm::cross(way, glm::abs(way.y) < 0.9f ? up : glm::vec3(1, 0, 0)));
         const glm::vec3 above = glm::cross(side, way);
@@ -60,7 +60,7 @@ public:
 
 private:
     [[nodiscard]] bool lit(const example::surface& s, glm::vec3 position) const {
-        const glm::vec3 point = example::lifted(system_, light_, position, s.face_normal, system_.map_size);
+        const glm::vec3 point = example::lifted(system_, light_, position, s.face_normal);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels_, point));
         const float receiver = umbrage::biased(light_.depth(system_, p.z), system_.epsilon);
         return light_.cone(position) * umbrage::hard(umbrage::clamped(map_), glm::vec2(p), receiver) > 0;

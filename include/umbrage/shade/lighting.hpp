@@ -3,7 +3,7 @@
 // Lighting of the DirectX SDK's ShadowMap sample: a spot cone, and diffuse plus ambient light.
 //
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
-//     glm::vec3 color = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
+//     glm::vec3 color = umbrage::diffuse_ambient(albedo, ambient, glm::dot(normal, to_light), visibility * cone);
 //
 #pragma once
 
@@ -37,7 +37,7 @@ template <real T>
 /// Light that a diffuse surface reflects to the eye.
 ///
 /// @param albedo       albedo of the surface, RGB
-/// @param ambient      fraction of the light that reaches shadows, in [0, 1]
+/// @param ambient      fraction of the light that reaches shadows, RGB, each in [0, 1]
 /// @param n_dot_l      cosine between the normal and the direction to the light
 /// @param visibility   visibility of the light, 1 = lit
 /// @edge               n_dot_l <= 0 or NaN: ambient light alone
@@ -45,7 +45,8 @@ template <real T>
 /// @exactness          B, n = 5
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
+[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, glm::vec<3, T> ambient, T n_dot_l,
+                                                       T visibility) {
     const bool faces = !is_nan(n_dot_l) && n_dot_l > T(0);
     return albedo * (faces ? visibility * n_dot_l * (T(1) - ambient) + ambient : ambient);
 }
@@ -81,9 +82,9 @@ inline constexpr snippet diffuse_ambient{
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP vec3 ambient,
                                            UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 )GLSL",

@@ -11,6 +11,7 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/r16.hpp>
@@ -151,6 +152,10 @@ void suite::all() const {
         },
         [](const auto& in) { return decode_rgb24(in.first, in.second); });
     wide_channels();
+    run("fixed_ps14", inputs, any, [](float v) { return fixed_ps14(v); });
+    run(
+        "decode_fixed_ps14", inputs, [](source& s) { return s.reads<2>(); },
+        [](glm::vec2 c) { return decode_fixed_ps14(c); });
     run("encode_float_bits", inputs, any, [](float v) { return encode_float_bits(v); });
     run(
         "decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },

@@ -76,16 +76,19 @@ TEST_CASE_TEMPLATE("spot_cone: NaN and overflow are outside", T, float, double) 
 TEST_CASE_TEMPLATE("diffuse_ambient: by hand", T, float, double) {
     using vec = glm::vec<3, T>;
     const vec albedo(1, 0.5, 0.25);
-    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(1)) == albedo);             // faced and lit: all of it
-    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(0)) == albedo * T(0.25));   // shadow: ambient alone
-    CHECK(diffuse_ambient(albedo, T(0.25), T(-1), T(1)) == albedo * T(0.25));  // turned away
-    CHECK(diffuse_ambient(albedo, T(0.25), T(0.5), T(0.5)) == albedo * T(0.4375));
-    CHECK(diffuse_ambient(albedo, T(0), T(-0.0), T(1)) == vec(0));
-    CHECK(diffuse_ambient(albedo, T(1), T(0.3), T(0.7)) == albedo);
+    CHECK(diffuse_ambient(albedo, vec(T(0.25)), T(1), T(1)) == albedo);             // faced and lit: all of it
+    CHECK(diffuse_ambient(albedo, vec(T(0.25)), T(1), T(0)) == albedo * T(0.25));   // shadow: ambient alone
+    CHECK(diffuse_ambient(albedo, vec(T(0.25)), T(-1), T(1)) == albedo * T(0.25));  // turned away
+    CHECK(diffuse_ambient(albedo, vec(T(0.25)), T(0.5), T(0.5)) == albedo * T(0.4375));
+    CHECK(diffuse_ambient(albedo, vec(T(0)), T(-0.0), T(1)) == vec(0));
+    CHECK(diffuse_ambient(albedo, vec(T(1)), T(0.3), T(0.7)) == albedo);
+    const vec dusk(0.25, 0.5, 0);  // a colored sky
+    CHECK(diffuse_ambient(albedo, dusk, T(1), T(0)) == albedo * dusk);
+    CHECK(diffuse_ambient(albedo, dusk, T(0.5), T(0.5)) == albedo * vec(0.4375, 0.625, 0.25));
     const T nan = std::numeric_limits<T>::quiet_NaN();
     for (T away : {nan, -nan, std::numeric_limits<T>::signaling_NaN(), T(0)})  // whatever the light's visibility
         for (T visibility : {T(1), nan, std::numeric_limits<T>::infinity()})
-            CHECK(diffuse_ambient(albedo, T(0.25), away, visibility) == albedo * T(0.25));
+            CHECK(diffuse_ambient(albedo, vec(T(0.25)), away, visibility) == albedo * T(0.25));
 }
 
 TEST_CASE("diffuse_ambient: float near double, between ambient and full light, brighter with visibility") {
@@ -95,10 +98,11 @@ TEST_CASE("diffuse_ambient: float near double, between ambient and full light, b
     int out_of_bounds = 0;
     for (int i = 0; i < 20000; ++i) {
         const glm::vec3 albedo(share(random), share(random), share(random));
-        const float ambient = share(random), n_dot_l = cosine(random), visibility = share(random);
+        const glm::vec3 ambient(share(random), share(random), share(random));
+        const float n_dot_l = cosine(random), visibility = share(random);
         const glm::vec3 got = diffuse_ambient(albedo, ambient, n_dot_l, visibility);
-        const double light =
-            double(ambient) + (1 - double(ambient)) * double(visibility) * std::max(0.0, double(n_dot_l));
+        const glm::dvec3 light =
+            glm::dvec3(ambient) + (1.0 - glm::dvec3(ambient)) * double(visibility) * std::max(0.0, double(n_dot_l));
         worst = std::max(worst, glm::length(glm::dvec3(got) - glm::dvec3(albedo) * light));
         const glm::vec3 dark = diffuse_ambient(albedo, ambient, n_dot_l, 0.0f),
                         lit = diffuse_ambient(albedo, ambient, n_dot_l, 1.0f);

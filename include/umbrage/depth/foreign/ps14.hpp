@@ -5,7 +5,13 @@
 //
 //     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
 //
+// The same in the numbers of that card, whose registers hold 12 fractional bits between -8 and 8 (s3.12):
+//
+//     bool lit = umbrage::fixed_ps14(umbrage::receiver_ps14(depth)) <= umbrage::decode_fixed_ps14(sampled);
+//
 #pragma once
+
+#include <cmath>
 
 #include <glm/vec2.hpp>
 
@@ -33,6 +39,31 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
     return less_equal::beyond_far_plane(depth) ? T(-1) : depth * T(256.0 / 255.0);
+}
+
+/// Number as a register of the Radeon 8500 holds it: the nearest multiple of 1/4096 from -8 to 8 - 1/4096.
+/// @param v       any number; halfway between two multiples it becomes the greater one
+/// @edge          NaN, and 8 or more: 8 - 1/4096. Below -8: -8
+/// @formula       floor(4096 v + 1/2) / 4096, clamped
+/// @exactness     A: the remainder above the floor is exact, or farther from 1/2 than its rounding
+/// @cite          Direct3D 8: MaxPixelShaderValue is 8 on this card; pixel shader 1.4 in s3.12
+template <real T>
+[[nodiscard]] T fixed_ps14(T v) {
+    if (is_nan(v) || v >= T(8)) return T(32767) / T(4096);
+    const T steps = v * T(4096), below = std::floor(steps), nearest = steps - below < T(0.5) ? below : below + T(1);
+    const T most = nearest < T(32767) ? nearest : T(32767);
+    return (most > T(-32768) ? most : T(-32768)) * T(1.0 / 4096.0);
+}
+
+/// Stored depth as the Radeon 8500 computed it, in its own numbers.
+/// @param c       the two channels of encode_rg<11> as sampled, k / 255, each off by up to 4 ulp
+/// @return        multiple of 1/4096, within 1/4096 of x / 2040: codes stay distinct and in order
+/// @formula       floor(r 4096 / 8) / 4096 + g, r and g by fixed_ps14. The shift by _d8 drops three bits
+/// @exactness     A
+/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] T decode_fixed_ps14(glm::vec<2, T> c) {
+    return std::floor(fixed_ps14(c.x) * T(512)) * T(1.0 / 4096.0) + fixed_ps14(c.y);
 }
 
 namespace glsl {
@@ -66,7 +97,38 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
 )GLSL",
 };
 
-inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14};
+inline constexpr snippet fixed_ps14{
+    .name = "fixed_ps14",
+    .summary = "number in a register of the Radeon 8500",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
+UMBRAGE_HIGHP float umbrage_fixed_ps14(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = (v < 8.0 ? v : 8.0) * 4096.0;
+    UMBRAGE_HIGHP float below = floor(steps);
+    UMBRAGE_HIGHP float nearest = below + (steps - below < 0.5 ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float most = nearest < 32767.0 ? nearest : 32767.0;
+    return (most > -32768.0 ? most : -32768.0) * 0.000244140625;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_fixed_ps14{
+    .name = "decode_fixed_ps14",
+    .summary = "r / 8 + g in the Radeon 8500's fixed point",
+    .exactness = tier::a,
+    .needs = list<&fixed_ps14>,
+    .scaled = true,
+    .source = R"GLSL(
+// umbrage_decode_fixed_ps14: x / 2040 in steps of 1 / 4096 from the channels of an 11-bit code, as sampled
+//   compare with umbrage_fixed_ps14(umbrage_receiver_ps14(depth)); 1.0 is not the far plane on this scale
+UMBRAGE_HIGHP float umbrage_decode_fixed_ps14(UMBRAGE_HIGHP vec2 c) {
+    return floor(umbrage_fixed_ps14(c.x) * 512.0) * 0.000244140625 + umbrage_fixed_ps14(c.y);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14, &fixed_ps14, &decode_fixed_ps14};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -33,22 +33,26 @@ void add_shade_lighting(std::vector<entry>& all) {
                    .classes = cones(),
                    .twin = [](const sample& s) { return vec4(spot_cone(vec3(s.x[0]), vec3(s.x[1]), s.x[0].w)); },
                    .call = "vec4(umbrage_spot_cone(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w))"});
-    auto surfaces = spread({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}}, special_values());
+    // Albedo in x0.xyz, cosine in x0.w, ambient light in x1.xyz, visibility in x1.w.
+    auto surfaces = spread({{0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}}, special_values());
     surfaces.push_back({"grazing, no ambient", [](std::uint64_t i, random& r, sample& s) {
                             const float least = std::numeric_limits<float>::min();
-                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
-                            s.x[1] = vec4(std::array{0.0f, least, -least, 2.0f * least}[i % 4], 1.0f, 0.0f, 0.0f);
+                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, std::array{0.0f, least, -least, 2 * least}[i % 4]);
+                            s.x[1] = vec4(0.0f, 0.0f, 0.0f, 1.0f);
                         }});
     surfaces.push_back({"grazing, visibility infinite", [](std::uint64_t i, random& r, sample& s) {
-                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, r.unit());
-                            s.x[1] = vec4(0.0f, std::numeric_limits<float>::infinity() * (i % 2 ? 1.0f : -1.0f), 0, 0);
+                            const float infinity = std::numeric_limits<float>::infinity();
+                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
+                            s.x[1] = vec4(r.unit(), r.unit(), r.unit(), i % 2 ? infinity : -infinity);
                         }});
     all.push_back(
         {.primitive = &glsl::diffuse_ambient,
          .classes = surfaces,
          .twin =
-             [](const sample& s) { return vec4(diffuse_ambient(vec3(s.x[0]), s.x[0].w, s.x[1].x, s.x[1].y), 1.0f); },
-         .call = "vec4(umbrage_diffuse_ambient(vec3(x0.x, x0.y, x0.z), x0.w, x1.x, x1.y), 1.0)"});
+             [](const sample& s) {
+                 return vec4(diffuse_ambient(vec3(s.x[0]), vec3(s.x[1]), s.x[0].w, s.x[1].w), 1.0f);
+             },
+         .call = "vec4(umbrage_diffuse_ambient(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w, x1.w), 1.0)"});
 }
 
 }  // namespace parity

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg.hpp>
@@ -44,4 +45,51 @@ TEST_CASE("receiver_ps14: on the scale of decode_ps14 a depth stays within its c
     }
     CHECK(worst_with < 1.0 / 2040 + 1e-7);  // a code and one rounding
     CHECK(worst_without > 6.9 / 2040);      // the drift against a raw depth
+}
+
+TEST_CASE_TEMPLATE("fixed_ps14: 12 fractional bits between -8 and 8, a tie goes up", T, float, double) {
+    constexpr T step = T(1) / T(4096);
+    const T infinity = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
+    for (int k = -32768; k < 32768; ++k) {
+        const T v = T(k) * step;
+        CHECK(fixed_ps14(v) == v);
+        CHECK(fixed_ps14(v + T(0.49) * step) == v);
+        CHECK(fixed_ps14(v - T(0.5) * step) == (k > -32768 ? v : T(-8)));
+        CHECK(fixed_ps14(v - T(0.51) * step) == (k > -32768 ? v - step : T(-8)));
+    }
+    CHECK(fixed_ps14(std::nextafter(T(0.5) * step, T(0))) == 0);  // where adding a half would round up
+    CHECK(fixed_ps14(std::nextafter(T(-0.5) * step, T(-1))) == -step);
+    for (T v : {T(8), T(9), infinity, nan, -nan}) CHECK(fixed_ps14(v) == T(8) - step);
+    for (T v : {T(-8), T(-9), -infinity}) CHECK(fixed_ps14(v) == T(-8));
+    CHECK(fixed_ps14(std::numeric_limits<T>::denorm_min()) == 0);
+    CHECK(fixed_ps14(-std::numeric_limits<T>::denorm_min()) == 0);
+}
+
+TEST_CASE("decode_fixed_ps14: every code by whole numbers, distinct and in order, channels off by 4 ulp or not") {
+    const auto fixed = [](int k) { return (k * 8192 + 255) / 510; };  // the nearest to 4096 k / 255
+    float previous = -1;
+    double worst = 0;
+    for (int x = 0; x < 2048; ++x) {
+        const glm::u8vec2 texel = encode_rg<11>(float(x) / 2048.0f);
+        const int expected = (fixed(texel.x) >> 3) + fixed(texel.y);
+        const glm::vec2 sampled = load_unorm(texel);
+        const float u = decode_fixed_ps14(sampled);
+        CHECK(u * 4096.0f == float(expected));
+        CHECK(decode_fixed_ps14(load_unorm<8, double>(texel)) == double(u));
+        for (float ulps : {-4.0f, 4.0f}) CHECK(decode_fixed_ps14(sampled * (1.0f + ulps * 0x1p-24f)) == u);
+        CHECK(u > previous);
+        worst = std::max(worst, std::abs(double(u) - x / 2040.0));
+        previous = u;
+    }
+    CHECK(worst < 1.0 / 4096);
+    CHECK(worst > 0.9 / 4096);  // the dropped bits, and the rounding of the channels
+}
+
+TEST_CASE("decode_fixed_ps14: a receiver in the middle of a code is on the right side of the codes next to its own") {
+    const auto stored = [](int x) { return decode_fixed_ps14(load_unorm(encode_rg<11>(float(x) / 2048.0f))); };
+    for (int x = 1; x < 2047; ++x) {
+        const float receiver = fixed_ps14(receiver_ps14((float(x) + 0.5f) / 2048.0f));
+        CHECK(receiver <= stored(x + 1));
+        CHECK(receiver > stored(x - 1));
+    }
 }
