@@ -89,7 +89,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
              {"codes", std::to_string(encoding.codes)},
              {"codes in this map", std::to_string(map.codes)},
              {"pixels other than with exact depth", std::to_string(other)},
-             {text("encode %s, best of 5", by(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
+             {text("encode %s, best of 5", sides(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
              {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
             together_and_alone(snippets_of(encoding), glsl::stored_as(encoding)));
     });

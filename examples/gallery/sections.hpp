@@ -7,13 +7,14 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <umbrage/images/overlay.hpp>
+
+#include <text.hpp>
 
 #include "page.hpp"
 #include "render.hpp"
@@ -33,12 +34,8 @@ void add_lights(page& page, const settings& o);
 void add_filters(page& page, const settings& o, const std::filesystem::path& folder);
 void add_soft_shadows(page& page, const settings& o, const std::filesystem::path& folder);
 
-template <class... Values>
-[[nodiscard]] std::string text(const char* format, Values... values) {
-    char out[400];
-    std::snprintf(out, sizeof out, format, values...);
-    return out;
-}
+using example::text;
+
 /// A snippet's summary.
 [[nodiscard]] inline std::string sentence(std::string_view summary) {
     std::string out(summary);
@@ -46,7 +43,7 @@ template <class... Values>
     return out + '.';
 }
 [[nodiscard]] inline std::string milliseconds(double ms) { return text("%.1f ms", ms); }
-[[nodiscard]] inline std::string by(glm::ivec2 size) { return text("%d × %d", size.x, size.y); }
+[[nodiscard]] inline std::string sides(glm::ivec2 size) { return text("%d × %d", size.x, size.y); }
 [[nodiscard]] inline std::string depth_error(double error) {
     return error > 0 ? text("%.2e = 2^%.4g", error, std::log2(error)) : "0";
 }

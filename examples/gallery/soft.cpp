@@ -87,7 +87,7 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
                 {page.picture(gray(visibility)), "Visibility"}},
                {{"bias", std::string(bias_name)},
                 {"a texel", std::to_string(bytes) + " bytes"},
-                {text("map of %s", by(on.system.map_size).c_str()), milliseconds(map_ms)},
+                {text("map of %s", sides(on.system.map_size).c_str()), milliseconds(map_ms)},
                 {text("%d receivers, best of 5", size.x * size.y), milliseconds(ms)}},
                together_and_alone(snippets));
 }

@@ -44,13 +44,13 @@ const std::map<std::string_view, description> descriptions{
       "them; "
       "pixel shader 1.4 put them together again and compared, at four taps with a texture matrix each.",
       {glsl::shadow_coordinate, glsl::tap_coordinate, glsl::project_coordinate, glsl::linear_depth,
-       glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::receiver_ps14, glsl::four_tap, glsl::spot_cone,
+       glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::receiver_ps14, glsl::four_tap_hardware, glsl::spot_cone,
        glsl::diffuse_ambient},
       as_ps14}},
     {"dx_sdk",
      {"Microsoft's sample: a spot light with a cone, z/w in a float texture, an epsilon, four comparisons and their "
       "bilinear "
-      "mean, on diffuse and ambient light.",
+      "mean, on diffuse light and a colored ambient one; a pane takes shadows and lets light through.",
       {glsl::shadow_coordinate, glsl::project_coordinate, glsl::project_depth, glsl::pcf_2x2_dx_sdk, glsl::spot_cone,
        glsl::diffuse_ambient}}},
     {"exercise",
@@ -84,9 +84,11 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
     const float empty = light.depth(system, umbrage::cleared_depth(light.space.clip));
     const stored_depth map = stored(depth, system.encoding, empty);
     const bool ps14 = system.receiver != receiver_kind::plain;
-    const auto visibility =
-        timed(visibility_ms, [&] { return visibility_of(system, stage, light, ps14 ? decoded_ps14(map) : map.depth); });
+    const auto& decoded = ps14 ? decoded_ps14(map) : map.depth;
+    const auto visibility = timed(visibility_ms, [&] { return visibility_of(system, stage, light, decoded); });
     picture shaded = timed(shade_ms, [&] { return stage.shade(system, light, visibility); });
+    draw_pane(shaded, system, stage, light,
+              [&](const example::stage& pane) { return visibility_of(system, pane, light, decoded); });
     show_map(shaded, depth);
 
     double surface = 0, shadow = 0;
@@ -98,7 +100,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
     const int edge = shaded.size().y;
     std::vector<figure> figures{{page.picture(shaded), "On the CPU, the map in the corner"},
                                 {page.picture(gray(visibility)), "Visibility, white is lit"}};
-    std::vector<number> numbers{{"shadow map", by(system.map_size)},
+    std::vector<number> numbers{{"shadow map", sides(system.map_size)},
                                 {"bits of depth", map.channels.empty() ? "32, float"
                                                   : ps14               ? "11 in two channels"
                                                                        : std::string(system.encoding)},

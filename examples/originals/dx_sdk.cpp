@@ -28,22 +28,21 @@ void run(const options& o) {
     const auto fetch = umbrage::clamped(map);
 
     // Visibility: within the cone, compare and filter.
-    const auto visible = [&](const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.face_normal);
-        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-        const float lit = system.filter == dx_sdk.filter
-                              ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.epsilon)
-                              : filtered(system, fetch, glm::vec2(p), umbrage::biased(p.z, system.epsilon));
-        return light.cone(s.position) * lit;
+    const auto visibility_of = [&](const example::stage& seen) {
+        return seen.visibility([&](const surface& s) {
+            const glm::vec3 point = lifted(system, light, s.position, s.face_normal);
+            const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+            const float lit = system.filter == dx_sdk.filter
+                                  ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.epsilon)
+                                  : filtered(system, fetch, glm::vec2(p), umbrage::biased(p.z, system.epsilon));
+            return light.cone(s.position) * lit;
+        });
     };
-    const umbrage::image<float> visibility = stage.visibility(visible);
+    const umbrage::image<float> visibility = visibility_of(stage);
 
-    // Shade, and over it what lets light through: alpha is the material's.
+    // Shade, and over it what lets light through.
     picture shaded = stage.shade(system, light, visibility);
-    const example::stage pane = stage.before(make_pane(system));
-    shadow_system glass = system;
-    glass.textured = false;
-    blend(shaded, pane, pane.shade(glass, light, pane.visibility(visible)), system.glass);
+    draw_pane(shaded, system, stage, light, visibility_of);
     show_map(shaded, map);
     write(o, shaded, visibility, map);
     if (o.rays) compare_with_rays(stage, light, visibility, system.map_size, 5);

@@ -107,6 +107,16 @@ void show_map(picture& on, const umbrage::image<float>& depth);
 /// Blends a picture over another wherever the camera sees something.
 void blend(picture& over, const stage& seen, const picture& with, float alpha);
 
+/// Draws the pane of a system that has one: alpha is its material's.
+/// @param visibility   of a stage: image
+template <class Visibility>
+void draw_pane(picture& over, shadow_system s, const stage& behind, const light& l, Visibility&& visibility) {
+    if (s.glass == 0) return;
+    s.textured = false;
+    const stage pane = behind.before(make_pane(s));
+    blend(over, pane, pane.shade(s, l, visibility(pane)), s.glass);
+}
+
 /// Pictures of one size in a row.
 [[nodiscard]] picture side_by_side(std::span<const picture> pictures);
 

@@ -26,7 +26,8 @@ struct page {
 std::vector<page> pages() {
     std::vector<page> all{{"hero", pictures::hero, 1280},
                           {"filters", pictures::filter_strip, 156},
-                          {"biases", pictures::bias_strip, 156}};
+                          {"biases", pictures::bias_strip, 156},
+                          {"originals", pictures::originals, 480}};
     for (const shadow_render::trouble& t : shadow_render::troubles())
         all.push_back({std::string(t.name), [name = t.name](int size) { return pictures::trouble(name, size); }, 300});
     return all;

@@ -20,6 +20,10 @@ namespace pictures {
 /// The same part under one filter and six biases.
 [[nodiscard]] picture bias_strip(int side);
 
+/// The four original systems, as their programs draw them.
+/// @param width  of each, pixels
+[[nodiscard]] picture originals(int width);
+
 /// One of shadow_render::troubles, wrong and cured.
 [[nodiscard]] picture trouble(std::string_view name, int side);
 

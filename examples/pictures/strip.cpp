@@ -16,17 +16,17 @@
 #include <names.hpp>
 #include <progress.hpp>
 #include <scene.hpp>
+#include <text.hpp>
 
 #include <area_light.hpp>
 #include <options.hpp>
 #include <render.hpp>
 #include <shade.hpp>
-#include <sheet.hpp>
 
 namespace pictures {
 namespace {
 
-using shadow_render::by_rays, shadow_render::options, shadow_render::text;
+using example::text, shadow_render::by_rays, shadow_render::options;
 
 constexpr int gap = 8;
 

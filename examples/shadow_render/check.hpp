@@ -12,13 +12,16 @@
 
 #include <umbrage/core/image.hpp>
 
+#include <scene.hpp>
 #include <shell.hpp>
+
+#include "options.hpp"
 
 namespace shadow_render_check {
 
 inline const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
-inline const std::string small = "--width 240 --height 160 --map-size 256 --filter pcf_2x2 ";
-inline const std::string spot = "--light spot --azimuth 60 --elevation 40 --camera-elevation 30 --fov 35 ";
+inline const std::string small = "--size 240x160 --map-size 256 --filter pcf_2x2 ";
+inline const std::string spot = "--light spot --azimuth 60 --elevation 40 ";
 inline const std::string solids = small + "--scene solids ";
 
 using example::quoted;
@@ -27,6 +30,9 @@ using example::quoted;
 
 /// A failure that a person can read: the right code, and one line that says `why`.
 void fails(const std::string& arguments, int code, const std::string& why);
+
+/// Visibility of each sample, drawn here: of options that the command line has not.
+[[nodiscard]] umbrage::image<float> visibility(const shadow_render::options& o, const example::scene& scene);
 
 [[nodiscard]] std::string output(const std::string& name);
 [[nodiscard]] umbrage::image<glm::u8vec4> picture(const std::string& name, const char* file);

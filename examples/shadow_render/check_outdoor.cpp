@@ -8,22 +8,23 @@
 #include <camera.hpp>
 #include <scene.hpp>
 
+#include "cascades.hpp"
 #include "check.hpp"
+#include "render.hpp"
+#include "scenes.hpp"
 
 using namespace shadow_render_check;
 
 TEST_CASE("shadow_render: a kilometre under cascades, whose shadows are those of rays") {
-    const std::string options =
-        "--scene outdoor --width 240 --height 160 --samples 1 --map-size 2048 --azimuth 60 --elevation 30 "
-        "--camera-azimuth 0 --camera-elevation 4 --camera-distance 64 --fov 50 --filter hard ";
-    const example::finished r = run("--output " + quoted(folder / "outdoor") + options);
+    const example::finished r = run("--output " + quoted(folder / "outdoor") + "--scene outdoor --size 240x160");
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.find("cascade       from") != std::string::npos);
-    const auto mask = picture("outdoor", "visibility.png"), colors = picture("outdoor", "picture.png"),
-               cascades = picture("outdoor", "cascades.png");
-    CHECK(cascades.size() == colors.size());
+    CHECK(picture("outdoor", "cascades.png").size() == picture("outdoor", "picture.png").size());
 
+    shadow_render::options o = usual(shadow_render::built_in::outdoor);
+    o.width = 240, o.height = 160, o.samples = 1, o.map_size = 2048, o.filter = "hard";
     const example::scene scene = example::outdoor_scene();
+    const umbrage::image<float> mask = visibility(o, scene);
     const example::camera camera = example::make_camera({.target = scene.target,
                                                          .elevation = 4,
                                                          .distance = 64,
@@ -33,7 +34,7 @@ TEST_CASE("shadow_render: a kilometre under cascades, whose shadows are those of
                                                          .z_far = scene.z_far});
     const example::against_rays rays(scene, example::ray_tracer(scene.geometry), camera, mask.size(),
                                      {example::direction_at(60, 30), 0}, 200,
-                                     [&](glm::ivec2 p) { return mask[p].r >= 128; });
+                                     [&](glm::ivec2 p) { return mask[p] >= 0.5f; });
     MESSAGE("lit ", rays.lit, ", dark ", rays.dark, ", other: near ", rays.other_near, ", far ", rays.other_far);
     CHECK(rays.shadowed_sky == 0);
     CHECK(rays.lit > 8000);
@@ -43,13 +44,19 @@ TEST_CASE("shadow_render: a kilometre under cascades, whose shadows are those of
 }
 
 TEST_CASE("shadow_render: culled per cascade, maps have the bits of all instances") {
-    const std::string options = "--scene outdoor --width 60 --height 40 --samples 1 --map-size 256 ";
-    REQUIRE(run(output("culled") + options).code == 0);
-    REQUIRE(run(output("all") + options + "--draw-all").code == 0);
-    for (const char* file : {"map.png", "visibility.png"}) {
-        const auto culled = picture("culled", file), all = picture("all", file);
-        CHECK(std::ranges::equal(culled.texels(), all.texels()));
-    }
+    shadow_render::options o = usual(shadow_render::built_in::outdoor);
+    o.width = 60, o.height = 40, o.samples = 1, o.map_size = 256;
+    const example::scene scene = scene_of(o);
+    const auto drawn = [&](bool all) {
+        o.draw_all = all;
+        example::progress progress(20, true);
+        shadow_render::view v = make_view(o, scene, progress);
+        return look_up_cascades(o, v, v.camera, progress);
+    };
+    const auto culled = drawn(false), all = drawn(true);
+    CHECK(culled.drawn[0].instances < all.drawn[0].instances);
+    CHECK(std::ranges::equal(culled.map.depth.texels(), all.map.depth.texels()));
+    CHECK(std::ranges::equal(culled.visibility.texels(), all.visibility.texels()));
 }
 
 TEST_CASE("shadow_render: cascades over the solids light what one map lights") {
@@ -65,21 +72,26 @@ TEST_CASE("shadow_render: cascades over the solids light what one map lights") {
 TEST_CASE("shadow_render: impossible cascades") {
     fails("--scene nowhere", 2, "--scene");
     fails("--scene outdoor one.obj", 2, "--scene");
-    fails("--scene outdoor --compare", 2, "--compare");
     fails("--light cascades --map-size 31", 2, "--map-size");
-    fails("--light spot --draw-all", 2, "--draw-all");
 }
 
 TEST_CASE("shadow_render: contact hardening keeps the shadow under eaves, which a bias for its widest radius cuts") {
-    const auto dark = [](const std::string& options) {  // on the wall of the house in the middle
-        REQUIRE(run(output("eaves") + "--scene outdoor --width 480 --height 320 --samples 1 " + options).code == 0);
-        const auto mask = picture("eaves", "visibility.png");
+    shadow_render::options o = usual(shadow_render::built_in::outdoor);
+    o.width = 480, o.height = 320, o.samples = 1;
+    const example::scene scene = scene_of(o);
+    const auto dark = [&] {  // on the wall of the house in the middle
+        const umbrage::image<float> mask = visibility(o, scene);
         int count = 0;
         for (int y = 180; y < 192; ++y)
-            for (int x = 240; x < 286; ++x) count += mask[{x, y}].r < 64;
+            for (int x = 240; x < 286; ++x) count += mask[{x, y}] < 0.25f;
         return count;
     };
-    const int sharp = dark("--filter hard --map-size 8192"), usual = dark("--filter pcss32");
+    o.filter = "pcss32";
+    const int usual = dark();
+    o.bias = "acne_free";
+    const int cut = dark();
+    o.filter = "hard", o.bias = {}, o.map_size = 8192;
+    const int sharp = dark();
     CHECK(4 * usual > 3 * sharp);
-    CHECK(4 * dark("--filter pcss32 --bias acne_free") < 3 * sharp);
+    CHECK(4 * cut < 3 * sharp);
 }

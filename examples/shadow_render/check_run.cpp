@@ -4,6 +4,9 @@
 #include <fstream>
 
 #include <png.hpp>
+#include <progress.hpp>
+
+#include "render.hpp"
 
 namespace shadow_render_check {
 
@@ -18,6 +21,12 @@ void fails(const std::string& arguments, int code, const std::string& why) {
     CHECK_MESSAGE(r.code == code, r.said);
     CHECK_MESSAGE(r.said.find(why) != std::string::npos, r.said);
     CHECK_MESSAGE(r.said.find('\n') == r.said.size() - 1, r.said);
+}
+
+umbrage::image<float> visibility(const shadow_render::options& o, const example::scene& scene) {
+    example::progress progress(20, true);
+    shadow_render::view v = make_view(o, scene, progress);
+    return visibility_of(o, v, v.camera, progress);
 }
 
 std::string output(const std::string& name) { return std::string("--quiet --output ").append(quoted(folder / name)); }

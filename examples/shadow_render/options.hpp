@@ -11,7 +11,6 @@
 #include <umbrage/depth/code.hpp>
 
 #include <names.hpp>
-#include <scene.hpp>
 
 namespace shadow_render {
 
@@ -27,9 +26,8 @@ struct damage {
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
-    std::string mesh;  ///< empty: a built-in scene
+    std::string mesh{};  ///< empty: a built-in scene
     built_in scene = built_in::garden;
-    example::up_axis up = example::up_axis::y;
     std::filesystem::path output = "out";
 
     light_kind light = light_kind::directional;
@@ -51,17 +49,11 @@ struct options {
     int width = 960, height = 640, samples = 2;
     float camera_azimuth = 0, camera_elevation = 20, camera_distance = 7.5f, fov = 34;
 
-    std::string trouble{};              ///< made on purpose, by its name
     std::optional<glm::vec3> target{};  ///< of the camera; without one the scene's
 
     bool marks_changes = false;  ///< of visibility, against a camera a step aside
     bool fixed_range = false;    ///< of cascades: all that the camera could see, whatever it does
     damage broken{};
-
-    bool compare = false;
-    std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
-
-    bool light_report = false, stability_report = false;
 
     bool quiet = false;
 };

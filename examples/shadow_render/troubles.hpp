@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Troubles of shadow maps, made on purpose and cured: --break.
+// Troubles of shadow maps, made on purpose and cured: the pictures of the pages.
 //
 //     const auto t = std::ranges::find(troubles(), "acne", &trouble::name);
 //     const auto wrong = photograph(t->wrong(options), example::default_scene());

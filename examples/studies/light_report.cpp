@@ -61,7 +61,7 @@ void light_report(const options& o, const example::scene& scene) {
                 std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu%s\n", s.name.c_str(), r.mean, r.p95, r.greatest,
                             r.storage_factor, r.measured, chosen_of(maps).c_str());
         });
-    progress.stage("write", [&] { example::write_png(o.output / "light-report.png", page.pixels().view()); });
+    progress.stage("write", [&] { example::write_png(o.output / "lights.png", page.pixels().view()); });
 }
 
 }  // namespace shadow_render

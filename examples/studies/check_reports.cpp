@@ -7,16 +7,16 @@
 #include <set_ups.hpp>
 #include <stability.hpp>
 
-#include "check.hpp"
+#include <check.hpp>
 
 using namespace shadow_render_check;
 using example::set_ups;
 
-TEST_CASE("shadow_render: the report has a row and a picture for every set-up") {
+TEST_CASE("studies: the report on lights has a row and a picture for every set-up") {
     const example::finished r =
-        run("--light-report --scene solids --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
+        run("lights --scene solids --size 96x64 --map-size 64 --output " + quoted(folder / "report"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
-    const auto sheet = picture("report", "light-report.png");
+    const auto sheet = picture("report", "lights.png");
     constexpr int top = 88, width = 48, height = 120;  // of the title, of a cell
     const int count = static_cast<int>(set_ups().size());
     REQUIRE(sheet.size() == glm::ivec2(4 * width, top + (count + 3) / 4 * height));
@@ -41,14 +41,12 @@ TEST_CASE("shadow_render: the report has a row and a picture for every set-up") 
             }
         CHECK(colored == pixels);
     }
-    fails("--light-report --compare", 2, "--compare");
-    fails("--light-report --map-size 15", 2, "--map-size");
+    fails("lights --map-size 15", 2, "--map-size");
 }
 
-TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the table and on film") {
+TEST_CASE("studies: stable cascades stand still, tight ones do not, in the table and on film") {
     const example::finished r =
-        run("--stability-report --scene solids --width 96 --height 64 --map-size 128 --output " +
-            quoted(folder / "stability"));
+        run("stability --scene solids --size 96x64 --map-size 128 --output " + quoted(folder / "stability"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     for (const std::string where : {"", ", 3 km out"}) {
         const auto of = [&](const std::string& name) {
@@ -115,9 +113,9 @@ TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the
         CHECK((popped == 0) == suffices);
         CHECK(unforced == 0);
     }
-    fails("--stability-report --compare", 2, "--compare");
-    fails("--stability-report --light-report", 2, "--light-report");
-    fails("--stability-report --map-size 15", 2, "--map-size");
+    fails("stability lights", 2, "lights");
+    fails("", 2, "study");
+    fails("pictures", 2, "study");
 }
 
 TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of ground under suns all around") {

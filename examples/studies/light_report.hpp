@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// --light-report: how good every set-up of the light is for the camera's view, as a table and on one sheet,
-// light-report.png. The greatest are those of surfaces all but parallel to the light, as on every ball.
+// studies lights: how good every set-up of the light is for the camera's view, as a table and on one sheet, lights.png.
+// The greatest are those of surfaces all but parallel to the light, as on every ball.
 #pragma once
 
 #include <scene.hpp>

@@ -8,13 +8,13 @@
 #include <names.hpp>
 #include <soft.hpp>
 
-#include "check.hpp"
+#include <check.hpp>
 
 using namespace shadow_render_check;
 
 namespace {
 
-const std::string tiny = "--scene solids --width 48 --height 32 ";
+const std::string tiny = "--scene solids --size 48x32 ";
 
 struct row {
     double error, leak;  ///< per cent
@@ -23,7 +23,7 @@ struct row {
 
 /// The printed table.
 std::map<std::string, row> rows(const std::string& options) {
-    const example::finished r = run("--compare --output " + quoted(folder / "sheet") + tiny + options);
+    const example::finished r = run("filters --output " + quoted(folder / "sheet") + tiny + options);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     std::map<std::string, row> out;
     std::istringstream lines(r.said.substr(r.said.find("\n\n")));
@@ -46,9 +46,9 @@ std::vector<std::string> every_filter() {
 
 }  // namespace
 
-TEST_CASE("shadow_render: the sheet has a cell for every filter, each with its own picture") {
+TEST_CASE("studies: the sheet has a cell for every filter, each with its own picture") {
     const auto table = rows("--map-size 128");
-    const auto sheet = picture("sheet", "compare.png");
+    const auto sheet = picture("sheet", "filters.png");
     constexpr int top = 112, width = 64, height = 120;  // of the title, of a cell
     const auto lines = static_cast<int>(every_filter().size() + 4) / 4;
     REQUIRE(sheet.size() == glm::ivec2(4 * width, top + lines * height));
@@ -66,7 +66,8 @@ TEST_CASE("shadow_render: the sheet has a cell for every filter, each with its o
             for (int x = 0; x < width; ++x) ink += sheet[at + glm::ivec2(x, y)].r > 200;
         CHECK(ink > 50);  // a name and numbers
         if (filter != "hard" && filter != "disc16" && filter != "pcss16" && filter != "evsm4") continue;
-        REQUIRE(run(output("alone") + tiny + "--map-size 128 --filter " + filter).code == 0);
+        REQUIRE(example::run_line(quoted(SHADOW_RENDER) + output("alone") + tiny + "--map-size 128 --filter " + filter)
+                    .code == 0);
         const auto alone = picture("alone", "picture.png");
         int differ = 0;
         for (int y = 0; y < 32; ++y)
@@ -75,7 +76,7 @@ TEST_CASE("shadow_render: the sheet has a cell for every filter, each with its o
     }
 }
 
-TEST_CASE("shadow_render: errors are those against a light of the size that was asked for") {
+TEST_CASE("studies: errors are those against a light of the size that was asked for") {
     const auto point = rows("--bias acne_free --light-size 0 --map-size 1024"),
                wide = rows("--bias acne_free --light-size 0.8 --map-size 1024");
     CHECK(point.at("hard").error < 2);
@@ -87,7 +88,7 @@ TEST_CASE("shadow_render: errors are those against a light of the size that was 
     }
 }
 
-TEST_CASE("shadow_render: each filter has a bias under which a wide one errs by less than a hard one") {
+TEST_CASE("studies: each filter has a bias under which a wide one errs by less than a hard one") {
     const auto usual = rows("--map-size 1024"), offset = rows("--map-size 1024 --bias normal_offset");
     for (const auto& [filter, row] : usual) {
         CAPTURE(filter);
@@ -103,18 +104,18 @@ TEST_CASE("shadow_render: each filter has a bias under which a wide one errs by 
     CHECK(usual.at("pcss16").error < usual.at("castano7").error);
 }
 
-TEST_CASE("shadow_render: what filters cost on a GPU is read from a table, or is a dash") {
+TEST_CASE("studies: what filters cost on a GPU is read from a table, or is a dash") {
     const std::string table = file("shaders.tsv",
                                    "job\twhose\tshader\tinstructions\tinv. thrpt\tlatency\n"
                                    "every snippet\tumbrage\ttent3\t158\t232\t819\n"
                                    "every snippet\tother\thard\t1\t2\t3\n");
     const example::finished r =
-        run("--compare --output " + quoted(folder / "sheet") + tiny + "--map-size 128 --shaders " + table);
+        run("filters --output " + quoted(folder / "sheet") + tiny + "--map-size 128 --shaders " + table);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.find("158 instructions, 232 cycles") != std::string::npos);
     CHECK(std::ranges::count(r.said.substr(r.said.find("RDNA2\n")), '-') ==
           static_cast<int>(every_filter().size()) - 1);
-    fails(output("sheet") + tiny + "--compare --shaders " + file("no_table.tsv", "once upon a time\n"), 1,
-          "not a table");
-    fails(output("sheet") + tiny + "--compare --shaders none.tsv", 1, "none.tsv");
+    fails(output("sheet") + tiny + "filters --shaders " + file("no_table.tsv", "once upon a time\n"), 1, "not a table");
+    fails(output("sheet") + tiny + "filters --shaders none.tsv", 1, "none.tsv");
+    fails("filters --scene outdoor", 2, "--scene");
 }

@@ -7,8 +7,6 @@
 //
 #pragma once
 
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,17 +15,13 @@
 
 #include <umbrage/core/image.hpp>
 
+#include <text.hpp>
+
 namespace shadow_render {
 
 using picture = umbrage::image<glm::u8vec3>;
 
-/// printf into a string of less than 200 letters.
-template <class... Values>
-[[nodiscard]] std::string text(const char* format, Values... values) {
-    std::array<char, 200> out{};
-    std::snprintf(out.data(), out.size(), format, values...);
-    return out.data();
-}
+using example::text;
 
 class sheet {
 public:

@@ -24,6 +24,7 @@
 #include "area_light.hpp"
 #include "filter.hpp"
 #include "receivers.hpp"
+#include "render.hpp"
 #include "shade.hpp"
 #include "sheet.hpp"
 
@@ -31,10 +32,10 @@ namespace shadow_render {
 namespace {
 
 /// What snippets cost on RDNA2, from the table that `make bench-shaders` writes; empty without one.
-std::map<std::string, std::string> costs(const options& o) {
+std::map<std::string, std::string> costs(const std::filesystem::path& shaders) {
     const std::filesystem::path made = "build/bench-shaders/shaders.tsv";
-    if (o.shaders.empty() && !std::filesystem::exists(made)) return {};
-    const std::filesystem::path& table = o.shaders.empty() ? made : o.shaders;
+    if (shaders.empty() && !std::filesystem::exists(made)) return {};
+    const std::filesystem::path& table = shaders.empty() ? made : shaders;
     std::map<std::string, std::string> all;
     std::ifstream file(table);
     for (std::string line; std::getline(file, line);) {
@@ -80,8 +81,11 @@ double best_of_5(Work&& work) {
 
 }  // namespace
 
-void compare(const options& o, const view& v, const example::shadow_map& map, example::progress& progress) {
-    const auto cost = costs(o);
+void compare(const options& o, const example::scene& scene, const std::filesystem::path& shaders) {
+    example::progress progress(5 + filter_names().size(), o.quiet);
+    const view v = make_view(o, scene, progress);
+    const example::shadow_map map = draw_map(o, v, progress);
+    const auto cost = costs(shaders);
     const auto& names = filter_names();
     const by_rays expected = progress.stage("rays", [&] { return traced(o, v, progress); });
     const std::vector<std::string> title{
@@ -128,7 +132,7 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
                 std::printf("%-20s %8.2f %% %8.2f %% %9.2f %9.2f %6d  %-14s  %s\n", name.c_str(), error, leaks, map_ms,
                             ms, bytes, bias.c_str(), on_gpu.c_str());
         });
-    progress.stage("write", [&] { example::write_png(o.output / "compare.png", page.pixels().view()); });
+    progress.stage("write", [&] { example::write_png(o.output / "filters.png", page.pixels().view()); });
 }
 
 }  // namespace shadow_render
