@@ -7,7 +7,8 @@
 #include <vector>
 
 #include <umbrage/shader/registry.hpp>
-#include <umbrage/view/false_color.hpp>
+
+#include <depth_color.hpp>
 
 #include "opengl.hpp"
 #include "sections.hpp"
@@ -18,12 +19,12 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
-/// A map as people see it: nearest texels, near blue, far red.
-picture colored(const umbrage::image<float>& depth, int edge) {
-    picture out{glm::ivec2(edge)};
-    const auto stretch = umbrage::stretch(depth);
+/// A map as people see it: nearest texels.
+picture colored(const umbrage::image<float>& depth, float empty, int height) {
+    picture out{{height * depth.size().x / depth.size().y, height}};
+    const auto stretch = umbrage::stretch(depth, empty);
     umbrage::overlay(out, depth, {.size = out.size(), .map_origin = picture_clip.origin},
-                     [&](float d) { return umbrage::false_color(stretch(d)); });
+                     [&](float d) { return d == empty ? no_depth_color : depth_color(stretch(d)); });
     return out;
 }
 
@@ -138,7 +139,8 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
         numbers.push_back({"11 bits differ from exact depth in", others(visibility)});
         numbers.push_back({"8 bits differ in", others(coarse)});
     }
-    figures.push_back({page.picture(colored(depth, edge)), "The map, blue near, red far"});
+    figures.push_back(
+        {page.picture(colored(depth, empty, edge)), "The map, dark near, pale far, gray where nothing is"});
     if (!map.channels.empty())
         figures.push_back({page.picture(packed(map, depth, edge / 2)), "The map as stored: R, G"});
     const description& d = descriptions.at(system.name);

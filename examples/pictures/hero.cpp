@@ -13,6 +13,7 @@
 
 #include <camera.hpp>
 #include <progress.hpp>
+#include <depth_color.hpp>
 #include <scene.hpp>
 
 #include <cascades.hpp>
@@ -36,7 +37,6 @@ picture tinted(options o, const example::scene& scene) {
 /// The part of the shadow map around the camera's target, as the light sees it: farther is lighter.
 picture depths(const options& o, const example::scene& scene) {
     constexpr float world_height = 3.7f;
-    constexpr glm::vec3 close{0.05f, 0.07f, 0.13f}, far{0.97f, 0.94f, 0.86f};
     example::progress progress(12, true);
     const shadow_render::view v = make_view(o, scene, progress);
     const example::shadow_map map = draw_map(o, v, progress);
@@ -61,7 +61,7 @@ picture depths(const options& o, const example::scene& scene) {
     for (const glm::u8vec3& d : out.texels()) low = std::min<int>(low, d.r), high = std::max<int>(high, d.r);
     for (glm::u8vec3& d : out.texels())
         d = umbrage::store_unorm(
-            glm::mix(close, far, static_cast<float>(d.r - low) / static_cast<float>(std::max(high - low, 1))));
+            example::depth_color(static_cast<float>(d.r - low) / static_cast<float>(std::max(high - low, 1))));
     return out;
 }
 

@@ -26,6 +26,7 @@ struct page {
 std::vector<page> pages() {
     std::vector<page> all{{"hero", pictures::hero, 1280},
                           {"filters", pictures::filter_strip, 156},
+                          {"hardening", pictures::hardening_strip, 200},
                           {"biases", pictures::bias_strip, 156},
                           {"originals", pictures::originals, 480}};
     for (const shadow_render::trouble& t : shadow_render::troubles())

@@ -13,9 +13,12 @@ namespace pictures {
 /// @param width  of all of it, pixels
 [[nodiscard]] picture hero(int width);
 
-/// One part of the scene under rays and eight filters, each with its best bias, and below each its error.
+/// One part of the scene under rays and eight filters, each with its best bias, its costs and its error.
 /// @param side  of a part, pixels
 [[nodiscard]] picture filter_strip(int side);
+
+/// A mast's shadow from its foot to a wall, under rays, filters of one width and contact hardening.
+[[nodiscard]] picture hardening_strip(int side);
 
 /// The same part under one filter and six biases.
 [[nodiscard]] picture bias_strip(int side);

@@ -5,20 +5,25 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/filters.hpp>
 
+#include <filters.hpp>
 #include <names.hpp>
 #include <progress.hpp>
 #include <scene.hpp>
+#include <soft.hpp>
 #include <text.hpp>
 
 #include <area_light.hpp>
+#include <filter.hpp>
 #include <options.hpp>
 #include <render.hpp>
 #include <shade.hpp>
@@ -45,29 +50,52 @@ picture error_of(const by_rays& expected, const umbrage::image<float>& visibilit
     return out;
 }
 
-/// Two places of the scene, by rays: the ball's shadow above the steps, and the fence's shadow.
+/// A place of the scene, square or half as high.
+struct place {
+    glm::vec3 target;
+    float fov;
+    bool square = true;
+};
+constexpr place ball{{1.82f, 0.74f, -1.6f}, 10.5f}, fence{{-0.75f, 0, -0.35f}, 6.5f, false},
+    mast{{1.36f, 0.62f, -0.95f}, 15.5f};
+
+constexpr float widest = 8;  ///< radius of penumbras that contact hardening makes, texels: more than these have
+
+/// Texels that a filter reads for one receiver in a penumbra; of a map that is filtered ahead the four of one sample.
+int reads(const std::string& filter) {
+    int count = 0;
+    const auto fetch = [&](glm::ivec2 texel) { return ++count, (texel.x + texel.y) % 2 == 0 ? 0.25f : 1.0f; };
+    const auto read = [&](const auto& by) { std::ignore = by(fetch, glm::vec2(100.3f), 0.5f); };
+    if (example::filters_ahead(filter)) return 4;
+    if (!example::hardens(filter)) return example::with_filter(filter, {}, read), count;
+    umbrage::filters::soft::with(filter, [&](auto by) {
+        by.softness = umbrage::make_penumbra_params(glm::vec2(0.01f, 1.0f), 1.0f, 1.0f, widest);
+        read(by);
+    });
+    return count;
+}
+
+/// Places of the scene, by rays.
 class parts {
 public:
-    explicit parts(int side) : scene_(example::default_scene()) {
-        options o;
-        o.quiet = true;
-        o.samples = 3;
-        o.map_size = 1024;
-        o.width = o.height = side;
-        o.target = {1.82f, 0.74f, -1.6f};
-        o.fov = 10.5f;
-        looks_.push_back({o, make_view(o, scene_, progress_), {}});
-        o.height = side / 2;
-        o.target = {-0.75f, 0, -0.35f};
-        o.fov = 6.5f;
-        looks_.push_back({o, make_view(o, scene_, progress_), {}});
+    parts(int side, const std::vector<place>& places) : scene_(example::default_scene()) {
+        for (const place& p : places) {
+            options o;
+            o.quiet = true;
+            o.samples = 3;
+            o.map_size = 1024;
+            o.max_radius = widest;
+            o.width = side, o.height = p.square ? side : side / 2;
+            o.target = p.target, o.fov = p.fov;
+            looks_.push_back({o, make_view(o, scene_, progress_), {}});
+        }
         for (look& l : looks_) l.expected = traced(l.o, l.v, progress_);
     }
 
     /// Pictures and errors under a filter and a bias.
     struct result {
         std::vector<picture> shaded{}, errors{};
-        double rms = 0;  ///< per cent
+        double rms = 0, leak = 0;  ///< per cent
     };
     [[nodiscard]] result under(const std::string& filter, const std::string& bias) {
         return judge([&](look& l) {
@@ -76,6 +104,22 @@ public:
             o.bias = bias;
             return visibility_of(o, l.v, l.v.camera, progress_);
         });
+    }
+    /// The lines of a filter under the bias that suits it best.
+    struct judged {
+        result best{};
+        std::vector<std::string> lines{};
+    };
+    [[nodiscard]] judged best_of(const std::string& filter) {
+        judged out{.best{.rms = std::numeric_limits<double>::infinity()}};
+        std::string named;
+        for (const std::string& bias : example::bias_names())
+            if (result r = under(filter, bias); r.rms < out.best.rms) out.best = std::move(r), named = bias;
+        options o = looks_.front().o;
+        o.filter = filter;
+        out.lines = {filter, text("RMS %.1f %%", out.best.rms), text("leak %.1f %%", out.best.leak),
+                     text("%d B, %d read%s", bytes_read(o), reads(filter), reads(filter) == 1 ? "" : "s"), named};
+        return out;
     }
     [[nodiscard]] result by_rays_alone() {
         return judge([](look& l) { return l.expected.visibility; });
@@ -91,15 +135,17 @@ private:
     template <class Visibility>
     result judge(const Visibility& visibility_of_look) {
         result out;
-        double sum = 0, count = 0;
+        double sum = 0, count = 0, light = 0, dark = 0;
         for (look& l : looks_) {
             const umbrage::image<float> visibility = visibility_of_look(l);
             const auto [squares, pixels] = squared_error(l.expected, visibility, l.o.samples);
-            sum += squares, count += pixels;
+            const auto [through, samples] = leaked_light(l.expected, visibility);
+            sum += squares, count += pixels, light += through, dark += samples;
             out.shaded.push_back(shade(l.v, visibility, l.o.samples, progress_.bands()));
             out.errors.push_back(error_of(l.expected, visibility, l.o.samples));
         }
         out.rms = 100 * std::sqrt(sum / count);
+        out.leak = 100 * light / dark;
         return out;
     }
 
@@ -108,13 +154,13 @@ private:
     std::vector<look> looks_;
 };
 
-/// Cells in rows, each of a result with three lines of text.
+/// Cells in rows, each of a result with lines of text.
 class strip {
 public:
-    strip(int side, int columns, int cells)
-        : side_(side),
-          columns_(columns),
-          cell_(side + gap, 3 * side + 3 * gap + 3 * canvas::line),
+    /// @param height   of a cell's pictures and errors, in sides
+    strip(int side, int columns, int cells, int lines, int height)
+        : columns_(columns),
+          cell_(side + gap, height * side + 3 * gap + lines * canvas::line),
           page_({columns * cell_.x + gap, (cells + columns - 1) / columns * cell_.y + gap}) {}
 
     void add(const parts::result& r, const std::vector<std::string>& lines) {
@@ -141,7 +187,7 @@ private:
         return at;
     }
 
-    int side_, columns_, next_ = 0;
+    int columns_, next_ = 0;
     glm::ivec2 cell_;
     canvas page_;
 };
@@ -149,29 +195,61 @@ private:
 }  // namespace
 
 picture filter_strip(int side) {
-    parts of(side);
-    strip out(side, 5, 10);
-    out.add(of.by_rays_alone(), {"rays", "the reference", ""});
+    parts of(side, {ball, fence});
+    strip out(side, 5, 10, 5, 3);
+    out.add(of.by_rays_alone(), {"rays", "the reference", "", "", ""});
     for (const std::string filter : {"hard", "pcf_2x2", "castano7", "disc16", "pcss16", "vsm", "evsm4", "msm"}) {
-        parts::result best{.rms = std::numeric_limits<double>::infinity()};
-        std::string named;
-        for (const std::string& bias : example::bias_names()) {
-            parts::result r = of.under(filter, bias);
-            if (r.rms < best.rms) best = std::move(r), named = bias;
-        }
-        out.add(best, {filter, text("RMS %.1f %%", best.rms), named});
+        const auto [best, lines] = of.best_of(filter);
+        out.add(best, lines);
     }
-    out.explain({"map: 1024", "texels, 93", "per unit", "", "light: a disc", "0.4 wide,", "8 away", "", "RMS error",
-                 "over both", "crops, with", "the best of", "six biases", "", "purple: error", "against rays"});
+    out.explain({"map: 1024",
+                 "texels, 93",
+                 "per unit",
+                 "",
+                 "light: a disc",
+                 "0.4 wide,",
+                 "8 away",
+                 "",
+                 "RMS: error",
+                 "over both",
+                 "crops, with",
+                 "the best of",
+                 "six biases",
+                 "",
+                 "pcss16: up",
+                 "to 8 texels",
+                 "",
+                 "leak: light",
+                 "where rays",
+                 "find none",
+                 "",
+                 "B: bytes a",
+                 "texel; reads:",
+                 "texels for a",
+                 "receiver",
+                 "",
+                 "purple: error",
+                 "against rays"});
+    return out.pixels();
+}
+
+picture hardening_strip(int side) {
+    parts of(side, {mast});
+    strip out(side, 5, 5, 5, 2);
+    for (const std::string filter : {"hard", "castano7", "pcss16", "dpcf16"}) {
+        const auto [best, lines] = of.best_of(filter);
+        out.add(best, lines);
+    }
+    out.add(of.by_rays_alone(), {"rays", "the reference", "", "", ""});
     return out.pixels();
 }
 
 picture bias_strip(int side) {
-    parts of(side);
-    strip out(side, 3, 6);
+    parts of(side, {ball, fence});
+    strip out(side, 3, 6, 4, 3);
     for (const std::string& bias : example::bias_names()) {
         const parts::result r = of.under("castano7", bias);
-        out.add(r, {bias, text("RMS %.1f %%", r.rms), "castano7"});
+        out.add(r, {bias, text("RMS %.1f %%", r.rms), text("leak %.1f %%", r.leak), "castano7"});
     }
     return out.pixels();
 }

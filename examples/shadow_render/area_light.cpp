@@ -51,12 +51,17 @@ double rms_error(const by_rays& expected, const umbrage::image<float>& visibilit
     return pixels > 0 ? 100 * std::sqrt(sum / pixels) : 0;
 }
 
-double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
-    double sum = 0, count = 0;
+leaked leaked_light(const by_rays& expected, const umbrage::image<float>& visibility) {
+    leaked out;
     for (std::size_t i = 0; i < visibility.texels().size(); ++i)
         if (expected.counted.texels()[i] && expected.visibility.texels()[i] <= 0)
-            sum += visibility.texels()[i], ++count;
-    return count > 0 ? 100 * sum / count : 0;
+            out.sum += visibility.texels()[i], ++out.samples;
+    return out;
+}
+
+double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
+    const auto [sum, samples] = leaked_light(expected, visibility);
+    return samples > 0 ? 100 * sum / samples : 0;
 }
 
 by_rays traced(const options& o, const view& v, example::progress& progress) {

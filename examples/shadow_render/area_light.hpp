@@ -33,7 +33,13 @@ struct squared {
 /// Root of the mean square over pixels that face the light, in per cent.
 [[nodiscard]] double rms_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples);
 
-/// Mean visibility of samples that face the light and of which no ray reaches it, in per cent.
+/// Over samples that face the light and of which no ray reaches it.
+struct leaked {
+    double sum = 0, samples = 0;  ///< of visibility
+};
+[[nodiscard]] leaked leaked_light(const by_rays& expected, const umbrage::image<float>& visibility);
+
+/// Its mean, in per cent.
 [[nodiscard]] double leak(const by_rays& expected, const umbrage::image<float>& visibility);
 
 }  // namespace shadow_render

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -111,6 +112,19 @@ TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
     REQUIRE(run(output("bytes") + solids + "--encoding depth32f").code == 0);
     REQUIRE(run(output("rg11") + solids + "--encoding rg11").code == 0);
     const auto exact = picture("bytes", "map.png"), packed = picture("rg11", "map.png");
+    const auto seen = picture("bytes", "depth.png");
+    std::vector<std::pair<float, int>> brightness;
+    int empty = 0;
+    for (std::size_t i = 0; i < seen.texels().size(); ++i) {
+        const float depth = umbrage::decode_float_bits(exact.texels()[i]);
+        if (depth == 1) empty += seen.texels()[i] == glm::u8vec4(128, 128, 128, 255);
+        else brightness.emplace_back(depth, seen.texels()[i].g);
+    }
+    std::ranges::sort(brightness);
+    CHECK(std::ranges::is_sorted(brightness, {}, &std::pair<float, int>::second));  // the farther, the brighter
+    CHECK(brightness.front().second < 30);
+    CHECK(brightness.back().second > 220);
+    CHECK(empty == 65536 - static_cast<int>(brightness.size()));
     int differ = 0;
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 256; ++x) {

@@ -8,8 +8,8 @@
 
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/images/overlay.hpp>
-#include <umbrage/view/false_color.hpp>
 
+#include <depth_color.hpp>
 #include <png.hpp>
 
 #include "shade.hpp"
@@ -20,8 +20,9 @@ void write(const options& o, const example::shadow_map& map, const umbrage::imag
            umbrage::image<glm::u8vec3> lit) {
     const umbrage::contrast_stretch stretch = umbrage::stretch(map.depth, map.cleared);
     umbrage::image<glm::u8vec3> colors(map.depth.size());
-    std::ranges::transform(map.depth.texels(), colors.texels().begin(),
-                           [&](float d) { return umbrage::store_unorm(umbrage::false_color(stretch(d))); });
+    std::ranges::transform(map.depth.texels(), colors.texels().begin(), [&](float d) {
+        return umbrage::store_unorm(d == map.cleared ? example::no_depth_color : example::depth_color(stretch(d)));
+    });
     umbrage::image<std::uint8_t> mask(lit.size());
     for (int y = 0; y < mask.size().y; ++y)
         for (int x = 0; x < mask.size().x; ++x)

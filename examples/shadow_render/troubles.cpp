@@ -36,9 +36,10 @@ const std::array<trouble, 9>& troubles() {
                 [](options& o) { o.light = light_kind::directional; }, [](options&) {}},
         trouble{"seams", "cascades that do not overlap", "a tenth of each fades",
                 [](options& o) {
-                    look_at(o, {-0.95f, 0, 0.4f}, 12);
-                    o.light = light_kind::cascades, o.fixed_range = true, o.camera_distance = 5.8f;
-                    o.map_size = 256, o.filter = "castano7";
+                    look_at(o, {-0.7f, 0, -0.12f}, 9);
+                    o.light = light_kind::cascades, o.fixed_range = true;
+                    o.camera_distance = 5.5f, o.camera_elevation = 45;
+                    o.map_size = 400, o.filter = "pcf_2x2";
                 },
                 [](options& o) { o.broken.no_fade = true; }, [](options&) {}},
         trouble{"contact", "a wide disc and normal_offset", "pcss32 and receiver_plane",
