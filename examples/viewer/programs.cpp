@@ -185,7 +185,7 @@ vec3 looked_up;
 )GLSL" +
             std::string(
                 four
-                    ? R"GLSL(varying vec4 tap_0, tap_1, tap_2, tap_3;  // from the vertex shader, over the map from 0 to 1
+                    ? R"GLSL(varying vec4 tap_0, tap_1, tap_2, tap_3;  // over the map from 0 to 1
 vec2 tap(vec4 coordinate) {
     vec4 moved = world_to_texels * vec4(looked_up - world, 0.0);  // by the bias
     return umbrage_project_coordinate(coordinate + vec4(moved.xy / map_size, moved.zw)).xy;

@@ -49,10 +49,9 @@ template <real T>
 /// @cite          Direct3D 8: MaxPixelShaderValue is 8 on this card; pixel shader 1.4 in s3.12
 template <real T>
 [[nodiscard]] T fixed_ps14(T v) {
-    if (is_nan(v) || v >= T(8)) return T(32767) / T(4096);
-    const T steps = v * T(4096), below = std::floor(steps), nearest = steps - below < T(0.5) ? below : below + T(1);
-    const T most = nearest < T(32767) ? nearest : T(32767);
-    return (most > T(-32768) ? most : T(-32768)) * T(1.0 / 4096.0);
+    constexpr T most = T(32767) / T(4096), least = T(-8);
+    const T steps = (!is_nan(v) && v < most ? (v > least ? v : least) : most) * T(4096), below = std::floor(steps);
+    return (steps - below < T(0.5) ? below : below + T(1)) * T(1.0 / 4096.0);
 }
 
 /// Stored depth as the Radeon 8500 computed it, in its own numbers.
@@ -104,11 +103,10 @@ inline constexpr snippet fixed_ps14{
     .source = R"GLSL(
 // umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
 UMBRAGE_HIGHP float umbrage_fixed_ps14(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP float steps = (v < 8.0 ? v : 8.0) * 4096.0;
+    UMBRAGE_HIGHP float within = v < 7.999755859375 ? v : 7.999755859375;
+    UMBRAGE_HIGHP float steps = (within > -8.0 ? within : -8.0) * 4096.0;
     UMBRAGE_HIGHP float below = floor(steps);
-    UMBRAGE_HIGHP float nearest = below + (steps - below < 0.5 ? 0.0 : 1.0);
-    UMBRAGE_HIGHP float most = nearest < 32767.0 ? nearest : 32767.0;
-    return (most > -32768.0 ? most : -32768.0) * 0.000244140625;
+    return (steps - below < 0.5 ? below : below + 1.0) * 0.000244140625;
 }
 )GLSL",
 };
