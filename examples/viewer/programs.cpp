@@ -183,15 +183,13 @@ float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2
 
 vec3 looked_up;
 )GLSL" +
-            std::string(
-                four
-                    ? R"GLSL(varying vec4 tap_0, tap_1, tap_2, tap_3;  // over the map from 0 to 1
+            std::string(four ? R"GLSL(varying vec4 tap_0, tap_1, tap_2, tap_3;  // over the map from 0 to 1
 vec2 tap(vec4 coordinate) {
     vec4 moved = world_to_texels * vec4(looked_up - world, 0.0);  // by the bias
     return umbrage_project_coordinate(coordinate + vec4(moved.xy / map_size, moved.zw)).xy;
 }
 )GLSL"
-                    : "") +
+                             : "") +
             R"GLSL(
 void main() {
     vec3 face = towards(unit(world_face, vec3(0.0, 1.0, 0.0)), eye - world);
