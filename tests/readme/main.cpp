@@ -6,13 +6,14 @@
 //     readme --check ROOT             exit status 1 when a section is out of date: what differs, and what to run
 //     readme --write ROOT             generates the sections again
 //     readme --links ROOT             exit status 1 when a link leads nowhere, or a page is far from README.md
+//     readme --names ROOT LIST        exit status 1 when a public name stands on no page and not in the list
 //     readme --questions ROOT LIST    exit status 1 when a question's answer is more than two clicks from README.md
 //     readme --sample ROOT SEED       a hundred sentences of headers and pages, for a reader to judge
 //     readme --prose ROOT             exit status 1 when a sentence is long, or a word is one of those to avoid
 //     readme --proof REPORTS PROOF.md prints a line for each implementation; all of it goes to PROOF.md
 //
-// A section stands between `<!-- begin: primitives bias -->` and `<!-- end -->`. Its name may be primitives or
-// functions, of the folders of include/umbrage that follow, encodings or filters.
+// A section stands between `<!-- begin: primitives bias -->` and `<!-- end -->`. Its name may be primitives, names or
+// index, of the folders of include/umbrage that follow, encodings or filters.
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -24,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "names.hpp"
 #include "pages.hpp"
 #include "proof.hpp"
 #include "questions.hpp"
@@ -38,15 +40,17 @@ void write(const fs::path& path, const std::string& text) {
     if (!(std::ofstream(path) << text).flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-std::string section(const fs::path& include, const std::string& name, const std::vector<std::string>& folders) {
+std::string section(const std::vector<readme::page>& pages, const fs::path& include, const std::string& name,
+                    const std::vector<std::string>& folders) {
     if (name == "primitives") return readme::primitives(include, folders);
-    if (name == "functions") return readme::functions(include, folders);
+    if (name == "names") return readme::names(include, folders);
+    if (name == "index") return readme::index(pages, include, folders);
     if (name == "encodings") return readme::encodings();
     if (name == "filters") return readme::filters();
     throw std::runtime_error("no section has the name '" + name + "'");
 }
 
-std::string with_sections(const std::string& page, const fs::path& include) {
+std::string with_sections(const std::string& page, const std::vector<readme::page>& pages, const fs::path& include) {
     const std::string begin = "<!-- begin: ", end = "<!-- end -->";
     std::string out;
     std::size_t copied = 0;
@@ -57,7 +61,7 @@ std::string with_sections(const std::string& page, const fs::path& include) {
         std::vector<std::string> folders{std::istream_iterator<std::string>(words), {}};
         const std::string name = folders.at(0);
         folders.erase(folders.begin());
-        out += page.substr(copied, line_end + 1 - copied) + section(include, name, folders);
+        out += page.substr(copied, line_end + 1 - copied) + section(pages, include, name, folders);
         copied = close;
     }
     return out + page.substr(copied);
@@ -75,8 +79,9 @@ int check_all_listed(const std::string& all) {
 int check(const fs::path& root) {
     int wrong = 0;
     std::string all;
-    for (const readme::page& p : readme::pages(root)) {
-        const std::string current = with_sections(p.text, root / "include/umbrage");
+    const auto pages = readme::pages(root);
+    for (const readme::page& p : pages) {
+        const std::string current = with_sections(p.text, pages, root / "include/umbrage");
         all += current;
         if (current == p.text) continue;
         ++wrong;
@@ -92,8 +97,9 @@ int check(const fs::path& root) {
 }
 
 void write(const fs::path& root) {
-    for (const readme::page& p : readme::pages(root)) {
-        const std::string current = with_sections(p.text, root / "include/umbrage");
+    const auto pages = readme::pages(root);
+    for (const readme::page& p : pages) {
+        const std::string current = with_sections(p.text, pages, root / "include/umbrage");
         if (current != p.text) write(root / p.path, current);
     }
 }
@@ -119,6 +125,8 @@ int main(int argc, char** argv) try {
     if (what == "--check") return check(args[1]);
     if (what == "--links") return report(readme::wrong_links(readme::pages(args[1]), args[1]));
     if (what == "--prose") return report(readme::wrong_prose(readme::pages(args[1])));
+    if (what == "--names" && args.size() == 3)
+        return report(readme::wrong_names(readme::pages(args[1]), fs::path(args[1]) / "include/umbrage", args[2]));
     if (what == "--questions" && args.size() == 3)
         return report(readme::wrong_questions(readme::pages(args[1]), args[2]));
     if (what == "--sample" && args.size() == 3) {
@@ -131,7 +139,8 @@ int main(int argc, char** argv) try {
     else if (what == "--proof" && args.size() == 3) prove(args[1], args[2]);
     else
         throw std::runtime_error(
-            "--check, --write, --links or --prose ROOT, --questions ROOT LIST, --sample ROOT SEED, or --proof REPORTS "
+            "--check, --write, --links or --prose ROOT, --names or --questions ROOT LIST, --sample ROOT SEED, or "
+            "--proof REPORTS "
             "PROOF.md");
     return 0;
 } catch (const std::exception& error) {

@@ -2,12 +2,8 @@
 #include "tables.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <regex>
 #include <stdexcept>
 #include <type_traits>
@@ -15,6 +11,8 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/shader/registry.hpp>
+
+#include "headers.hpp"
 
 namespace readme {
 namespace {
@@ -38,58 +36,22 @@ std::string power_of_two(double v) {
     return v > 0.0 && std::frexp(v, &exponent) == 0.5 ? "2^" + std::to_string(exponent - 1) : decimal(v);
 }
 
-/// The first sentence of the comment that a header opens with.
-std::string opening_sentence(const std::string& header) {
-    std::string words;
-    auto at = header.find("//\n") + 3;
-    for (; header.compare(at, 3, "// ") == 0; at = header.find('\n', at) + 1) {
-        words += (words.empty() ? "" : " ") + header.substr(at + 3, header.find('\n', at) - at - 3);
-        for (std::size_t i = 1; i < words.size(); ++i)
-            if (words[i] == '.' && (i + 1 == words.size() || words[i + 1] == ' ') &&
-                (std::isalnum(static_cast<unsigned char>(words[i - 1])) || words[i - 1] == ')' || words[i - 1] == ']'))
-                return words.substr(0, i);
-    }
-    throw std::runtime_error("no header comment with a sentence: " + header.substr(0, 200));
-}
-
-/// Functions at the beginning of a line outside namespace detail, in order, each once.
-std::vector<std::string> functions_in(const std::string& header) {
-    const std::regex inside("namespace detail \\{[^]*?\\}  // namespace detail");
-    const std::string users = std::regex_replace(header, inside, "");
-    const std::regex function(
-        "(?:^|\n)(?:requires\\([^)]*\\)\\s*)?(?:\\[\\[nodiscard\\]\\] )?(?:inline |constexpr )*[a-zA-Z_:][\\w:<>, +]* "
-        "(\\w+)\\(");
-    std::vector<std::string> names;
-    for (std::sregex_iterator i(users.begin(), users.end(), function), end; i != end; ++i)
-        if (std::find(names.begin(), names.end(), (*i)[1]) == names.end()) names.push_back((*i)[1]);
-    return names;
-}
-
-/// Headers' texts by their places in `include`.
-const std::map<std::string, std::string>& headers(const std::filesystem::path& include) {
-    static const auto all = [&] {
-        std::map<std::string, std::string> texts;
-        for (const auto& file : std::filesystem::recursive_directory_iterator(include)) {
-            if (file.path().extension() != ".hpp") continue;
-            std::ifstream in(file.path());
-            texts[std::filesystem::relative(file.path(), include).generic_string()] = {
-                std::istreambuf_iterator<char>(in), {}};
-        }
-        return texts;
-    }();
-    return all;
-}
-
-std::string folder_of(const std::string& place) { return place.substr(0, place.find_last_of('/')); }
-
 /// Where the header is that defines a family's snippets.
-std::string folder_of(const std::filesystem::path& include, const family& f) {
+std::string home_of(const std::filesystem::path& include, const family& f) {
     const std::string name(f.names.front()), quoted = '"' + name + '"';
     const std::string stem = std::regex_replace(name, std::regex("[0-9]+"), "");
     for (const auto& [place, text] : headers(include))
         for (const std::string& sign : {".name = " + quoted, "? " + quoted, "snippet " + stem + '{'})
             if (text.find(sign) != text.npos) return folder_of(place);
     throw std::runtime_error("no header defines the snippet " + name);
+}
+
+/// The page that lists a folder's names.
+std::string page_of(const std::vector<page>& pages, const std::string& folder) {
+    const std::regex lists("<!-- begin: (?:names|primitives)[^>]* " + folder + "(?: |/\\w+\\.hpp)");
+    for (const page& p : pages)
+        if (std::regex_search(p.text, lists)) return p.path;
+    throw std::runtime_error("no page lists the names of " + folder);
 }
 
 }  // namespace
@@ -108,7 +70,7 @@ std::vector<family> families() {
 std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders) {
     std::string table = "| primitive | what it does | tier | lowest GLSL |\n|---|---|---|---|\n";
     for (const family& f : families())
-        if (std::find(folders.begin(), folders.end(), folder_of(include, f)) != folders.end())
+        if (std::find(folders.begin(), folders.end(), home_of(include, f)) != folders.end())
             table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + glsl::promise(*f.first) +
                      (f.first->lowest == glsl::version::v100 ? " | 100 |\n" : " | 330, 300 es |\n");
     return table;
@@ -152,21 +114,35 @@ std::string filters() {
     return table;
 }
 
-std::string functions(const std::filesystem::path& include, const std::vector<std::string>& folders) {
-    std::map<std::string, std::string> rows;  // in the order of the headers' names
+std::string names(const std::filesystem::path& include, const std::vector<std::string>& of) {
+    std::string table = "| names in C++ | what for | header |\n|---|---|---|\n";
+    const auto rows = table.size();
     for (const auto& [place, header] : headers(include)) {
-        if (std::find(folders.begin(), folders.end(), folder_of(place)) == folders.end()) continue;
+        if (std::none_of(of.begin(), of.end(), [&](auto& each) { return each == place || each == folder_of(place); }))
+            continue;
         std::string names;
-        for (const std::string& name : functions_in(header))
-            if (!name.starts_with("umbrage_") && std::none_of(glsl::registry().begin(), glsl::registry().end(),
-                                                              [&](auto* s) { return s->name == name; }))
+        for (const std::string& name : names_in(header))
+            if (std::none_of(glsl::registry().begin(), glsl::registry().end(),
+                             [&](auto* s) { return s->name == name; }))
                 names += (names.empty() ? "" : ", ") + code(name);
-        if (!names.empty())
-            rows[place] = "| " + names + " | " + opening_sentence(header) + " | " + code(place) + " |\n";
+        if (!names.empty()) table += "| " + names + " | " + opening_sentence(header) + " | " + code(place) + " |\n";
     }
-    if (rows.empty()) throw std::runtime_error("no functions in " + folders.at(0));
-    std::string table = "| functions | what for | header |\n|---|---|---|\n";
-    for (const auto& [place, row] : rows) table += row;
+    if (table.size() == rows) throw std::runtime_error("no names in " + of.at(0));
+    return table;
+}
+
+std::string index(const std::vector<page>& pages, const std::filesystem::path& include,
+                  const std::vector<std::string>& folders) {
+    std::string table = "| you call it | here it is |\n|---|---|\n";
+    for (const std::string& folder : folders)
+        for (const auto& [place, header] : headers(include)) {
+            if (folder_of(place) != folder) continue;
+            for (const auto& [elsewhere, here] : also_called_in(place, header)) {
+                std::string names;
+                for (const std::string& name : here) names += (names.empty() ? "" : ", ") + code(name);
+                table += "| " + elsewhere + " | [" + names + "](" + page_of(pages, folder) + ") |\n";
+            }
+        }
     return table;
 }
 

@@ -10,6 +10,8 @@
 
 #include <umbrage/shader/glsl.hpp>
 
+#include "pages.hpp"
+
 namespace readme {
 
 /// Snippets in a row of the registry that share a summary, such as encode_rg9 to encode_rg16.
@@ -25,8 +27,13 @@ struct family {
 /// @param include   the folder include/umbrage, which `folders` are relative to; folders below them do not count
 [[nodiscard]] std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders);
 
-/// The functions of these headers that have no snippet: name, and the first sentence of the header's comment.
-[[nodiscard]] std::string functions(const std::filesystem::path& include, const std::vector<std::string>& folders);
+/// The names of headers that are no snippets, and the first sentence of each header's comment.
+/// @param of   folders, or headers such as shader/bind.hpp
+[[nodiscard]] std::string names(const std::filesystem::path& include, const std::vector<std::string>& of);
+
+/// What these headers' names are called elsewhere; each leads to the page of `pages` that lists its folder.
+[[nodiscard]] std::string index(const std::vector<page>& pages, const std::filesystem::path& include,
+                                const std::vector<std::string>& folders);
 
 [[nodiscard]] std::string encodings();
 [[nodiscard]] std::string filters();

@@ -4,6 +4,7 @@
 //
 //     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias for reversed depth
 //
+// Also called: shadow bias, depth bias, epsilon (biased).
 // See also: acne_free.hpp for the size of the bias; rasterizer.hpp to bias the casters instead.
 //
 #pragma once

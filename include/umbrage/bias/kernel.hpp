@@ -6,6 +6,7 @@
 //     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
 //     float bias = umbrage::world_to_depth(world, units, w);
 //
+// Also called: cone bias, tan(acos(N.L)) (kernel_bias).
 // See also: acne_free.hpp, from a plane's slope; normal_offset.hpp, which moves the receiver along its normal.
 #pragma once
 

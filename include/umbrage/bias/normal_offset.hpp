@@ -7,7 +7,8 @@
 //     glm::vec3 point = world + umbrage::normal_offset(normal, light_direction, way, width, 0.0f);
 //
 // The offset is in world space, so the direction of depth does not matter. It is 0 where the light hits head-on.
-// Also called: normal bias, normal offset shadows. See also: acne_free.hpp, a bias in depth.
+// Also called: normal bias (three.js normalBias, Unity Normal Bias), normal offset shadows (normal_offset).
+// See also: acne_free.hpp, a bias in depth.
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,8 @@
 //
 // Rasterizers multiply by the larger slope of depth, |a| or |b|, but a filter needs |a| + |b|. They also multiply by a
 // step of the depth buffer. In a float buffer that is the step at the primitive's largest depth.
-// Also called: polygon offset, glPolygonOffset, vkCmdSetDepthBias, SlopeScaledDepthBias.
+// Also called: slope-scaled depth bias, glPolygonOffset (make_polygon_offset); vkCmdSetDepthBias, depthBiasSlopeFactor
+// (make_vulkan_depth_bias); DepthBias, SlopeScaledDepthBias (make_direct3d_depth_bias).
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,8 @@
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
 // In a shader bind the filter with {.receiver_plane = true}. It then takes slope and coord after the map.
-// Also called: receiver plane bias, RPDB. See also: acne_free.hpp, one bias for the whole kernel.
+// Also called: receiver plane bias, RPDB (receiver_plane_slope, apply_receiver_plane).
+// See also: acne_free.hpp, one bias for the whole kernel.
 #pragma once
 
 #include <concepts>

@@ -5,6 +5,9 @@
 //
 //     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
 //
+// Also called: reversed Z, reverse-Z, inverted depth (depth_direction); glClipControl, zero-to-one depth, y flip
+// (clip_space).
+//
 #pragma once
 
 #include <string>

@@ -8,6 +8,8 @@
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
+// Also called: linearize depth, LinearEyeDepth, perspectiveDepthToViewZ (view_z_from_depth, depth_from_view_z).
+//
 #pragma once
 
 #include <cmath>

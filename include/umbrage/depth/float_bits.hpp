@@ -5,6 +5,8 @@
 //     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
 //     float same = umbrage::decode_float_bits(texel);
 //
+// Also called: floatBitsToUint into RGBA8 (encode_float_bits).
+//
 #pragma once
 
 #include <bit>

@@ -7,6 +7,8 @@
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
 //     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
 //
+// Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
+//
 #pragma once
 
 #include <cassert>

@@ -5,6 +5,8 @@
 //     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
 //     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
 //
+// Also called: pack depth to RGB8, 24-bit depth (encode_rgb24, decode_rgb24).
+//
 #pragma once
 
 #include <string_view>

@@ -7,7 +7,7 @@
 //     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
 //
 // It is worth the fetch for filters of many texels, and for shadows with more interior than border.
-// Also called: min-max shadow map, hierarchical shadow map. See also: images/filter_bounds.hpp.
+// Also called: early out, min-max shadow map, hierarchical shadow map. See also: images/filter_bounds.hpp.
 #pragma once
 
 #include <umbrage/core/texel_space.hpp>

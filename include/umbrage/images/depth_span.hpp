@@ -6,6 +6,8 @@
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
 //     auto splits = umbrage::practical_splits<4>(range.x, range.y, 1.0f);
 //
+// Also called: SDSM, sample distribution shadow maps, auto-fit to the depth buffer (measure_depths, seen_range).
+//
 #pragma once
 
 #include <cstddef>

@@ -7,6 +7,8 @@
 //     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
 //     if (lit < 0) lit = filter(umbrage::bordered(map), coord, depth - bias);
 //
+// Also called: shadow mask of tiles, bounds of a kernel.
+//
 #pragma once
 
 #include <algorithm>

@@ -10,6 +10,8 @@
 //                                  world_to_clip, clip);
 //     }
 //
+// Also called: caster culling, frustum culling of casters (instances_in_map).
+//
 #pragma once
 
 #include <span>

@@ -4,6 +4,8 @@
 //
 //     umbrage::mesh_view mesh{positions, triangles};
 //
+// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane).
+//
 #pragma once
 
 #include <span>

@@ -4,6 +4,7 @@
 //
 //     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
 // minimum of the 4 x 4 texels around `texel`
+// Also called: HiZ, min-max mip (make_min_max_pyramid).
 //
 #pragma once
 

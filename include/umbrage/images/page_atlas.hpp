@@ -11,6 +11,8 @@
 //     umbrage::write_page_table(cache, table);
 //     umbrage::visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
+// Also called: shadow atlas, virtual texture of a shadow map (draw_pages).
+//
 #pragma once
 
 #include <algorithm>

@@ -17,6 +17,7 @@
 // rule, with top and left as in NDC for both texture origins. Depth is a plane with rounded coefficients, so that every
 // sample is computed exactly. No order of triangles or vertices, no threads and no instruction set changes a bit.
 // Contraction to FMA may only move a clipped triangle's cut by 1/256 texel.
+// Also called: software rasterizer (rasterize_depth, rasterize).
 //
 #pragma once
 

@@ -8,6 +8,7 @@
 //
 // Prefer integers: quantize depths or moments first. Their tables are exact in any order. A table of floats loses bits
 // as it grows, and its differences lose more.
+// Also called: SAT, integral image (summed_area).
 #pragma once
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 //     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
 // Results have the same bits as the filter for each receiver alone over bordered(map): everything outside is lit.
+// Also called: shadow factor, ShadowCalculation, shadow mask, screen-space shadows (visibility).
 #pragma once
 
 #include <cstddef>

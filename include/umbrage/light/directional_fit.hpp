@@ -9,7 +9,8 @@
 //         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
 //          .clip = clip});
 //
-// Also called: light frustum fitting, texel snapping. See also: cascades/cascades.hpp for several maps, spot_fit.hpp.
+// Also called: light frustum fitting (fit_directional_light); texel snapping of one map (snap_texels).
+// See also: cascades/cascades.hpp for several maps, spot_fit.hpp.
 #pragma once
 
 #include <cmath>

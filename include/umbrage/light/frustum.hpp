@@ -8,6 +8,7 @@
 //         {.view = view, .projection = projection, .z_near = 1, .z_far = 20, .clip = clip});
 //
 // Corners are computed in double for float and double alike.
+// Also called: frustum corners, inverse view-projection, off-axis or VR camera (make_frustum, corners).
 #pragma once
 
 #include <array>

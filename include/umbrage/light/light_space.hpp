@@ -7,6 +7,8 @@
 //         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
 //     glm::mat4 clip_from_world = light.projection * light.view;
 //
+// Also called: light view-projection, lightSpaceMatrix, light camera (light_space).
+//
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 //     auto light = umbrage::make_spot_light(
 //         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
+// Also called: spotlight, cone light.
 // See also: spot_fit.hpp, which fits the map to the receivers; point/point_light.hpp for light in all directions.
 #pragma once
 

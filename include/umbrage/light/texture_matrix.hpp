@@ -11,7 +11,9 @@
 //     draw_depths(umbrage::relative_to(light, origin));
 //     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, glm::vec3(world - origin)));
 //
-// Also called: shadow matrix, bias matrix, world-to-shadow matrix, camera-relative rendering.
+// Also called: shadow matrix, bias matrix, depthBiasMVP, unity_WorldToShadow, world-to-shadow matrix (texture_matrix);
+// shadowCoord, FragPosLightSpace, vShadowCoord (shadow_coordinate); perspective divide, projCoords
+// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to).
 #pragma once
 
 #include <array>

@@ -5,6 +5,8 @@
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
 //     glm::vec3 color = umbrage::diffuse_ambient(albedo, ambient, glm::dot(normal, to_light), visibility * cone);
 //
+// Also called: spotlight cone, smooth falloff, inner and outer angle (spot_cone).
+//
 #pragma once
 
 #include <glm/vec3.hpp>

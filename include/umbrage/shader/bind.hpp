@@ -7,6 +7,8 @@
 //                                                 bind(box, "spot", stored_as(umbrage::rg<11>{}))});
 //     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_spot(sampler2D map, ...)
 //
+// Also called: textureGather, GatherCmp, gather4 (bind).
+//
 #pragma once
 
 #include <cstddef>

@@ -6,6 +6,7 @@
 //     glm::vec3 color = umbrage::probe(sun, world, normal);
 //
 // In a shader, umbrage_probe_sun(world, normal), of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+// Also called: shadow debug view, visualize cascades (probe).
 #pragma once
 
 #include <string>

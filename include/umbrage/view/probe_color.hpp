@@ -5,7 +5,7 @@
 //     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
 //     color = umbrage::probe_inputs(color, world, normal);
 //
-// Also called: visualize cascades, shadow debug mode.
+// Also called: shadow debug mode, cascade colors (probe_color).
 // See also: shadow/probe.hpp, which joins both functions for a shadow, in C++ and in shaders.
 #pragma once
 

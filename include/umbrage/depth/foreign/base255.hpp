@@ -8,7 +8,8 @@
 // truncates makes errors up to 2^-7.98 (4e-3), where nearby depths change their order. The repaired writer has neither
 // fault, and works with the same reader. Only the reader's rounding remains. Depths k / 2^24 keep their order. Two
 // pairs of other neighboring floats decode out of order, by 1 ulp.
-// Also called: EncodeFloatRGBA, packDepth.
+// Also called: EncodeFloatRGBA, packDepth, Aras' packing, Babylon.js pack, bgfx packFloatToRgba (write_base255,
+// decode_base255); packing by 255 without its defects (encode_base255_repaired).
 //
 #pragma once
 

@@ -13,6 +13,8 @@
 //     rgb      2^-24          2^-23.99
 //     rg       2^-16.99       2^-15.99
 //
+// Also called: packDepthToRGBA, unpackRGBAToDepth, three.js r167 and later (write_threejs_rgba, decode_threejs_rgba).
+//
 #pragma once
 
 #include <cmath>

@@ -12,6 +12,9 @@
 //     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below smaller depths
 //     legacy, repaired   2^-24            2^-24             none
 //
+// Also called: packDepthToRGBA, unpackRGBAToDepth before three.js r167 (write_threejs_legacy, decode_threejs_legacy);
+// packing before three.js r167 without its defects (encode_threejs_legacy_repaired).
+//
 #pragma once
 
 #include <cmath>

@@ -7,6 +7,7 @@
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
 // of pcss. It is softer than pcss where the penumbra is much narrower than the light.
+// Also called: DPCF.
 // See also: pcss.hpp.
 #pragma once
 

@@ -14,7 +14,7 @@
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
 // (receiver_plane.hpp) avoids this: it needs no other bias at any radius.
-// Also called: contact hardening, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
+// Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 #pragma once
 
 #include <array>

@@ -17,6 +17,7 @@
 //     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
 // A point of the search that lies within a rounding error of a texel's border may read the next texel.
+// Also called: PCSS with samplers.
 // See also: pcss.hpp, exact on every GPU.
 #pragma once
 

@@ -12,6 +12,8 @@
 // radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
 // The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
 // the mean distance.
+// Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius
+// (make_penumbra_params).
 // See also: pcss.hpp, dpcf.hpp.
 #pragma once
 

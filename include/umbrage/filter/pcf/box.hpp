@@ -4,7 +4,7 @@
 //
 //     float visibility = umbrage::box(umbrage::bordered(map), coord, depth - bias, 2);  // 5 x 5
 //
-// Also called: box PCF, NxN PCF. See also: windows.hpp for smooth edges, disc.hpp for wide filters.
+// Also called: NxN PCF, box PCF, 5x5 PCF. See also: windows.hpp for smooth edges, disc.hpp for wide filters.
 #pragma once
 
 #include <array>

@@ -7,7 +7,8 @@
 //
 // Points, rotations and radii are integers, so the taps fall on the same texels everywhere. The points were annealed
 // for the smallest error on edges of any direction, alone and over four rotations by 90 degrees.
-// Also called: Poisson disk PCF, rotated disc PCF. See also: disc_hardware.hpp, blocker/pcss.hpp.
+// Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
+// See also: disc_hardware.hpp, blocker/pcss.hpp.
 #pragma once
 
 #include <array>

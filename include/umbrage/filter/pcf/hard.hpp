@@ -4,7 +4,8 @@
 //
 //     float visibility = umbrage::hard(umbrage::bordered(map), coord, depth - bias);
 //
-// Also called: shadow mapping, nearest-texel test. See also: pcf_2x2.hpp, the smallest filter with smooth edges.
+// Also called: basic shadow map, hard shadows, nearest-texel test, step(z, depth).
+// See also: pcf_2x2.hpp, the smallest filter with smooth edges.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,7 @@
 //
 // pcf_2x2 rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
 // pcf_2x2_dx_sdk is the DirectX SDK sample's version, with unrounded weights.
-// Also called: 4-tap bilinear PCF, sampler2DShadow, SampleCmp. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
+// Also called: bilinear PCF, 2x2 PCF, 4-tap PCF. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
 #pragma once
 
 #include <string_view>

@@ -12,7 +12,7 @@
 //
 // A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
 // in proportion to the distance that the kernel has moved.
-// Also called: PCF kernel, Gaussian PCF, weighted PCF. See also: windows.hpp, this library's rows of weights.
+// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
 #pragma once
 
 #include <array>

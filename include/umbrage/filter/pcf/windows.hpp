@@ -11,7 +11,8 @@
 //     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
 //     quadratic_b_spline           of 3 x 3 texels, edges without a kink
 //
-// Also called: tent filter, Gaussian PCF, Castano's (The Witness) PCF, 3x3, 5x5 and 7x7 PCF.
+// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
+// (tent).
 #pragma once
 
 #include <array>

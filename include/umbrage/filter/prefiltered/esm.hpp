@@ -9,6 +9,7 @@
 //
 // Visibility is the mean of 2^(2 exponent (depth - receiver)) over the texels, at most 1. A caster nearer by
 // 3.3 / exponent lets 1/100 of the light through. One lit texel far behind the receiver outweighs all its casters.
+// Also called: ESM, exponential shadow maps (make_esm, encode_esm, decode_esm).
 // See also: evsm.hpp, which has less light bleeding.
 #pragma once
 

@@ -7,7 +7,7 @@
 //     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents);
 //     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents, evsm.deviations);
 //
-// Also called: EVSM2, EVSM4. See also: vsm.hpp, msm.hpp.
+// Also called: EVSM, EVSM2, EVSM4 (make_evsm, encode_evsm4, decode_evsm4). See also: vsm.hpp, msm.hpp.
 #pragma once
 
 #include <cmath>

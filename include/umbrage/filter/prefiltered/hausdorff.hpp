@@ -8,6 +8,7 @@
 // A floor that falls away from the light darkens a little where it ends before cleared texels. The blur there holds
 // only the floor's nearer side: depths nearer to the light than the receiver. decode_msm misses them, since it takes
 // the cleared texels for spread about a mean. A bias for the blur's radius removes the darkening.
+// Also called: Hausdorff MSM (decode_msm_hausdorff).
 #pragma once
 
 #include <umbrage/filter/prefiltered/msm.hpp>

@@ -13,6 +13,7 @@
 //     glm::vec2 moments = umbrage::decode_deviation(held);
 //
 // A mean of these values is not a mean of depths: decode, blur, then encode again.
+// Also called: VSM, variance shadow maps (encode_vsm, decode_vsm).
 // See also: evsm.hpp and msm.hpp, which have less light bleeding.
 #pragma once
 

@@ -9,7 +9,8 @@
 // The table's sums are integers modulo 2^32, and so are their differences. They are exact while the sum over a box is
 // below 2^32. Squares are taken about the box's mean, rounded down, and stay integers. So nothing cancels but exact
 // values, unlike n S2 - S1^2 in floats.
-// Also called: SAVSM, SATVSM. See also: summed_moments.hpp, which has less light bleeding.
+// Also called: SAVSM, SATVSM, summed-area variance shadow maps.
+// See also: summed_moments.hpp, which has less light bleeding.
 #pragma once
 
 #include <glm/common.hpp>

@@ -18,7 +18,7 @@
 //
 // Root coordinates go from 1 to 2, not from 0, so that all have 23 fraction bits. Adding a gutter to a position in a
 // page then does not round.
-// Also called: virtual shadow maps, adaptive shadow maps (ASM). See also: pages.hpp, root.hpp.
+// Also called: page table, indirection texture (page_coordinate). See also: pages.hpp, root.hpp.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,8 @@
 //         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
 //     }
 //
-// Also called: virtual shadow maps, adaptive shadow maps (ASM). See also: page_table.hpp, root.hpp.
+// Also called: virtual shadow maps (Unreal), adaptive shadow maps (ASM), sparse or quadtree shadow maps (page_cache).
+// See also: page_table.hpp, root.hpp.
 #pragma once
 
 #include <algorithm>

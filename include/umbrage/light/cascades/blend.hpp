@@ -7,7 +7,8 @@
 //     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
 // Weights are multiples of 1/256, and visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
-// Also called: cascade blending, cross-fade, ordered dithering.
+// Also called: cascade blending, cross-fade (cascade_fade, blend_cascades); dithered transition, ordered dithering
+// (dithered_cascade).
 #pragma once
 
 #include <glm/common.hpp>

@@ -10,7 +10,8 @@
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // for select.hpp and blend.hpp
 //
 // Far from the world's origin fit in double, then draw and look up with relative_to(cascades, origin).
-// Also called: CSM, PSSM, sun shadows. See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
+// Also called: CSM, PSSM, shadow cascades, sun shadows (make_stable_cascades, make_tight_cascades); stable shadows,
+// shimmering fix (make_stable_cascades). See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
 #pragma once
 
 #include <array>

@@ -22,6 +22,9 @@
 //     float number = 0;
 //     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
 //     glm::vec4 scale = umbrage::cascade_column_8(u.scales[0], u.scales[1], number);
+//
+// Also called: cascade index, cascade selection (cascade_by_depth, cascade_by_projection); five or more cascades
+// (cascade_by_projection_8, cascade_column_8).
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -6,7 +6,7 @@
 //
 // Any increasing distances work, such as your own. You can also replace the first distance of these, so that the space
 // right in front of the camera claims no cascades.
-// Also called: practical split scheme, PSSM splits.
+// Also called: practical split scheme, PSSM splits, lambda, split distances (practical_splits).
 #pragma once
 
 #include <array>

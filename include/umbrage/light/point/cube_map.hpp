@@ -6,7 +6,7 @@
 //     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
 //
-// Also called: omnidirectional shadow maps, point light shadows. See also: point_light.hpp for the six light spaces.
+// Also called: omnidirectional shadow maps, shadow cubemap (cube_coordinate). See also: point_light.hpp.
 #pragma once
 
 #include <array>

@@ -18,7 +18,8 @@
 // adds.
 //
 // A border of texels extends each map beyond its half, so that filters need no other map: see point_light.hpp.
-// Also called: paraboloid shadow maps, DPSM. See also: cube_map.hpp, tetrahedron.hpp.
+// Also called: paraboloid shadow maps, DPSM (make_dual_paraboloid_light, dual_paraboloid_coordinate).
+// See also: cube_map.hpp, tetrahedron.hpp.
 #pragma once
 
 #include <cmath>

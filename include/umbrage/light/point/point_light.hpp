@@ -10,7 +10,8 @@
 // are enough. Between faces the edge of a shadow moves by at most one texel.
 // Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
 // (distance_depth) itself.
-// Also called: omnidirectional shadows. See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
+// Also called: omnidirectional shadows, point light shadows (make_point_light).
+// See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
 #pragma once
 
 #include <array>

@@ -7,7 +7,8 @@
 //     glm::vec2 texel = umbrage::tetrahedron_texel(at, 1024.0f, 2.0f);
 //     float depth = umbrage::depth_from_view_z(umbrage::tetrahedron_view_z(world - light), z_near, z_far);
 //
-// Also called: tetrahedron mapping. See also: tetrahedron_light.hpp for the light spaces; cube_map.hpp.
+// Also called: tetrahedron shadow map, tetrahedron mapping (tetrahedron_coordinate).
+// See also: tetrahedron_light.hpp for the light spaces; cube_map.hpp.
 #pragma once
 
 #include <cmath>

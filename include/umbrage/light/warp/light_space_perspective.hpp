@@ -9,7 +9,8 @@
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
-// Also called: LiSPSM, LSPSM. See also: trapezoidal.hpp, perspective.hpp, cascades/warped.hpp.
+// Also called: LiSPSM, LSPSM, light space perspective shadow maps (fit_light_space_perspective).
+// See also: trapezoidal.hpp, perspective.hpp, cascades/warped.hpp.
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,8 @@
 //     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
 //     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective instead");
 //
-// Also called: PSM. See also: light_space_perspective.hpp, which is simpler; trapezoidal.hpp.
+// Also called: PSM, perspective shadow maps (fit_perspective).
+// See also: light_space_perspective.hpp, which is simpler; trapezoidal.hpp.
 #pragma once
 
 #include <cmath>

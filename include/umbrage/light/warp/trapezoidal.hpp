@@ -8,7 +8,7 @@
 //                                  .clip = clip};
 //     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
 //
-// Also called: TSM. See also: light_space_perspective.hpp, which needs no focus distance.
+// Also called: TSM, trapezoidal shadow maps. See also: light_space_perspective.hpp, which needs no focus distance.
 #pragma once
 
 #include <glm/common.hpp>
