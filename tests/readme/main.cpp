@@ -40,17 +40,18 @@ void write(const fs::path& path, const std::string& text) {
     if (!(std::ofstream(path) << text).flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-std::string section(const std::vector<readme::page>& pages, const fs::path& include, const std::string& name,
-                    const std::vector<std::string>& folders) {
+std::string section(const std::vector<readme::page>& pages, const fs::path& page, const fs::path& include,
+                    const std::string& name, const std::vector<std::string>& folders) {
     if (name == "primitives") return readme::primitives(include, folders);
-    if (name == "names") return readme::names(include, folders);
+    if (name == "names") return readme::names(page, include, folders);
     if (name == "index") return readme::index(pages, include, folders);
     if (name == "encodings") return readme::encodings();
     if (name == "filters") return readme::filters();
     throw std::runtime_error("no section has the name '" + name + "'");
 }
 
-std::string with_sections(const std::string& page, const std::vector<readme::page>& pages, const fs::path& include) {
+std::string with_sections(const readme::page& p, const std::vector<readme::page>& pages, const fs::path& root) {
+    const std::string& page = p.text;
     const std::string begin = "<!-- begin: ", end = "<!-- end -->";
     std::string out;
     std::size_t copied = 0;
@@ -61,7 +62,8 @@ std::string with_sections(const std::string& page, const std::vector<readme::pag
         std::vector<std::string> folders{std::istream_iterator<std::string>(words), {}};
         const std::string name = folders.at(0);
         folders.erase(folders.begin());
-        out += page.substr(copied, line_end + 1 - copied) + section(pages, include, name, folders);
+        out += page.substr(copied, line_end + 1 - copied) +
+               section(pages, root / p.path, root / "include/umbrage", name, folders);
         copied = close;
     }
     return out + page.substr(copied);
@@ -81,7 +83,7 @@ int check(const fs::path& root) {
     std::string all;
     const auto pages = readme::pages(root);
     for (const readme::page& p : pages) {
-        const std::string current = with_sections(p.text, pages, root / "include/umbrage");
+        const std::string current = with_sections(p, pages, root);
         all += current;
         if (current == p.text) continue;
         ++wrong;
@@ -99,7 +101,7 @@ int check(const fs::path& root) {
 void write(const fs::path& root) {
     const auto pages = readme::pages(root);
     for (const readme::page& p : pages) {
-        const std::string current = with_sections(p.text, pages, root / "include/umbrage");
+        const std::string current = with_sections(p, pages, root);
         if (current != p.text) write(root / p.path, current);
     }
 }

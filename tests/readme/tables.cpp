@@ -114,8 +114,9 @@ std::string filters() {
     return table;
 }
 
-std::string names(const std::filesystem::path& include, const std::vector<std::string>& of) {
-    std::string table = "| names in C++ | what for | header |\n|---|---|---|\n";
+std::string names(const std::filesystem::path& page, const std::filesystem::path& include,
+                  const std::vector<std::string>& of) {
+    std::string table = "| names in C++ | what for |\n|---|---|\n";
     const auto rows = table.size();
     for (const auto& [place, header] : headers(include)) {
         if (std::none_of(of.begin(), of.end(), [&](auto& each) { return each == place || each == folder_of(place); }))
@@ -125,7 +126,8 @@ std::string names(const std::filesystem::path& include, const std::vector<std::s
             if (std::none_of(glsl::registry().begin(), glsl::registry().end(),
                              [&](auto* s) { return s->name == name; }))
                 names += (names.empty() ? "" : ", ") + code(name);
-        if (!names.empty()) table += "| " + names + " | " + opening_sentence(header) + " | " + code(place) + " |\n";
+        const auto link = std::filesystem::relative(include / place, page.parent_path()).generic_string();
+        if (!names.empty()) table += "| " + names + " | [" + opening_sentence(header) + "](" + link + ") |\n";
     }
     if (table.size() == rows) throw std::runtime_error("no names in " + of.at(0));
     return table;

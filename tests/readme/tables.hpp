@@ -27,9 +27,11 @@ struct family {
 /// @param include   the folder include/umbrage, which `folders` are relative to; folders below them do not count
 [[nodiscard]] std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders);
 
-/// The names of headers that are no snippets, and the first sentence of each header's comment.
-/// @param of   folders, or headers such as shader/bind.hpp
-[[nodiscard]] std::string names(const std::filesystem::path& include, const std::vector<std::string>& of);
+/// The names of headers that are no snippets, and the first sentence of each header's comment, which leads to it.
+/// @param page   where the table stands
+/// @param of     folders, or headers such as shader/bind.hpp
+[[nodiscard]] std::string names(const std::filesystem::path& page, const std::filesystem::path& include,
+                                const std::vector<std::string>& of);
 
 /// What these headers' names are called elsewhere; each leads to the page of `pages` that lists its folder.
 [[nodiscard]] std::string index(const std::vector<page>& pages, const std::filesystem::path& include,
