@@ -15,7 +15,7 @@ int main() {
                                                  .direction = {-2, -6, -3},
                                                  .z_near = 1,
                                                  .z_far = 20,
-                                                 .clip = umbrage::cpu_clip_space});  // or your API's: opengl_clip_space
+                                                 .clip = umbrage::cpu_clip_space});  // or your API's
     const umbrage::shadow spot(light, {1024, 1024}, umbrage::filters::tent<3>);
 
     umbrage::image<float> map(spot.size(), spot.cleared());
