@@ -7,8 +7,8 @@
 #include <umbrage/umbrage.hpp>
 
 int main() {
-    const std::vector<glm::vec3> vertices{{-4, 0, -4}, {4, 0, -4}, {4, 0, 4}, {-4, 0, 4},   // a floor ...
-                                          {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};  // ... and a square above it
+    const std::vector<glm::vec3> vertices{{-4, 0, -4}, {4, 0, -4}, {4, 0, 4}, {-4, 0, 4},   // a floor
+                                          {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};  // and a square
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
 
     const auto light = umbrage::make_spot_light({.position = {2, 6, 3},
@@ -24,7 +24,7 @@ int main() {
     int dark = 0;
     for (float z = -2; z < 2; z += 0.25f, std::puts(""))
         for (float x = -3; x < 3; x += 0.125f) {
-            const float visibility = spot(map, {x, 0, z}, {0, 1, 0});  // of a point and its normal: 0 dark, 1 lit
+            const float visibility = spot(map, {x, 0, z}, {0, 1, 0});  // point, normal: 1 lit
             std::putchar(visibility < 0.5f ? '#' : '.');
             dark += visibility < 0.5f;
         }

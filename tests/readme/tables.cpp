@@ -105,11 +105,11 @@ std::string encodings() {
 }
 
 std::string filters() {
-    std::string table = "| filter | in GLSL | what it does | reach | tier |\n|---|---|---|--:|---|\n";
+    std::string table = "| filter | what it does | reach | tier |\n|---|---|--:|---|\n";
     umbrage::for_each_filter([&](const auto& f) {
         const glsl::snippet& s = *f.snippet;
-        table += "| " + code(f.name) + " | " + code("umbrage_" + std::string(s.name)) + " | " + std::string(s.summary) +
-                 " | " + decimal(f.reach()) + " | " + glsl::promise(s) + " |\n";
+        table += "| " + code(f.name) + " | " + std::string(s.summary) + " | " + decimal(f.reach()) + " | " +
+                 glsl::promise(s) + " |\n";
     });
     return table;
 }
