@@ -23,7 +23,7 @@ struct against_rays {
     int other_near = 0, other_far = 0;  ///< where the picture says something else; by distance from the camera
     int shadowed_sky = 0;
 
-    /// @param rays     of the scene, which takes longer to make than to ask
+    /// @param rays     ray tracer of the scene. Making it takes longer than its queries
     /// @param light    towards a sun and 0, or a lamp's position and 1
     /// @param far      distance from which pixels count as far
     /// @param is_lit   pixel -> whether it is, in the picture

@@ -31,25 +31,25 @@ namespace example {
 
 /// A light, its map and the filter over it, as biases see them.
 struct bias_light {
-    glm::vec3 direction;  ///< of length one, a spot's axis
+    glm::vec3 direction;  ///< direction of the light or of a spot's axis, length 1
     glm::vec2 units;      ///< umbrage::make_light_units
     glm::mat4 planes;     ///< umbrage::plane_matrix
-    float reach;          ///< of the filter, texels: what the bias is to cover; 0: no bias
+    float reach;          ///< reach of the filter that the bias covers, texels; 0: no bias
     float constant;       ///< depth that a plane at 45 degrees to the light asks for, in the scene's middle
 };
 
 /// A point of a surface that the light sees.
 struct bias_point {
-    glm::vec3 world, normal;  ///< of the flat triangle, of length one
+    glm::vec3 world, normal;  ///< position, and normal of the flat triangle with length 1
     glm::vec3 way;            ///< from the light over w; of a directional light its direction
-    float w;                  ///< of its shadow coordinate
+    float w;                  ///< w of its shadow coordinate
 };
 
-/// How a receiver is to be compared.
+/// Bias of a receiver's comparison.
 struct receiver_bias {
-    glm::vec3 offset{0};  ///< of the point that is looked up, world
+    glm::vec3 offset{0};  ///< offset of the point that is looked up, world units
     float depth = 0;      ///< to take off its z/w
-    glm::vec2 slope{0};   ///< of z/w a texel, along which stored depths are moved to the receiver
+    glm::vec2 slope{0};   ///< slope of z/w per texel, along which stored depths move to the receiver
 };
 
 [[nodiscard]] inline bias_light make_bias_light(const umbrage::light_space<float>& space, glm::vec3 direction,

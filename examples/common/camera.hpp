@@ -46,7 +46,7 @@ struct camera_setup {
 struct camera {
     glm::vec3 position;
     glm::mat4 world_to_clip;
-    umbrage::frustum<double> frustum;  ///< what it sees
+    umbrage::frustum<double> frustum;  ///< visible part of the world
 };
 
 [[nodiscard]] inline camera make_camera(const camera_setup& s) {

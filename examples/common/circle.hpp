@@ -15,7 +15,7 @@
 namespace example {
 
 /// (cos, sin) of an angle, by series in double that end below 2^-54.
-/// @param turns   of the circle: 1 is 360 degrees; whole quarters give 0, 1 and -1
+/// @param turns   turns of the circle: 1 is 360 degrees; whole quarters give 0, 1 and -1
 [[nodiscard]] inline glm::vec2 on_circle(double turns) {
     const double quarter = std::floor(4 * turns + 0.5), x = (turns - quarter / 4) * (2 * std::numbers::pi), y = x * x;
     double cosine = 1, sine = 1;

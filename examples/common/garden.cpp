@@ -2,7 +2,7 @@
 //
 // The default scene: things whose shadows are hard to draw, side by side. A mast's shadow is sharp at its foot and soft
 // where the ball's falls on the wall, a fence is thinner than texels, leaves are many, and a knot shadows itself.
-// What stands on the ground reaches below it, so that no light leaks in where they meet.
+// Objects on the ground reach below it, so that no light leaks in where they meet.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,8 +27,8 @@ namespace {
 constexpr glm::vec3 paving{0.36f, 0.33f, 0.30f}, joint{0.17f, 0.15f, 0.14f}, plaster{0.58f, 0.46f, 0.33f},
     stone{0.30f, 0.31f, 0.33f}, wood{0.74f, 0.71f, 0.64f}, steel{0.50f, 0.53f, 0.57f}, orange{0.80f, 0.20f, 0.04f},
     bark{0.16f, 0.11f, 0.08f}, leaves{0.11f, 0.24f, 0.05f}, clay{0.50f, 0.17f, 0.09f};
-constexpr float wall_z = -1.75f, half_width = 5.2f, front = 4.0f;  ///< of the ground before the wall
-constexpr float sunk = 0.1f;                                       ///< how far things reach into the ground
+constexpr float wall_z = -1.75f, half_width = 5.2f, front = 4.0f;  ///< extent of the ground before the wall
+constexpr float sunk = 0.1f;                                       ///< depth to which objects reach into the ground
 
 glm::mat4 at(glm::vec3 p) { return glm::translate(glm::mat4(1), p); }
 

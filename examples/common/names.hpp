@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the library's encodings, filters and biases are called, in the order of its lists.
+// Names of the library's encodings, filters and biases, in the order of its lists.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ namespace example {
 /// Reach of a filter by its name; of a box or a disc of its own radius, or of another.
 [[nodiscard]] float reach_of(std::string_view filter, std::optional<float> radius = {});
 
-/// What the filter of that name is called in shaders: those of soft.hpp by their own.
+/// Name of a filter in shaders. Filters of soft.hpp keep their own names.
 [[nodiscard]] std::string_view snippet_of(std::string_view filter);
 
 /// The bias of a filter, by its name, where the user chooses none: receiver_plane for contact hardening, whose radius
 /// differs from receiver to receiver, acne_free for all others.
 [[nodiscard]] std::string_view usual_bias(std::string_view filter);
 
-/// Whether a bias, by its name, moves stored depths along the receiver's plane.
+/// True when the bias of this name moves stored depths along the receiver's plane.
 [[nodiscard]] bool moves_stored_depths(std::string_view bias);
 
 }  // namespace example

@@ -27,7 +27,7 @@ constexpr glm::vec3 grass{0.20f, 0.30f, 0.09f}, stone{0.36f, 0.34f, 0.31f}, bark
     needles{0.07f, 0.17f, 0.08f}, leaves{0.16f, 0.30f, 0.07f}, plaster{0.72f, 0.67f, 0.57f}, tiles{0.45f, 0.16f, 0.10f},
     wood{0.35f, 0.25f, 0.16f};
 
-/// Random values on whole numbers and smooth between them.
+/// Random values on integers and smooth between them.
 float noise(glm::vec2 p, std::uint32_t which) {
     const glm::vec2 first = glm::floor(p), t = p - first, s = t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
     const glm::ivec2 at(first);
@@ -75,7 +75,7 @@ glm::vec3 normal_at(glm::vec2 p) {
 /// The ground, in tiles.
 void add_ground(std::vector<copies>& parts) {
     constexpr int tiles_a_side = 8;
-    constexpr unsigned cells = 32;  // of a tile: 3.9 metres each
+    constexpr unsigned cells = 32;  // cells per side of a tile: 3.9 meters each
     constexpr float side = 2 * half_side / tiles_a_side;
     for (int j = 0; j < tiles_a_side; ++j)
         for (int i = 0; i < tiles_a_side; ++i) {

@@ -11,7 +11,7 @@
 namespace {
 
 /// zlib stream for stb, which frees it.
-/// @param level   of libdeflate
+/// @param level   compression level of libdeflate
 unsigned char* compress(const unsigned char* bytes, int count, int* compressed, int level) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(level), libdeflate_free_compressor);

@@ -7,7 +7,7 @@
 namespace example {
 
 std::string processor() {
-    std::map<std::string, std::string> fields;  // of the first processor
+    std::map<std::string, std::string> fields;  // fields of the first processor
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line) && !line.empty();) {
         const std::size_t colon = line.find(':');

@@ -5,8 +5,8 @@
 
 namespace example {
 
-/// What this machine's processor is called, where the system tells. Virtual machines call different ones by the same
-/// name: family and model tell them apart.
+/// Name of this machine's processor, if the system gives one. Virtual machines give different processors the same name;
+/// family and model distinguish them.
 [[nodiscard]] std::string processor();
 
 }  // namespace example

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a program says while it works: a bar on a terminal, and how long each stage took.
+// Progress of a program: a bar on a terminal, and the time of each stage.
 //
 //     example::progress progress(stages, quiet);
 //     progress.stage("visibility", [&] { umbrage::visibility(..., progress.bands()); });
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    static constexpr unsigned long steps = 64;  ///< of a stage
+    static constexpr unsigned long steps = 64;  ///< steps of a stage
 
     void advance(unsigned long to) {
         if (bar_) *bar_ += to - done_;
@@ -79,7 +79,7 @@ private:
     }
 
     std::optional<boost::timer::progress_display> bar_;
-    unsigned long done_ = 0;  ///< of the running stage
+    unsigned long done_ = 0;  ///< finished steps of the running stage
     std::vector<std::pair<std::string, double>> times_;
 };
 

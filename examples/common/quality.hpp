@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How good a light's setup is for a view, as an image and in five numbers.
+// Quality of a light's setup for a view, as an image and as five numbers.
 //
 //     auto report = example::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
 //         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
@@ -31,7 +31,7 @@ struct quality_report {
     std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
 };
 
-/// What a setup is measured over.
+/// View over which a setup is measured.
 struct measured_view {
     glm::ivec2 screen{1};    ///< pixels, each >= 1
     glm::ivec2 map_size{1};  ///< texels of a map, each >= 1

@@ -53,7 +53,7 @@ void ray_tracer::add(std::size_t first, std::size_t last) {
 }
 
 bool ray_tracer::blocked(glm::vec3 from, glm::vec3 way, float distance) const {
-    glm::vec3 per_unit;  // of the axes: finite, so that no product is NaN
+    glm::vec3 per_unit;  // time per unit along the axes; finite, so no product is NaN
     for (int i = 0; i < 3; ++i) per_unit[i] = glm::abs(way[i]) > 1e-20f ? 1 / way[i] : 1e20f;
     for (std::size_t i = 0; i < boxes_.size();) {
         const box& b = boxes_[i];

@@ -21,8 +21,8 @@ public:
     /// @param m   kept by reference
     explicit ray_tracer(const mesh& m);
 
-    /// Whether a triangle lies on the way.
-    /// @param way  of length one
+    /// True when a triangle lies on the way.
+    /// @param way  direction of length 1
     [[nodiscard]] bool blocked(glm::vec3 from, glm::vec3 way, float distance) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the examples draw: triangles on a floor, made here or read from a file. World units, y is up.
+// Scene of the examples: triangles on a floor, made here or read from a file. World units, y is up.
 //
 //     example::scene scene = example::default_scene();
 //     example::scene scene = example::on_floor(example::load_mesh("bunny.obj"), example::up_axis::y);
@@ -21,7 +21,7 @@ namespace example {
 /// Triangles with what shading wants to know about each vertex; the three vectors of vertices are equally long.
 struct mesh {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;  ///< of length one
+    std::vector<glm::vec3> normals;  ///< normals of length 1
     std::vector<glm::vec3> colors;   ///< linear, 0..1
     std::vector<glm::uvec3> triangles;
 };
@@ -39,8 +39,8 @@ struct copies {
 struct scene {
     mesh geometry;  ///< all of it
     std::size_t floor_triangles = 0;
-    glm::vec3 low{0}, high{0};            ///< of everything
-    glm::vec3 target{0, 0.7f, 0};         ///< what lights and cameras look at
+    glm::vec3 low{0}, high{0};            ///< bounds of everything
+    glm::vec3 target{0, 0.7f, 0};         ///< point that lights and cameras look at
     float z_near = 0.1f, z_far = 200.0f;  ///< between which cameras see
     std::vector<copies> parts{};  ///< the same once more in the same order, as what it is made of; none: of one part
 };
@@ -50,7 +50,7 @@ void find_bounds(scene& s);
 
 [[nodiscard]] inline umbrage::mesh_view view_of(const mesh& m) { return {m.positions, m.triangles}; }
 
-enum class up_axis { y, z };  ///< of a mesh that somebody else made
+enum class up_axis { y, z };  ///< up axis of a mesh from a file
 
 /// A kilometre of hills with a village, woods and rocks: a sun's cascades have something to do.
 [[nodiscard]] scene outdoor_scene();

@@ -26,7 +26,7 @@ struct placed_light {
     double outer_angle_radians;
 };
 
-/// What a camera sees in a light that has map_size^2 texels.
+/// View of a camera into a light that has map_size^2 texels.
 struct lit_view {
     const example::scene& scene;
     const example::camera& camera;
@@ -40,12 +40,12 @@ struct lit_view {
 
 /// A light's maps: one, cascades, faces, pages.
 struct placed_maps {
-    glm::ivec2 size;              ///< of each, texels
-    int count;                    ///< of maps
+    glm::ivec2 size;              ///< size of each map, texels
+    int count;                    ///< number of maps
     glm::dvec4 light;             ///< position and 1, or the way towards it and 0
     std::vector<glm::dmat4> all;  ///< texture_matrix of each; of pages the root's, none of maps that have no matrix
     std::function<glm::dmat4(glm::dvec3)> at;  ///< the matrix of a point's surroundings; zeros where no map holds it
-    std::string chosen{};                      ///< of several, where there was a choice
+    std::string chosen{};                      ///< name of the chosen one, if there was a choice
 };
 
 /// Maps with a matrix each.

@@ -19,8 +19,8 @@ namespace example {
 struct shadow_map {
     umbrage::image<float> depth;                                                   ///< decoded
     std::variant<umbrage::image<glm::u8vec3>, umbrage::image<glm::u8vec4>> bytes;  ///< missing channels are 0
-    float cleared = 1;                                                             ///< what an empty texel decodes to
-    float below = 0;  ///< how far a decoded depth may lie below the true one
+    float cleared = 1;                                                             ///< depth of an empty texel
+    float below = 0;  ///< largest amount by which a decoded depth lies below the true one
 };
 
 /// Encodes and decodes.

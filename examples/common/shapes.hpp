@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What scenes are put together from.
+// Shapes from which scenes are built.
 //
 //     example::add_surface(mesh, {96, 48}, place, color, [](float u, float v) { return example::vertex{...}; });
 //

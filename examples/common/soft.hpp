@@ -25,16 +25,16 @@ namespace example {
 /// Visibility of receivers, by a filter that was made ready for a map. Slopes count for contact hardening alone.
 using look_up = std::function<void(const umbrage::sloped_receivers&, umbrage::image_view<float>)>;
 
-/// Those of umbrage::filters::soft.
+/// Names of umbrage::filters::soft.
 [[nodiscard]] const std::vector<std::string>& hardening_names();
 
-/// Those of umbrage::prefilters, and those of summed-area tables.
+/// Names of umbrage::prefilters and of summed-area tables.
 [[nodiscard]] const std::vector<std::string>& prefilter_names();
 
-/// Of the depths that a summed-area table of variances holds.
+/// Bits of the depths in a summed-area table of variances.
 inline constexpr int variance_bits = 12;
 
-/// Whether a name is one of those.
+/// True for one of hardening_names().
 [[nodiscard]] bool hardens(std::string_view filter);
 [[nodiscard]] bool filters_ahead(std::string_view filter);
 

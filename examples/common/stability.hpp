@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How stable a light's maps are while the camera moves: whether points of the world keep their places between texels,
+// Stability of a light's maps while the camera moves. Points of the world should keep their positions between texels,
 // and their visibility.
 //
 //     auto report = example::measure_stability(frames, points.size(), [&](int frame) {
@@ -26,17 +26,17 @@ namespace example {
 struct placed_point {
     int map = -1;          ///< number of the map or cascade that it is looked up in; below 0: in none
     glm::dvec2 texel{0};   ///< where in it, finite
-    double visibility{0};  ///< of the filter
+    double visibility{0};  ///< visibility by the filter
 };
 
 /// Over all points and frames.
 struct stability_report {
     double change = 0;  ///< greatest, of a point's visibility in one map
-    double drift = 0;   ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
+    double drift = 0;   ///< drift of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
     std::size_t compared = 0;  ///< points that a map held in two frames or more
     std::size_t changed = 0;   ///< those of them whose visibility changed in one map
 
-    /// Of points whose visibility changed.
+    /// Fraction of points whose visibility changed.
     [[nodiscard]] double share() const { return compared ? double(changed) / double(compared) : 0; }
 };
 
@@ -47,7 +47,7 @@ struct stability_report {
 /// @formula       drift = max |m - nearest whole number to m|, m what a point has moved by through a map, in x or in y
 template <class Frame>
 [[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
-    std::vector<placed_point> first;  // of a map, point by point
+    std::vector<placed_point> first;  // places in a map, point by point
     std::vector<char> compared(points), changed(points);
     stability_report report;
     for (int i = 0; i < frames; ++i) {

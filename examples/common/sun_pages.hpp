@@ -37,7 +37,7 @@ namespace example {
 
 class page_wishes {
 public:
-    /// @param texels      of a page, without its gutter
+    /// @param texels      texels of a page, without its gutter
     /// @param to_pixels   world to the camera's picture
     page_wishes(const umbrage::light_space<double>& root, glm::dvec3 direction, int texels, const glm::dmat4& to_pixels)
         : to_root_(umbrage::page_matrix(root)),

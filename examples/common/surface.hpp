@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What the camera sees of a triangle.
+// Surface of a triangle, as the camera sees it.
 //
 //     if (seen[texel] != example::nothing) example::surface s = example::surface_at(scene, camera, seen, texel);
 //
-// Neighbors in a row mostly see the same triangle; what they share is then computed once:
+// Neighbors in a row mostly see the same triangle. Their common values are then computed once:
 //
 //     example::for_each_run(seen, y, [&](int first, int last, std::uint32_t triangle) {
 //         const example::seen_triangle on(scene, camera, seen.size(), triangle);
@@ -34,7 +34,7 @@ namespace example {
 /// A point that the camera sees. Both normals point to the camera's side of the triangle.
 struct surface {
     glm::vec3 position;
-    glm::vec3 face_normal;  ///< of the flat triangle, which is what the shadow map holds
+    glm::vec3 face_normal;  ///< normal of the flat triangle that the shadow map holds
     glm::vec3 normal;       ///< interpolated, for shading
     glm::vec3 color;
 };
@@ -64,7 +64,7 @@ struct vectors {
 
 class seen_triangle {
 public:
-    /// @param size  of the camera's image
+    /// @param size  size of the camera's image
     seen_triangle(const scene& s, const camera& c, glm::ivec2 size, std::uint32_t triangle)
         : weights_(size, view_of(s.geometry), c.world_to_clip, picture_clip, triangle),
           camera_(c.position),
@@ -88,7 +88,7 @@ public:
         return floor_ ? floor_color(position) : blend(colors_, weights);
     }
 
-    /// Where on the triangle the texels from here on look, in or beyond its last.
+    /// Positions on the triangle that the next texels see, which may lie beyond its last one.
     void locate(glm::ivec2 first, vectors& weights, vectors& positions) const {
         for (int i = 0; i < lanes; ++i) weights.set(i, weights_({first.x + i, first.y}));
         for (int i = 0; i < lanes; ++i) positions.set(i, position(weights[i]));

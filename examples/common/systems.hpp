@@ -60,7 +60,7 @@ enum class shading_kind {
 };
 
 struct shadow_system {
-    std::string_view name;   ///< of its program
+    std::string_view name;   ///< name of its program
     std::string_view title;  ///< for people
 
     light_kind light = light_kind::spot;
@@ -154,7 +154,7 @@ inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees
 [[nodiscard]] scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file = {},
                                up_axis up = up_axis::y);
 
-/// Where the camera stands to begin with.
+/// First position of the camera.
 [[nodiscard]] inline camera_setup make_camera_setup(const shadow_system& s, const scene& scene, float aspect) {
     return {.target = scene.target, .azimuth = 0, .elevation = 30, .distance = 7.5f * s.scene_scale, .aspect = aspect};
 }
@@ -216,8 +216,8 @@ struct light {
     return std::fmod(std::abs(cell.x + cell.y + cell.z), 2.0f) == 0 ? 1.0f : 0.6f;
 }
 
-/// What the camera sees of a surface.
-/// @param normal, to_light  of length one
+/// Color of a surface, as the camera sees it.
+/// @param normal, to_light  vectors of length 1
 [[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 color, glm::vec3 normal, glm::vec3 to_light,
                                      float visibility) {
     const float n_dot_l = glm::dot(normal, to_light);

@@ -19,7 +19,7 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
-/// What writes and reads it.
+/// Snippets that write and read an encoding.
 template <class Encoding>
 std::vector<glsl::snippet> snippets_of(const Encoding& encoding) {
     if (encoding.writes == umbrage::store_format::depth) return {glsl::fetch_clamped, glsl::fetch_depth};

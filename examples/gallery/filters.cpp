@@ -20,7 +20,7 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
-/// What the page asks of a filter, whichever it is: the rest is compiled once.
+/// Functions of any filter that the page needs. The rest is compiled once.
 struct any_filter {
     float reach;
     std::function<void(const umbrage::image<float>& map, const umbrage::image<glm::vec3>& receivers,

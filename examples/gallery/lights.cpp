@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How good every set-up of a light is for two views.
+// Quality of every setup of a light for two views.
 #include <string>
 #include <string_view>
 #include <vector>

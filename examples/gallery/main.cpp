@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Renders the systems, encodings, biases, filters, soft shadows and set-ups of lights of the library into one page.
+// Renders the systems, encodings, biases, filters, soft shadows and setups of lights of the library into one page.
 //
 //     gallery --output build/gallery/index.html
 //

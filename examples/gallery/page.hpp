@@ -60,7 +60,7 @@ public:
     void section(std::string_view id, std::string_view title, std::string_view text);
     void entry(std::string_view id, std::string_view title, std::string_view text, const std::vector<figure>& figures,
                const std::vector<number>& numbers, const std::vector<code>& codes);
-    /// @param made   how and where, at the page's end
+    /// @param made   machine and settings, at the page's end
     void write(const std::filesystem::path& to, std::string_view made) const;
 
 private:
@@ -68,7 +68,7 @@ private:
 
     std::filesystem::path folder_;
     std::string links_, body_, texts_;
-    std::map<std::string, int> numbers_;  ///< of the texts, each of which the page has once
+    std::map<std::string, int> numbers_;  ///< numbers of the texts. The page has each text once
     bool open_ = false;
 };
 

@@ -54,7 +54,7 @@ scene_of_soft make_scene_of(depth_kind depth, float reach, const settings& o, co
     return out;
 }
 
-/// @param made   map, where progress is told -> look-up
+/// @param made   map, where progress is told -> lookup
 template <class Make>
 void add_soft(page& page, const scene_of_soft& on, std::string_view name, const std::string& about, int bytes,
               const std::vector<glsl::snippet>& snippets, const Make& made) {

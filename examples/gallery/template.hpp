@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What of the page does not change: style, box for a snippet, and the script that fills the boxes.
+// Constant parts of the page: style, box for a snippet, and the script that fills the boxes.
 #pragma once
 
 namespace gallery {

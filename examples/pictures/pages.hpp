@@ -10,7 +10,7 @@
 namespace pictures {
 
 /// The default scene, beside it the same with cascades tinted, and its shadow map.
-/// @param width  of all of it, pixels
+/// @param width  width of the picture, pixels
 [[nodiscard]] picture hero(int width);
 
 /// One part of the scene under rays and eight filters, each with its best bias, its costs and its error.

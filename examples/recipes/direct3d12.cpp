@@ -10,7 +10,7 @@
 #include "shaders.hpp"
 
 using shaders::spot, shaders::sun;
-constexpr UINT side = 1024;  // of a map, texels
+constexpr UINT side = 1024;  // side of a map, texels
 
 /// Root parameters: 0 the matrix of a pass (b2), 1 and 2 the blocks (b0, b1), 3 the maps (t0, t1); samplers s0, s1.
 ID3D12RootSignature* make_root_signature(ID3D12Device* device) {

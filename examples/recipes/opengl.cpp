@@ -16,7 +16,7 @@
 namespace {
 
 namespace glsl = umbrage::glsl;
-constexpr int side = 1024;  // of a map, texels
+constexpr int side = 1024;  // side of a map, texels
 
 GLuint made(void (*make)(GLsizei, GLuint*)) {
     GLuint name = 0;

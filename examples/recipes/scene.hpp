@@ -22,7 +22,7 @@ namespace scene {
 
 struct vertex {
     glm::vec3 position, normal;
-    glm::vec2 uv;  ///< of the fence, whose pickets are half of each unit; 0 is solid
+    glm::vec2 uv;  ///< coordinates on the fence, whose pickets are half of each unit; 0 is solid
 };
 
 inline constexpr glm::ivec2 picture_size(480, 320);

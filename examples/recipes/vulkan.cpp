@@ -12,7 +12,7 @@
 namespace {
 
 namespace glsl = umbrage::glsl;
-constexpr std::uint32_t side = 1024;  // of a map, texels
+constexpr std::uint32_t side = 1024;  // side of a map, texels
 constexpr vk::Extent2D picture{scene::picture_size.x, scene::picture_size.y};
 
 // Umbrage begins.

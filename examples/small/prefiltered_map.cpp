@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Leaves over a floor, their shadows soft at four texels a look-up: the map is blurred once, not at every pixel (EVSM).
+// Leaves over a floor, their shadows soft at four texels a lookup: the map is blurred once, not at every pixel (EVSM).
 #include <cmath>
 #include <cstdio>
 #include <numeric>

@@ -14,7 +14,7 @@ namespace {
 
 const glm::vec3 position(-0.4f, 5, 0.8f), direction = glm::normalize(glm::vec3(0.08f, -1, -0.16f));
 
-/// What a light of this clip space lights: a floor of 512 x 512 points, seen from above.
+/// Visibility under a light of this clip space, of a floor of 512 x 512 points, seen from above.
 umbrage::image<float> lit_floor(umbrage::clip_space clip, const umbrage::mesh_view& mesh) {
     const auto light = umbrage::make_spot_light({.position = position,
                                                  .direction = direction,

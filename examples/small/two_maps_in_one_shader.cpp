@@ -45,7 +45,7 @@ out vec4 color;
 void main() { color = vec4(0.7 * umbrage_sun(world, normal) + vec3(0.3, 0.2, 0.1) * umbrage_spot(world, normal), 1.0); }
 )GLSL";
 
-    // What both maps share is there once; what reads a map is there for each, under its name.
+    // Functions that both maps share are there once. Functions that read a map are there for each map, under its name.
     int shared = 0, of_sun = 0, of_spot = 0;
     std::istringstream lines(shader);
     for (std::string line; std::getline(lines, line);) {
@@ -64,7 +64,7 @@ void main() { color = vec4(0.7 * umbrage_sun(world, normal) + vec3(0.3, 0.2, 0.1
             if (right) std::puts(text.substr(first, text.find('{', at) - first).c_str());
         }
 
-    // What the application copies into the blocks' buffers, once a light moves.
+    // Bytes that the application copies into the blocks' buffers whenever a light moves.
     const auto sun_block = sun.uniforms();
     const auto spot_block = spot.uniforms();
     right = right && sizeof sun_block == declared_bytes(shader, "umbrage_sun_block") &&

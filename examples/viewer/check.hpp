@@ -22,7 +22,7 @@ inline const std::filesystem::path folder = std::filesystem::current_path();  //
 
 using example::quoted;
 
-/// What the viewer draws.
+/// Picture that the viewer draws.
 [[nodiscard]] picture viewed(const std::string& arguments, const std::string& in = {});
 
 [[nodiscard]] int differing(const picture& a, const picture& b);

@@ -16,7 +16,7 @@ using namespace viewer_check;
 
 namespace {
 
-/// How many times as many pixels as under a box of radius 1 see a texel that compares otherwise; no fewer than there.
+/// Pixels that see a texel with another comparison, as a multiple of those under a box of radius 1. At least 1.
 int pixels_a_texel(const std::string& filter) {
     const float times = std::max(example::reach_of(filter) / 1.5f, 1.0f);
     return static_cast<int>(times * times);

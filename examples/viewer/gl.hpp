@@ -159,7 +159,7 @@ struct target {
 /// A texture of bytes, nearest texel.
 [[nodiscard]] handle<texture_kind> make_table(glm::ivec2 size, const void* rgba);
 
-/// Four whole numbers of 16 bits a texel, for the bound texture, nearest texel.
+/// Four integers of 16 bits a texel, for the bound texture, nearest texel.
 void upload_integers(glm::ivec2 size, const void* rgba);
 
 /// @throws std::runtime_error  OpenGL reports an error

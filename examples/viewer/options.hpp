@@ -15,13 +15,13 @@ struct options {
     std::filesystem::path mesh{};
     example::up_axis up = example::up_axis::y;
 
-    std::optional<float> azimuth{}, elevation{};  ///< of the light
+    std::optional<float> azimuth{}, elevation{};  ///< angles of the light
     std::optional<std::string> encoding{}, filter{}, bias{};
     glm::ivec2 map_size{0};  ///< 0: the system's own
     std::optional<float> radius{}, light_size{}, reach{}, epsilon{};
 
     std::string ground = "outdoor";      ///< outdoors, what there is
-    std::string placement = "cascades";  ///< of an outdoor light's maps
+    std::string placement = "cascades";  ///< placement of an outdoor light's maps
 
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100

@@ -70,7 +70,7 @@ outdoor::outdoor(const example::scene& scene) : look_(outdoor_look_stages()) {
 void outdoor::draw_instances(const example::scene& scene, const glm::mat4& world_to_clip,
                              umbrage::clip_space clip) const {
     std::vector<glm::mat4> places;
-    std::vector<std::size_t> first;  // of each shape
+    std::vector<std::size_t> first;  // first index of each shape
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
         first.push_back(places.size());
         const auto kept = umbrage::instances_in_map(shapes_[i].bounds, scene.parts[i].places, world_to_clip, clip);
@@ -140,7 +140,7 @@ void outdoor::draw_layer(const example::scene& scene, int layer, const square& w
     draw_depths(scene, eye, light);
 }
 
-/// @param step   of the pixels that become points, in x and y
+/// @param step   step between the pixels that become points, in x and y
 outdoor::view outdoor::look(const example::scene& scene, const example::camera& c, glm::ivec2 size, int step) {
     if (!seen_ || seen_->size != size) seen_.emplace(size, texels_of::moments);
     glBindFramebuffer(GL_FRAMEBUFFER, seen_->framebuffer);

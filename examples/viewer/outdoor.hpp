@@ -32,7 +32,7 @@ public:
     explicit outdoor(const example::scene& scene);
     void draw(const session& s, GLuint framebuffer, glm::ivec2 size);
 
-    // Of the last picture: its maps, left bound as layers; and what came of their placement, for people.
+    // Maps of the last picture, left bound as layers, and a description of their placement for people.
     [[nodiscard]] int map_size() const { return map_size_; }
     /// Layers side by side and above each other, in a picture of all.
     [[nodiscard]] glm::vec2 tiles() const {
@@ -42,19 +42,19 @@ public:
     [[nodiscard]] const std::string& note() const { return note_; }
 
 private:
-    /// Where a shape lies in the buffers.
+    /// Position of a shape in the buffers.
     struct shape {
         umbrage::bounding_box<float> bounds;
         std::size_t first_index, indices;
         GLint first_vertex;
     };
-    /// What a camera sees, and between what distances along its axis.
+    /// Points that a camera sees, and their range of distances along its axis.
     struct view {
-        std::vector<umbrage::seen_point> points;  ///< of some of the pixels
+        std::vector<umbrage::seen_point> points;  ///< points of some of the pixels
         double least, greatest;
     };
     void draw_instances(const example::scene& scene, const glm::mat4& world_to_clip, umbrage::clip_space clip) const;
-    /// Of a map's texels.
+    /// Square of a map's texels.
     struct square {
         glm::ivec2 corner;
         int edge;

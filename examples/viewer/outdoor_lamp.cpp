@@ -16,7 +16,7 @@
 namespace viewer {
 namespace {
 
-constexpr float distance_error = 1.0f / 16384;  ///< of its range: of distances between a cut mesh's vertices
+constexpr float distance_error = 1.0f / 16384;  ///< error of distances in a cut mesh, over the range
 
 }  // namespace
 

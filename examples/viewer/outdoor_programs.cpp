@@ -69,7 +69,7 @@ float visibility_here(vec3 face) {
 }
 )GLSL";
 
-/// What a face of a lamp is by the way there: in how many matrices, which of them, in which layer.
+/// Face of a lamp for the way there: number of matrices, index of the matrix, and layer.
 constexpr const char* one_face = R"GLSL(
 const int faces = 1;
 float face_of(vec3 way) { return 0.0; }
@@ -236,7 +236,7 @@ stages outdoor_camera_stages(const session& s) {
     }
     uses.insert(uses.end(), more.begin(), more.end());
     for (const glsl::snippet& f : filter.uses) uses.push_back(bind(f, "", map));
-    std::string visibility = filter.visibility;  // of a map alone; here of a layer
+    std::string visibility = filter.visibility;  // made for a map alone, here changed for a layer
     visibility.replace(visibility.find("(map,"), 5, "(maps, layer,");
     stages out;
     out.vertex = instances() + R"GLSL(

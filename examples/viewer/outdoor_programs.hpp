@@ -13,13 +13,13 @@
 
 namespace viewer {
 
-inline constexpr float cascade_fade_share = 0.1f;  ///< of a cascade, over which the next one takes over
+inline constexpr float cascade_fade_share = 0.1f;  ///< part over which the next cascade takes over
 
 /// From the light, around an eye, from which points are told; into a lamp's paraboloid, or one face of its tetrahedron.
 [[nodiscard]] stages outdoor_depth_stages(std::string_view placement);
 
-/// What the camera sees: the way there from the eye, and as a whole number of twice 12 bits the direction of the
-/// surface's normal or of the other side's; below 0 it is nothing.
+/// Surfaces that the camera sees: the way there from the eye, and the direction of the normal or its opposite as an
+/// integer of twice 12 bits. Below 0 there is no surface.
 [[nodiscard]] stages outdoor_look_stages();
 [[nodiscard]] glm::vec3 normal_of(float bits);
 

@@ -26,7 +26,7 @@ namespace viewer {
 class sun_pages {
 public:
     /// @param texels   along an edge of the atlas, of which whole pages may need a few less
-    /// @param reach    of the filter
+    /// @param reach    reach of the filter, texels
     sun_pages(int texels, float reach);
 
     /// Pages that another sun drew are forgotten.

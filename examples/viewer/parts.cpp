@@ -93,7 +93,7 @@ std::string text(float v) {
 }
 std::string text(glm::vec2 v) { return "vec2(" + text(v.x) + ", " + text(v.y) + ")"; }
 
-/// What a prefilter's writer is called with after the depth, and its look-up after the receiver.
+/// Arguments of a prefilter's writer after the depth, and of its lookup after the receiver.
 struct parameters {
     std::string writer, look_up;
 };

@@ -21,7 +21,7 @@ namespace viewer {
 namespace glsl = umbrage::glsl;
 using snippets = std::vector<glsl::snippet>;
 
-/// How a system writes the map, an expression of `depth`, and reads it: as its encoding does, or through the look-up
+/// Storage of a system's map: expressions that write a `depth` and read it. They are the encoding's, or the table
 /// texture of 2048 x 1 texels and pixel shader 1.4's r / 8 + g.
 struct storage {
     snippets writers;
@@ -40,7 +40,7 @@ inline constexpr const char* planes = "uniform vec3 planes;\n";
 [[nodiscard]] std::string projected(const example::shadow_system& s, const std::string& depth);
 [[nodiscard]] std::string even(const example::shadow_system& s, const std::string& depth);
 
-/// Whether stored depths and receivers become z/w when they are compared.
+/// True when stored depths and receivers become z/w for the comparison.
 [[nodiscard]] bool compares_projected(const example::shadow_system& s);
 
 /// Whether the vertex shader applies four texture matrices, one a tap.
@@ -66,7 +66,7 @@ struct filter {
 struct prefilter {
     snippets writers;
     std::string texel;
-    int taps;  ///< of the blur: 1, 3, 5 or 7
+    int taps;  ///< taps of the blur: 1, 3, 5 or 7
 };
 [[nodiscard]] std::optional<prefilter> prefilter_of(const example::shadow_system& s);
 

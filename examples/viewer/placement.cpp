@@ -35,7 +35,7 @@ warped perspective(const fit& f) {
     const auto map = umbrage::fit_perspective(f);
     return {map, images[static_cast<std::size_t>(map.seen_as)]};
 }
-/// Of the scene's lowest plane, and of what shades that part of it which the screen shows.
+/// Warp of the scene's lowest plane, and of the casters for the part of it on the screen.
 warped plane_optimal(const fit& f) {
     const auto ground = umbrage::fit_plane_optimal(f, glm::dvec4(0, 1, 0, -f.casters->low.y));
     return ground ? warped{*ground, "the ground alone"} : warped{tight(f).map, "tight, as no ground is seen"};

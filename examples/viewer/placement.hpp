@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How the one map of a sun is placed for what a camera sees: tight around it, warped, or as serves it best; and maps
-// around a lamp, which shines every way: a cube's, two paraboloids', a tetrahedron's. Knows nothing of OpenGL.
+// Placement of maps for a camera. A directional light's single map is fitted tightly, warped, or chosen as the best.
+// A point light has the maps of a cube, two paraboloids or a tetrahedron. Independent of OpenGL.
 //
 //     viewer::sun_map map = viewer::place_map("best", fit, seen, terms, kept);
 //     viewer::lamp_maps maps = viewer::place_lamp("cube", position, range, 2048, reach);
@@ -30,7 +30,7 @@ inline constexpr std::array lamp_placements{in_cube, in_paraboloids, in_tetrahed
 
 [[nodiscard]] bool is_lamp(std::string_view placement);
 
-/// Whether there is more than one map, or a map of parts.
+/// True when there is more than one map, or a map of parts.
 [[nodiscard]] bool has_parts(std::string_view placement);
 
 struct sun_map {
@@ -39,7 +39,7 @@ struct sun_map {
 };
 
 /// @param placement   one of placement_names() but cascades, pages and a lamp's
-/// @param seen        what "best" measures maps by
+/// @param seen        points by which "best" measures maps
 /// @param kept        which map was the best in the last picture, and then in this one
 [[nodiscard]] sun_map place_map(std::string_view placement, const umbrage::warp_fit<double>& fit,
                                 std::span<const umbrage::seen_point> seen, const umbrage::choice_terms& terms,
@@ -53,7 +53,7 @@ struct lamp_maps {
 
 /// @param placement   one of lamp_placements
 /// @param texels      as many as a square with this edge has, at least 32
-/// @param reach       of the filter
+/// @param reach       reach of the filter, texels
 [[nodiscard]] lamp_maps place_lamp(std::string_view placement, glm::dvec3 position, double range, int texels,
                                    float reach);
 

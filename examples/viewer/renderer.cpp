@@ -26,7 +26,7 @@ namespace {
 /// Triangles share no vertices here: each has the face's normal, and ES 2 needs no large indices.
 struct vertex {
     glm::vec3 position, normal;
-    glm::vec3 face_normal;  ///< of any length
+    glm::vec3 face_normal;  ///< normal of any length
     glm::vec4 color;        ///< alpha: 1 on the floor
 };
 

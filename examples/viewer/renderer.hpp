@@ -45,7 +45,7 @@ private:
     int scene_ = 0;  ///< the one in mesh_
     std::optional<target> map_, moments_, blurred_;
     handle<texture_kind> sums_;  ///< a summed-area table in place of moments_
-    glm::ivec2 moments_size_{};  ///< of whichever is looked up
+    glm::ivec2 moments_size_{};  ///< size of the moments that are looked up
     target small_;               ///< for reading the map back
     std::optional<program> depth_, write_moments_, blur_, camera_, overlay_, read_back_;
     std::optional<outdoor> outdoor_;

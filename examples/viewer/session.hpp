@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is being looked at, and what keys and mouse change of it. Knows nothing of OpenGL.
+// State of the viewer: the picture on show, and the keys and mouse moves that change it. Independent of OpenGL.
 //
 //     viewer::session session(options);
 //     session.press('F');  // the next filter
@@ -22,7 +22,7 @@
 namespace viewer {
 
 inline constexpr float lowest_light = 5;
-inline constexpr float largest_radius = 8;  ///< of a box or a disc, texels
+inline constexpr float largest_radius = 8;  ///< largest radius of a box or a disc, texels
 inline constexpr float largest_light = 4;   ///< across, world units
 inline constexpr int smallest_map = 16, largest_map = 8192;
 
@@ -64,7 +64,7 @@ inline constexpr example::shadow_system outdoor_system{
 
 [[nodiscard]] const std::vector<std::string>& filter_names();
 
-/// Whether a filter, by its name, takes no more than a map and a place in it.
+/// True when the filter of this name takes only a map and a position in it.
 [[nodiscard]] bool filters_layers(std::string_view filter);
 
 class session {
@@ -87,7 +87,7 @@ public:
     /// @param name  one of filter_names(); the bias covers its reach, and is its usual one unless bias() chose another
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void filter(std::string_view name);
-    void radius(float texels);  ///< of a box, a disc or a blur
+    void radius(float texels);  ///< sets the radius of a box, a disc or a blur
     /// @param name  one of example::bias_names()
     void bias(std::string_view name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where shadows begin and end, for tests: there a GPU may round to the other side.
+// Edges of shadows, for tests. A GPU may round to the other side of them.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ public:
         for (float& z : map_.texels()) z = light_.depth(s, z);
     }
 
-    /// Whether shadow takes another value somewhere within two texels of a pixel's surface, measured across the light
+    /// True when shadow takes another value somewhere within two texels of a pixel's surface, measured across the light
     /// and in the surface's own plane.
     [[nodiscard]] bool near(glm::ivec2 pixel) const {
         if (seen_[pixel] == example::nothing) return false;

@@ -35,11 +35,11 @@ template <class Target>
 
 struct stored_as {
     const glsl::snippet* writer;
-    const glsl::snippet* to_unorm;  ///< of integer channels; null: what the writer returns is written
+    const glsl::snippet* to_unorm;  ///< conversion of integer channels; null: the writer's result is written
     texels_of texels;
     glsl::binding map;  ///< as shaders read it
-    float below;        ///< how far a reader may answer below the depth that was written
-    glm::vec4 cleared;  ///< what an empty texel is cleared to
+    float below;        ///< largest amount by which a decoded depth lies below the written one
+    glm::vec4 cleared;  ///< cleared texel
 
     /// Expression of type vec4: what to write into the map.
     [[nodiscard]] std::string write(const std::string& depth) const {
@@ -54,7 +54,7 @@ struct stored_as {
         return {*writer};
     }
 
-    /// Whether bytes and GLSL 100 are enough.
+    /// True when bytes and GLSL 100 are enough.
     [[nodiscard]] bool on_es2() const {
         return texels == texels_of::bytes && supports(*writer, glsl::version::v100) &&
                supports(bind(glsl::fetch_depth, "", map), glsl::version::v100);

@@ -43,7 +43,7 @@ double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of this thread: what others do on its processor does not count.
+/// Processor time of this thread. Other threads on its processor do not count.
 double processor_seconds() {
     std::timespec t{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

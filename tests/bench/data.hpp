@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the benchmarks work on: a map of boxes on a floor, and the receivers that a camera looking along it would have.
+// Data of the benchmarks: a map of boxes on a floor, and the receivers of a camera that looks along it.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Prefiltered maps from depth to visibility: encode, blur of 7 taps, look-up. Summed tables: a large box against a
+// Prefiltered maps from depth to visibility: encode, blur of 7 taps, lookup. Summed tables: a large box against a
 // small one.
 #include <algorithm>
 #include <cmath>

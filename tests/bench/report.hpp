@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a run of the benchmarks leaves behind: one JSON document.
+// Report of a run of the benchmarks: one JSON document.
 #pragma once
 
 #include <cstddef>

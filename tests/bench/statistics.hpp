@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// How sure is a ratio? Rounds time ours and theirs one right after the other, so that what slows the machine slows
-// both; each round gives one ratio. The estimate is their median, and its spread the width of the median's 95 %
-// confidence interval, from ranks of the sorted ratios (binomial: no assumption on how they are distributed), over the
-// median. It says how well this run knows its ratio; how far runs differ is seen from several (compare.hpp).
+// Certainty of a ratio. Each round times both programs one right after the other, so a slow machine slows both. It
+// gives one ratio. The estimate is the median of the ratios. Its spread is the width of the median's 95 % confidence
+// interval over the median. The interval comes from ranks of the sorted ratios (binomial), without assuming a
+// distribution. The spread describes one run. Several runs show how far runs differ (compare.hpp).
 #pragma once
 
 #include <algorithm>

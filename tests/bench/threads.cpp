@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a second thread gives. Two processors of a machine may be two halves of one core: what copies and
-// multiplications gain here is what anything can gain. Or they may share no cache, and a virtual machine's may do so
-// from one minute to the next: where a number takes not 50 but 400 ns to the other thread and back, the depth pass by
-// two threads takes a fifth to a third longer.
+// Gain of a second thread. Two processors of a machine may be two halves of one core. The gain of copies and
+// multiplications is then the most that anything can gain. Or they may share no cache, and a virtual machine may change
+// that from one minute to the next. If a number takes 400 ns to the other thread and back instead of 50, the depth pass
+// by two threads takes a fifth to a third longer.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What windows cannot do without: finding their texels and loading them, a row of a receiver's at a time. Nothing is
-// compared or weighed; the texels are summed, or compilers would leave the loads out.
+// Lower bound of a kernel's cost: finds and loads its texels, one row of a receiver at a time. It compares and weights
+// nothing. It sums the texels, as compilers would otherwise remove the loads.
 #pragma once
 
 #include <umbrage/images/visibility.hpp>

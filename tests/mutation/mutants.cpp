@@ -132,7 +132,7 @@ private:
         return i;
     }
 
-    /// Where the arguments behind the parenthesis at `open` begin, and the end of the last, plus one.
+    /// Beginnings of the arguments after the parenthesis at `open`, and one past the end of the last.
     [[nodiscard]] std::vector<std::size_t> arguments(std::size_t open) const {
         std::vector<std::size_t> begins{open + 1};
         for (std::size_t i = find(open + 1, {",", ")"});; i = find(i + 1, {",", ")"})) {

@@ -65,7 +65,7 @@ struct cleared_channel {
     long value = 0, most = 1;
 };
 
-/// What a cleared map's channels are, four of them.
+/// Four channels of a cleared map.
 template <umbrage::known_encoding Encoding>
 [[nodiscard]] std::array<cleared_channel, 4> cleared_channels(const Encoding& encoding) {
     std::array<cleared_channel, 4> channels{};

@@ -12,7 +12,7 @@
 
 namespace package {
 
-/// What a map fills in beside its type: a text that must be kept as it is before that.
+/// True when a map fills in more than its type. Such a text must be kept unchanged until then.
 inline bool has_words_of_map(std::string_view text) {
     bool other = false;
     (void)glsl::detail::replace_words(text, [&](std::string_view word, bool) {

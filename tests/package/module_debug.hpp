@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shadow's debug functions are made of, in JavaScript: an object of its own, so that programs that do not debug
+// Parts of a shadow's debug functions, in JavaScript. They are an object of their own, so programs without debugging
 // carry none of it. shadow.mjs joins its texts.
 #pragma once
 
@@ -37,7 +37,7 @@ template <class SetUp>
     return all + " }";
 }
 
-/// The statement that chooses the map to read, ahead of the tolerance; a set-up of one map lacks it.
+/// The statement that chooses the map to read, ahead of the tolerance; a setup of one map lacks it.
 template <class SetUp>
 [[nodiscard]] std::string choice_of_reading(const shader_language& l, const glsl::map_choice& choice) {
     const std::string text = own_text<SetUp>(l, umbrage::filters::hard{}, choice, reading, true);

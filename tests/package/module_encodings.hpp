@@ -26,7 +26,7 @@ inline std::string encoding_of_module(const auto& encoding) {
            cleared + "], format: " + literal(std::decay_t<decltype(encoding)>::target::format);
 }
 
-/// What the depth pass of an encoding calls.
+/// Functions that the depth pass of an encoding calls.
 template <class Encoding>
 [[nodiscard]] glsl::own_text write_of() {
     using target = typename Encoding::target;

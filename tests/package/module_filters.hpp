@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the filters' values know of themselves, in JavaScript: what their functions take, how far they reach, what they
-// read.
+// Properties of the filters' values in JavaScript: arguments of their functions, reach, and texels that they read.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +54,7 @@ template <class Filter>
     return all;
 }
 
-/// What a map must give: a comparison sampler serves where comparisons are all.
+/// Kind of map that a filter needs. A comparison sampler is enough for filters that only compare.
 template <class Filter>
 [[nodiscard]] std::string_view reads(const Filter& f) {
     if (umbrage::prefilter<Filter>) return "moments";
@@ -66,7 +65,7 @@ template <class Filter>
     } catch (const std::invalid_argument&) { return "depths"; }
 }
 
-/// What a filter's function takes behind coordinate and receiver, as its text declares it: type and name.
+/// Parameters of a filter's function after coordinate and receiver, as its text declares them: type and name.
 [[nodiscard]] inline std::vector<std::pair<std::string, std::string>> parameters_of(const snippet& s) {
     const std::string text = s.source.str(), start = "float umbrage_" + std::string(s.name) + '(';
     const auto begin = text.find(start) + start.size();
@@ -140,7 +139,7 @@ inline std::string filter_of(const snippet& s) {
     return found == all.end() ? "" : found->second;
 }
 
-/// Of a prefilter, what its snippet refers to.
+/// Texts that a prefilter's snippet refers to.
 inline std::string before_filter(const shader_language& l, const snippet& s) {
     std::string out;
     umbrage::prefilters::all::for_each([&](const auto& f) {

@@ -55,7 +55,7 @@ inline std::string looks_module(const shader_language& l) {
            look_of_module(l, prefilters::evsm4{}) + look_of_module(l, prefilters::msm{}) + "};\n";
 }
 
-/// How a kind's maps are looked up. The texts take the pixel, for filters that turn; others leave it out.
+/// Lookup in a kind's maps. The texts take the pixel, for filters with a rotated disc; others leave it out.
 template <class SetUp>
 [[nodiscard]] std::string maps_of_module(const shader_language& l, std::string_view name) {
     constexpr umbrage::map_grid grid = SetUp::grid;
@@ -75,7 +75,7 @@ template <class SetUp>
            (several ? ",\n    of_layers: " + text({}) : "") + ",\n};\n";
 }
 
-/// What a depth pass calls for its vertices, in a language.
+/// Function that a depth pass calls for its vertices, in a language.
 inline std::string vertex_of_module(const shader_language& l, const glsl::own_text& own) {
     const std::vector<glsl::own_text> texts{own};
     const glsl::detail::own_snippets made(texts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the npm package's data are written with: literals of JavaScript, and what a snippet is there.
+// Words of the npm package's data: literals of JavaScript, and the form of a snippet.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +69,7 @@ inline std::string references(std::span<const snippet* const> all, const std::st
 }
 inline std::string snippets(std::span<const snippet* const> all) { return references(all, "snippets."); }
 
-/// What is promised of a snippet.
+/// Promise of a snippet.
 inline std::string promise_of(const snippet& s, glsl::tier exactness) {
     return "exactness: \"" + std::string(1, "abc"[static_cast<int>(exactness)]) +
            "\", operations: " + std::to_string(s.operations) +

@@ -68,7 +68,7 @@ inline constexpr option options[]{
     {"direction", "reversed: depth is 1.0 at the near plane and 0.0 at the far plane", glsl::hook::cleared_depth,
      glsl::hook::compare}};
 
-/// What bind() can change in the texts of items.
+/// Options of bind() that change the texts of items.
 inline std::string options_of(const std::vector<glsl::bound>& items) {
     std::string out;
     for (const option& o : options)
@@ -137,7 +137,7 @@ inline constexpr std::array compared_by_samplers{&glsl::hard,
                                                  &glsl::window_hardware<7>,
                                                  &glsl::disc_hardware<16>};
 
-/// What the map is that a snippet reads.
+/// Map that a snippet reads.
 inline std::string map_of(const shader_language& l, const glsl::bound& item) {
     if (!glsl::detail::reads_map(item.what)) return "";
     const glsl::texture kind = item.map.texture;
@@ -162,7 +162,7 @@ inline std::string map_of(const shader_language& l, const glsl::bound& item) {
                    "1.0, with reversed depth to 0.0.");
 }
 
-/// What stands above a text, in place of its first line.
+/// Text with a head in place of its first line.
 inline std::string with_head(const shader_language& l, const std::string& copyright, const std::string& name,
                              std::string_view summary, const std::vector<glsl::bound>& items, const std::string& text) {
     const std::string note = glsl::detail::bounds_note(*l.words, items);
@@ -184,7 +184,7 @@ inline void collect(const snippet& asked, std::vector<const snippet*>& all) {
     if (std::find(all.begin(), all.end(), &s) == all.end()) all.push_back(&s);
 }
 
-/// Where nothing keeps two pasted texts from clashing, a file is one function, and names the others.
+/// File of one function, which names the others. For languages in which two pasted texts would clash.
 inline std::string one_function(const shader_language& l, const snippet& s, std::string_view joined) {
     std::vector<const snippet*> all;
     collect(s, all);
@@ -197,7 +197,7 @@ inline std::string one_function(const shader_language& l, const snippet& s, std:
                glsl::detail::for_map(l.words->translate(s), s, s, l.words->texture(glsl::texture::texture_2d)));
 }
 
-/// What a snippet does; a map's hook says it in its comment.
+/// Summary of a snippet. A map's hook has it in its comment.
 inline std::string summary_of(const snippet& s) {
     if (!s.summary.starts_with(s.name)) return std::string(s.summary);
     const std::string text = s.source.str(), start = "// umbrage_" + std::string(s.name) + ": ";

@@ -27,30 +27,30 @@
 
 namespace package {
 
-/// What is asked, in the order in which values.mjs writes it; all are doubles.
+/// Input, in the order in which values.mjs writes it. All are doubles.
 struct asked {
-    double hand, range, direction, origin_row;  ///< of the clip space: 1 is left, minus_one_to_one, reversed, top
+    double hand, range, direction, origin_row;  ///< clip space: 1 is left, minus_one_to_one, reversed, top
     glm::dvec2 map_size;
     glm::dvec3 origin;               ///< where the frame's world begins
-    glm::dvec3 position, ahead, up;  ///< of the light
+    glm::dvec3 position, ahead, up;  ///< position and axes of the light
     double outer_angle, aspect, z_near,
         z_far;             ///< of a spot; its planes, and those of point lights, whose range is z_far
-    double border;         ///< of point lights
+    double border;         ///< border of point lights
     glm::dvec3 low, high;  ///< the scene's box, or the receivers'
     double has_casters;
     glm::dvec3 caster_low, caster_high;
-    double margin;                   ///< of a directional light
+    double margin;                   ///< margin of a directional light
     double stable;                   ///< 1: its texels stay where they are
-    glm::dmat4 view, projection;     ///< of the camera
+    glm::dmat4 view, projection;     ///< matrices of the camera
     double camera_near, camera_far;  ///< splits between them: as many as cascades
     double cascades, lambda, overlap, blend_texels;
     double has_splits;
     std::array<double, 9> splits;     ///< in place of practical ones: one more than cascades
-    std::array<double, 4> arguments;  ///< of the filter, without a rotation
+    std::array<double, 4> arguments;  ///< arguments of the filter, without a rotation
 };
 static_assert(sizeof(asked) % sizeof(double) == 0);
 
-/// What is answered: floats of the block, then a matrix for each map's depth pass, as clip coordinates want it.
+/// Output: floats of the block, then a matrix for each map's depth pass, from the world to clip coordinates.
 struct answered {
     std::vector<float> block, matrices;
 };
@@ -97,7 +97,7 @@ auto warped_of(const asked& a, const cascade_fit<double>& fit) {
     return warped_maps(make_warped_cascades<Count>(fit, splits_of<Count>(a), warp), fit.camera, fit.overlap);
 }
 
-/// Calls use(set-up) with the one of a kind's number, as `kinds` counts them.
+/// Calls use(setup) with the one of a kind's number, as `kinds` counts them.
 template <class Use>
 void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, const Use& use) {
     const clip_space clip = clip_of(a);
@@ -188,7 +188,7 @@ void with_filter_of(int number, const std::array<double, 4>& arguments, const Us
 
 /// The block of a shadow, as umbrage::shadow::uniforms gives it, and its maps' matrices.
 /// @param kind, filter, encoding   numbers in the order of their lists; -1: no encoding, as of moments
-/// @throws std::invalid_argument   as the set-ups and umbrage::shadow
+/// @throws std::invalid_argument   as the setups and umbrage::shadow
 inline answered values(int kind, int filter, int encoding, const asked& a) {
     using namespace umbrage;
     const glm::ivec2 map_size(a.map_size);

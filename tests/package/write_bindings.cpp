@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What bind() takes compiles, in every language:  write_bindings FOLDER
+// Shaders of all that bind() takes, in every language, to compile:  write_bindings FOLDER
 //
 // Walks the options of a map; what is refused must be so by name. FOLDER/all.EXTENSION is one shader with all that
 // is taken, FOLDER/glsl has one for each dialect. compile.cmake compiles them.
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using glsl::binding;
 using glsl::bound;
 
-/// What a message must be: function, argument, condition, value.
+/// True for a message with function, argument, condition and value.
 bool is_clear(std::string_view message) {
     return (message.starts_with("umbrage::glsl::bind: ") || message.starts_with("umbrage::glsl::text: ")) &&
            message.find(" must ") != message.npos && message.find("; got ") != message.npos;
@@ -95,7 +95,7 @@ public:
     [[nodiscard]] bool failed() const { return failed_; }
 
 private:
-    /// Those of one map share a name: maps are told apart by their number.
+    /// Adds a snippet. All snippets of one map share a name, and maps differ by their number.
     void add(const glsl::snippet& s, const binding& map) {
         try {
             if (maps_.empty() || !(maps_.back() == map)) maps_.push_back(map);

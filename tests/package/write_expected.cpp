@@ -93,7 +93,7 @@ std::vector<glsl::binding> maps() {
     return all;
 }
 
-/// What text() gives and how exact it is, or that it or bind() throws.
+/// Result of text() and its exactness, or an error of text() or bind().
 void add(std::ostream& out, const shader_language& l, const std::vector<bound>& items) {
     std::string text = "null", exactness = "null";
     try {
@@ -107,7 +107,7 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
         << ",\"text\":" << text << "}\n";
 }
 
-/// What the package's encodings must hold: a filter's text, what an empty map holds, what its depth pass writes.
+/// Expected encoding of the package: a filter's text, an empty map's texel, and the text of its depth pass.
 void add_encoding(std::ostream& out, const auto& encoding, bool reversed) {
     using type = std::decay_t<decltype(encoding)>;
     std::string cleared;

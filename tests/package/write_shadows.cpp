@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the npm package's shadows must be, a case in JSON a line:  write_shadows FILE
+// Expected shadows of the npm package, one case in JSON per line:  write_shadows FILE
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -18,7 +18,7 @@ namespace {
 constexpr glsl::version versions[]{glsl::version::v330, glsl::version::v300_es, glsl::version::v450,
                                    glsl::version::v100, glsl::version::v310_es};
 
-/// What text() gives, or null where it throws.
+/// Result of text(), or null if it throws.
 template <class Text>
 std::string tried(const Text& text) {
     try {
@@ -66,7 +66,7 @@ public:
              << "}}\n";
     }
 
-    /// What a shadow's depth pass calls for its vertices.
+    /// Function that a shadow's depth pass calls for its vertices.
     void add_vertices(std::string_view kind, const auto& of, const umbrage::clip_space& clip) {
         const bool forward = clip.direction == umbrage::depth_direction::forward;
         const bool from_zero = clip.range == umbrage::depth_range::zero_to_one;

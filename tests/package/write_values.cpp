@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What umbrage/values must give, by umbrage::shadow, a case in JSON a line:  write_values FILE
+// Expected results of umbrage/values, from umbrage::shadow, one case in JSON per line:  write_values FILE
 #include <fstream>
 #include <iomanip>
 #include <iostream>

@@ -37,7 +37,7 @@ struct job {
 /// As many of the entry's enumeration, in an order in which any part is a fair sample; on the entry's first map.
 [[nodiscard]] job make_whole_job(const entry& e, std::size_t first, std::size_t count, std::uint64_t serial);
 
-/// What an implementation says of itself. Dialects of one API have it in common.
+/// Identity that an implementation reports. All dialects of one API share it.
 struct identity {
     std::string api, version{}, device{}, driver{};  ///< what is unknown is empty
 };

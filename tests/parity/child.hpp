@@ -17,7 +17,7 @@
 
 namespace parity {
 
-/// Whether all of these files are here; says which is not.
+/// True when all of these files exist. Prints the name of a missing one.
 inline bool all_exist(std::initializer_list<const char*> files) {
     for (const char* file : files) {
         if (std::filesystem::exists(file)) continue;
@@ -27,7 +27,7 @@ inline bool all_exist(std::initializer_list<const char*> files) {
     return true;
 }
 
-/// A program on whose standard input and output blocks of bytes go to and fro.
+/// Program that exchanges blocks of bytes through its standard input and output.
 class child {
 public:
     explicit child(std::vector<std::string> words) {
@@ -58,7 +58,7 @@ public:
     child(const child&) = delete;
     child& operator=(const child&) = delete;
 
-    /// What it makes of a block.
+    /// Answer of the process to a block.
     /// @throws std::runtime_error   with its words
     std::string answer(const std::string& block) {
         auto length = static_cast<std::uint32_t>(block.size());

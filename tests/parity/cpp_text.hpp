@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What generated C++ needs to read GLSL: its names, lent by GLM, and textures. No out parameters, no array
-// constructors.
+// Context in which generated C++ reads GLSL: GLSL's names, from GLM, and textures. There are no out parameters and no
+// array constructors.
 #pragma once
 
 #include <glm/common.hpp>
@@ -33,7 +33,7 @@ using glsl_float = arithmetic::number;
 using glsl_float = float;
 using glm::abs, glm::ceil, glm::clamp, glm::dot, glm::exp2, glm::floatBitsToUint, glm::floor, glm::fract, glm::max,
     glm::min, glm::sqrt, glm::uintBitsToFloat;
-/// Of a NaN the lower limit, as processors of graphics have it; GLM's would make it a texel's number.
+/// Clamped vector. A NaN becomes the lower limit, as on GPUs. GLM's clamp would make it a texel's number.
 inline glm::vec2 clamp(glm::vec2 v, glm::vec2 low, glm::vec2 high) { return min(max(low, v), high); }
 inline float given(float v) { return v; }
 inline float read(float v, int) { return v; }
@@ -44,10 +44,10 @@ using vec3 = glm::vec<3, glsl_float>;
 using vec4 = glm::vec<4, glsl_float>;
 using mat4 = glm::mat<4, 4, glsl_float>;
 
-/// What a call is given, and what it gives.
+/// Arguments and result of a call.
 inline vec4 given(glm::vec4 v) { return {given(v.x), given(v.y), given(v.z), given(v.w)}; }
 
-/// Of four values around `at`, whose texels' centers lie at whole numbers.
+/// Linear filter of four values around `at`, with texel centers at integers.
 template <class Value>
 [[nodiscard]] float weighted(glm::dvec2 at, Value&& value) {
     const glm::dvec2 first = floor(at), weight = at - first;
@@ -57,7 +57,8 @@ template <class Value>
                           weight.y));
 }
 #ifdef PARITY_ARITHMETIC
-/// With weights of as many bits as the rules have. As a sampler's result is continuous, no texel is decided on.
+/// Linear filter with weights of as many bits as the rules have. A sampler's result is continuous, so the choice of
+/// texels decides nothing.
 template <class Value>
 [[nodiscard]] glsl_float bilinear(vec2 at, Value&& value) {
     const int bits = arithmetic::rules_in_use().sub_texel_bits;
@@ -94,9 +95,9 @@ struct sampler {
         return {read(v.x, of->unorm_bits), read(v.y, of->unorm_bits), read(v.z, of->unorm_bits),
                 read(v.w, of->unorm_bits)};
     }
-    /// Of a point in [0, 1]: the texel that it lies in,
+    /// Texel that contains a point in [0, 1].
     [[nodiscard]] ivec2 under(vec2 p) const { return ivec2(floor(p * vec2(of->image.size))); }
-    /// and the one before it both ways.
+    /// First of the four texels around a point in [0, 1].
     [[nodiscard]] ivec2 before(vec2 p) const { return ivec2(floor(p * vec2(of->image.size) - glsl_float(0.5f))); }
     [[nodiscard]] float compared(glsl_float receiver, ivec2 at, int layer) const {
         const glsl_float stored = texel(at, layer).x;

@@ -69,7 +69,7 @@ struct compiler {
     }
 };
 
-/// Whether all of them become valid SPIR-V.
+/// True when all entries compile to valid SPIR-V.
 bool spirv_of(const std::vector<const entry*>& all) {
     const spirv_compiler c;
     bool good = true;
@@ -86,7 +86,7 @@ bool spirv_of(const std::vector<const entry*>& all) {
     return good;
 }
 
-/// What WebGL 1 forbids, each around the same harmless body, which must pass.
+/// Number of WebGL 1's rules that the compiler does not hold. The same body without a violation must pass.
 int rules_without_teeth(const compiler& c) {
     const auto shader_of = [](const std::string& body) {
         return "#version 100\nprecision highp float;\nvarying vec2 p;\nuniform int n;\nvoid main() {\n    float s = "

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What every C++ twin gives for its entry's inputs, in a line an entry: compare two runs to see whether bits changed.
+// Digests of the results of every C++ twin for its entry's inputs, one line per entry. Compare two runs to find bits
+// that changed.
 //
 //     parity_digest [COUNT]     name, number of inputs, digest; COUNT inputs of each map and of the enumeration, 2^16
 //
-// -0 counts as 0 and every NaN as one. Inputs hang on the entry and the number of its map alone, not on its place.
+// -0 counts as 0 and every NaN as one. Inputs depend only on the entry and the number of its map, not on its position.
 #include <algorithm>
 #include <cinttypes>
 #include <cmath>

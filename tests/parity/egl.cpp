@@ -83,7 +83,7 @@ private:
     std::vector<std::pair<version, context*>> dialects_;
 };
 
-/// Whether Mesa draws on the processor: it does so on a device that it has no other driver for.
+/// True when Mesa draws on the CPU, as it does on a device without another driver.
 bool is_software(const backend& b) {
     const std::string name = b.name();
     return name.starts_with("llvmpipe") || name.starts_with("softpipe");

@@ -56,7 +56,7 @@ const entry& entry_of(ray_kind kind, const filter_steps& filter) {
     throw std::logic_error("no entry goes " + from_world(kind, filter.name));
 }
 
-/// Where receivers lie: anywhere on triangles, or moved to where a filter's result changes.
+/// Positions of receivers: anywhere on triangles, or moved to a change of a filter's result.
 enum class place { anywhere, border, depth };
 
 /// One light's receivers as inputs of an entry, and where each lies.
@@ -138,7 +138,7 @@ std::vector<trial> trials(const std::string& in) {
     return all;
 }
 
-/// Of each filter and trial, and of each filter and light in the last arithmetic.
+/// Results of each filter and trial, and of each filter and light in the last arithmetic.
 struct results {
     std::vector<trial> rows;
     std::array<std::vector<changes>, std::size(filters_from_world)> of{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the parity suite knows of a primitive: how to make inputs, what C++ says, how GLSL is called.
+// Entry of the parity suite for a primitive: its inputs, the results of C++, and the call in GLSL.
 // Back ends run entries without knowing any of them.
 #pragma once
 
@@ -35,7 +35,7 @@ using texels = umbrage::image<vec4>;
 inline constexpr int max_inputs = 6;
 inline constexpr int max_maps = 4;  ///< in one shader
 
-/// What a shader is written in: a dialect of GLSL, or a language that the snippets are printed in.
+/// Language of a shader: a dialect of GLSL, or a language that the snippets are printed in.
 struct dialect {
     enum language { glsl, hlsl, msl, wgsl };
 
@@ -78,14 +78,14 @@ struct enumeration {
     std::uint64_t count = 0;
 };
 
-/// Where GLSL writes: floats, or a real UNORM render target whose integer channels come back. Desktop OpenGL alone has
-/// the last two.
+/// Target of a shader: floats, or a real UNORM render target whose integer channels are read back. Only desktop OpenGL
+/// has the last two.
 enum class target { rgba32f, rgba8, rgb10_a2, rgba16 };
 
 /// A map as bind() has it under a name: functions umbrage_..._<name>, a texture <name>, a sampler <name>_sampler.
 struct bound_map {
-    static constexpr ivec2 origin{5, 3}, margin{9, 7};  ///< of a region; what its texture has besides, either side
-    static constexpr float whole = 65536.0f;            ///< which whole numbers are 1.0
+    static constexpr ivec2 origin{5, 3}, margin{9, 7};  ///< texels around a region, before and after it
+    static constexpr float whole = 65536.0f;            ///< the integer that stands for 1.0
     static constexpr float most_short = 65535.0f;       ///< and depths of 16 bits
 
     std::string name{};
@@ -97,16 +97,16 @@ struct bound_map {
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
     [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }
-    /// Whether it is a depth texture.
+    /// True for a depth texture.
     [[nodiscard]] bool has_depths() const {
         using enum umbrage::glsl::texture;
         return compares() || as.texture == depth || as.texture == depth_array;
     }
-    /// Whether the sampler is an argument of its own.
+    /// True when the sampler is an argument of its own.
     [[nodiscard]] bool has_sampler(dialect::language in) const;
     /// `as` with its texts in another language.
     [[nodiscard]] umbrage::glsl::binding binding(dialect::language in) const;
-    /// What functions of the map are called with first.
+    /// First arguments of the map's functions.
     [[nodiscard]] std::string arguments(dialect::language in) const;
 };
 
@@ -122,7 +122,7 @@ struct entry {
     std::vector<bound_map> bound{};      ///< as what shaders have it; to the k-th its k-th channel is the first
     texels table{};                      ///< values k / 255
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
-    /// What a map without a name is; of a depth it takes the first channels: "...(value.xy...)".
+    /// Binding of a map without a name. Its depth takes the first channels: "...(value.xy...)".
     umbrage::glsl::binding map_kind{.outside = umbrage::outside_map::clamped};
     std::string preamble{};  ///< ahead of the snippets
     target output = target::rgba32f;

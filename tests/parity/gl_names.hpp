@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What OpenGL calls the textures that entries read and the targets that they write.
+// OpenGL's names of the textures that entries read, and of the targets that they write.
 #pragma once
 
 #define GL_GLES_PROTOTYPES 0

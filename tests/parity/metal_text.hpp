@@ -10,7 +10,7 @@
 
 namespace parity::metal_text {
 
-/// What a texture or a sampler is made of; texels as filled_texture::bytes() has them.
+/// Content of a texture or a sampler, with texels as from filled_texture::bytes().
 struct memory {
     const void* texels = nullptr;
     unsigned width = 0, height = 0;

@@ -63,7 +63,7 @@ struct options {
         if (e.bound.empty() && d == b.dialects().back()) return true;
         return sampled(e.name() + b.label(d), e.bound.empty() && !e.alike && main(d) ? every : other_every);
     }
-    /// Whether the implementation need not evaluate as written: then B and C are held to their bounds.
+    /// True when the implementation may reorder sums. Tiers B and C then have to keep their bounds.
     [[nodiscard]] bool may_reorder() const { return driver == "hardware" || driver == "fused"; }
     /// A table lists every entry or is not written.
     [[nodiscard]] bool tables() const { return filter.empty() && planted.from.empty(); }
@@ -98,7 +98,7 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-/// What the primitive promises; the tier alone where the entry's text holds a worse one.
+/// Promise of the primitive, or only the tier if the entry's text contains a weaker one.
 std::string promised(const entry& e) {
     if (e.exactness() == e.primitive->exactness) return umbrage::glsl::promise(*e.primitive);
     return std::string(1, "ABC"[static_cast<int>(e.exactness())]);
@@ -115,7 +115,7 @@ expectation expect(const job& j, const texels* flushed_map, const options& o) {
     return all;
 }
 
-/// Of what compare() says of several results, the first.
+/// First of several differences that compare() prints.
 std::string first_example(const std::string& log) { return log.substr(0, log.find("  differs:", 1)); }
 
 std::vector<row> run(const entry& e, backend& b, const options& o) {

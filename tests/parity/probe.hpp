@@ -17,8 +17,8 @@ namespace parity {
 
 /// Results of a probe. An empty optional was not probed: the dialect or the implementation lacks the feature.
 struct observed_arithmetic {
-    /// Whether the compiler changes an expression: as it stands, and in a `precise` variable. Dialects without
-    /// `precise` give both the same.
+    /// Changes of an expression by the compiler, without and with a `precise` variable. Dialects without `precise` have
+    /// the same value in both.
     struct liberty {
         bool plain = false, precise = false;
         bool operator==(const liberty&) const = default;
@@ -37,9 +37,9 @@ struct observed_arithmetic {
 
     enum class store { rounds, truncates, neither };
     store unorm8_store = store::neither;
-    std::optional<std::int64_t> unorm8_read_ulp;  ///< of k / 255
+    std::optional<std::int64_t> unorm8_read_ulp;  ///< error of reading k / 255
 
-    int highp_bits = 0;  ///< of the significand with its leading 1: 24 in a 32-bit float
+    int highp_bits = 0;  ///< bits of the significand with its leading 1: 24 in a 32-bit float
     std::optional<int> mediump_bits;
     std::optional<int> weight_bits;  ///< fractional bits of a linear comparison sampler's weight
 };

@@ -15,10 +15,10 @@ public:
     [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override;
 
 protected:
-    /// Of WebGL.
+    /// Version of WebGL for a dialect.
     [[nodiscard]] static std::string number(dialect d) { return d == version::v100 ? "1" : "2"; }
 
-    /// What the implementation calls itself.
+    /// Name that the implementation gives itself.
     [[nodiscard]] std::string hello(dialect d) { return ask({"{\"hello\": true, \"version\": " + number(d) + "}"}); }
 
 private:

@@ -35,7 +35,7 @@ bool same(const vec4& a, const vec4& b) {
     return all;
 }
 
-/// Whether some inputs lie where tier A promises nothing: channels that no texture gives, points that are no integers.
+/// True when tier A promises nothing for some inputs: channels that no texture gives, or points that are no integers.
 /// tier_a.cpp of the hostile programs has inputs within the promise.
 bool leaves_domain(const entry& e) { return e.name() == "decode_rgb24" || e.name() == "disc_tap"; }
 

@@ -22,7 +22,7 @@ std::string pair(ivec2 v, dialect::language in) {
     return std::string(vec2_in[in]) + "(" + std::to_string(v.x) + ".0, " + std::to_string(v.y) + ".0)";
 }
 
-/// What the library declares a kind of map as.
+/// Type that the library declares for a kind of map.
 std::string type_of(texture kind, dialect::language in) {
     const auto words = in == dialect::hlsl   ? umbrage::hlsl::detail::texture
                        : in == dialect::msl  ? umbrage::msl::detail::texture

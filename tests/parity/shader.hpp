@@ -4,8 +4,8 @@
 //
 // Inputs come as RGBA32F textures x0_texels .. x5_texels, one texel per pixel; `map` and `table` are textures too.
 // A triangle (-1,-1), (3,-1), (-1,3) in the attribute `corner` (location 0) covers the target.
-// Where there are bindings: x0 .. x5 are 0 .. 5, map 6, table 7, further maps 8 .. 10; from the map's on, samplers on
-// their own are 11 .. 15. Before GLSL 1.30, map_size is a uniform.
+// Bindings, in dialects that have them: x0 .. x5 are 0 .. 5, map 6, table 7, and further maps 8 .. 10.
+// Separate samplers are 11 .. 15, beginning with the map's. Before GLSL 1.30, map_size is a uniform.
 // A compute shader of Vulkan stores into the target, an image at binding 16; a group has 64 pixels of a row.
 #pragma once
 
@@ -31,7 +31,7 @@ public:
 
     /// All that the shader needs, bound to the kinds of maps that the entry has.
     [[nodiscard]] const std::vector<umbrage::glsl::bound>& items() const { return items_; }
-    /// What gives the shader's result, a vec4.
+    /// Expression of the shader's result, a vec4.
     [[nodiscard]] const std::string& result() const { return result_; }
 
 private:
@@ -47,7 +47,7 @@ struct mistake {
 inline mistake planted;
 [[nodiscard]] std::string with_mistake(std::string text);
 
-/// What an image is called that a compute shader stores in.
+/// Format of an image that a compute shader stores to.
 [[nodiscard]] inline std::string format_of(target t) { return t == target::rgba8 ? "rgba8" : "rgba32f"; }
 
 /// The fragment or compute shader in HLSL.
@@ -61,16 +61,16 @@ inline mistake planted;
 
 inline constexpr std::size_t table_unit = max_inputs + 1, max_textures = max_inputs + max_maps + 1;
 [[nodiscard]] constexpr std::size_t map_unit(std::size_t k) { return k == 0 ? max_inputs : table_unit + k; }
-/// Where a texture's sampler is bound on its own; those of inputs never are.
+/// Binding of a texture's separate sampler. Inputs have none.
 [[nodiscard]] constexpr std::size_t sampler_binding(std::size_t unit) { return max_textures + unit - max_inputs; }
 inline constexpr std::size_t max_bindings = sampler_binding(max_textures), target_binding = max_bindings;
 
-/// What makes the size of a map of the size of its texture: less what a region has around it, or six faces' tiles.
+/// Expression for a map's size from its texture's size: without the surroundings of a region, or with six faces' tiles.
 [[nodiscard]] std::string from_texture(const entry& e, dialect::language in);
 /// GLSL for the size in texels of an entry's map.
 [[nodiscard]] std::string map_size(const entry& e);
 
-/// What a shader is given.
+/// Uniform of a shader.
 struct uniform {
     std::string type{}, name{};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a run of entries came to: a row for each entry in each dialect.
+// Results of a run of entries: a row for each entry in each dialect.
 #pragma once
 
 #include <array>

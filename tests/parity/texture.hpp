@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shader reads, as every back end is told: inputs, maps as they are bound, the table.
+// Textures that a shader reads, for every back end: inputs, maps as they are bound, and the table.
 #pragma once
 
 #include "backend.hpp"
@@ -21,7 +21,7 @@ struct texture_image {
 
     shapes shape = flat;
     formats format = floats;
-    comparisons compare = none;  ///< of its sampler
+    comparisons compare = none;  ///< comparison of its sampler
     bool linear = false;         ///< its sampler's filter; else the nearest texel
     ivec2 size{0, 0};
     int layers = 1;
@@ -34,13 +34,13 @@ struct filled_texture {
     std::size_t unit = 0;
     texture_image image{};
     std::vector<vec4> texels{};
-    int unorm_bits = 0;  ///< of the UNORM format that it stands for: 8 where every value is k / 255
+    int unorm_bits = 0;  ///< bits of the UNORM format that it stands for: 8 if every value is k / 255
 
-    /// As the format has them: four floats, four whole numbers, one float, one short, four bytes a texel.
+    /// As the format has them: four floats, four integers, one float, one short, four bytes a texel.
     [[nodiscard]] std::string bytes() const;
 };
 
-/// All that a job's shader reads.
+/// All textures that a job's shader reads.
 [[nodiscard]] std::vector<filled_texture> textures(const job& j);
 
 }  // namespace parity

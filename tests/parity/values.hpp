@@ -43,7 +43,7 @@ struct range {
 /// Every code of three 8-bit channels in x0.xyz, with some fourth; x1.x is 0, 1/2 or 1, each for any two channels.
 [[nodiscard]] enumeration all_codes();
 
-/// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w a whole number from -1 to 9.
+/// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w an integer from -1 to 9.
 [[nodiscard]] std::vector<input_class> receivers();
 
 /// Whole texel numbers in x0.xy: inside, around the border, far off.

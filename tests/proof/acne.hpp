@@ -91,7 +91,7 @@ struct plane {
             }
     }
 
-    /// How many receivers any texel darkens.
+    /// Number of receivers that any texel darkens.
     [[nodiscard]] int dark(const any_filter& filter, const any_encoding& encoding, float bias) const {
         umbrage::image<float> map(depth.size()), lit(receivers.size());
         std::ranges::transform(depth.texels(), map.texels().begin(), encoding.stored);
@@ -158,7 +158,7 @@ void for_each_decoder(umbrage::depth_direction direction, Use&& use) {
     });
 }
 
-/// Of discs, in texels.
+/// Radii of discs, in texels.
 inline constexpr float disc_radii[]{0.5f, 2.0f, 12.0f};
 
 /// Calls use(filter) for every filter there is, in every size that it is made for, of discs in some, and in either

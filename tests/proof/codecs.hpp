@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the proofs hold every encoding to. The same checks run over the depths k / 2^24 in the tests and over all floats
-// in `make prove`.
+// Checks that every encoding must pass. The tests run them over the depths k / 2^24, and `make prove` over all floats.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +44,7 @@ inline constexpr std::array stores{unorm_store::rounds, unorm_store::truncates};
     return shift > 23 ? 0 : ((magnitude & 0x7FFFFFu) | 0x800000u) >> shift;
 }
 
-/// What a texture gives back of what a shader wrote.
+/// Values that a texture returns for values that a shader wrote.
 template <int L>
 [[nodiscard]] glm::vec<L, float> stored(glm::vec<L, float> written, unorm_store store) {
     return umbrage::load_unorm(umbrage::store_unorm(written, store));
@@ -55,7 +54,7 @@ template <int L>
     return stored(umbrage::to_unorm(glm::vec<L, float>(channels)), store);
 }
 
-/// Of the list of encodings, those that `Kind` holds for.
+/// Encodings of the list for which `Kind` holds.
 template <template <class> class Kind, class... Encodings>
 auto select_encodings(umbrage::list_of<Encodings...>)
     -> decltype(std::tuple_cat(std::conditional_t<Kind<Encodings>::value, std::tuple<Encodings>, std::tuple<>>()...));
@@ -93,7 +92,7 @@ auto channels_of(const Encoding&, typename Encoding::texel t) {
 inline float channels_of(const umbrage::r16&, std::uint16_t t) { return t; }
 inline glm::vec3 channels_of(const umbrage::rgb10&, std::uint32_t t) { return umbrage::rgb10::target::unpacked(t); }
 
-/// What a texture gives of a texel, as its encoding's reader takes it.
+/// Texel as read from a texture, as an argument for its encoding's reader.
 template <class Encoding>
 auto sampled(const Encoding&, typename Encoding::texel t) {
     using target = typename Encoding::target;
@@ -101,7 +100,7 @@ auto sampled(const Encoding&, typename Encoding::texel t) {
     else return glm::vec<target::channels, float>(target::load(t));
 }
 
-/// Of a texel, or as sampled.
+/// Code of a texel, or of a sampled value.
 template <int Bits, class From, class T>
 T decode(const umbrage::rg<Bits>&, From from, T edge) {
     return umbrage::decode_rg<Bits>(from, edge);
@@ -138,7 +137,7 @@ bool table_agrees(const Encoding&, float) {
     return true;
 }
 
-/// How many of the inputs n = first .. last - 1 break a promise: the code; the same texel through the table; each edge
+/// Number of inputs n = first .. last - 1 that break a promise: the code; the same texel through the table; each edge
 /// on its side and within the stated error; 1 decodes to 1; order, also against the input before the first.
 template <class Encoding>
 [[nodiscard]] std::uint64_t own_failures(float (*input)(std::uint64_t), std::uint64_t first, std::uint64_t last) {
@@ -164,7 +163,7 @@ template <class Encoding>
     return failures;
 }
 
-/// How many of the codes first .. last - 1 break a promise: every place in the code's interval but its end encodes as
+/// Number of codes first .. last - 1 that break a promise: every depth in the code's interval but its end encodes as
 /// the code again; what its target keeps, rounding or truncating, and reads off by ulp decode as the texel does.
 template <class Encoding>
 [[nodiscard]] std::uint64_t code_failures(std::uint64_t first, std::uint64_t last) {
@@ -206,8 +205,8 @@ template <class Encoding>
 using is_foreign = std::bool_constant<!umbrage::has_edge<Encoding> && (Encoding{}.error().above > 0)>;
 using foreign = encodings_that<is_foreign>;
 
-/// What a format does wrong: pairs of neighbors among all floats, and in the lattice, that decode out of order, where
-/// the store rounds and where it truncates; what 1 decodes to.
+/// Faults of a format, for a rounding and for a truncating store: numbers of neighbors that decode out of order, among
+/// all floats and in the lattice. `one` is the depth that 1 decodes to.
 struct faults {
     std::array<std::uint64_t, 2> disorder_of_floats{0, 0}, disorder_of_lattice{0, 0};
     float one = 1.0f;
@@ -221,7 +220,7 @@ inline constexpr faults faults_of<umbrage::base255>{{574, 2136572}, {0, 442398},
 template <>
 inline constexpr faults faults_of<umbrage::base255_repaired>{{2, 2}, {0, 0}, 1.0f};
 
-/// What the writer's snippet returns, in a texture.
+/// Texture with the result of the writer's snippet.
 template <class Format>
 [[nodiscard]] auto texel_written(const Format& format, float depth, unorm_store store) {
     if constexpr (Format::writes == umbrage::store_format::values) {
@@ -232,7 +231,7 @@ template <class Format>
     }
 }
 
-/// What was seen of the inputs n = first .. last - 1.
+/// Results for the inputs n = first .. last - 1.
 struct seen {
     std::uint64_t failures = 0;  ///< beyond the stated error, or an end that is not what it should be
     std::uint64_t disorder = 0;  ///< inputs that decode below the one before

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What lights are held against rays in.
+// Scenes in which lights are compared with rays.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 
 namespace proof {
 
-/// What a light is set up around, and how. Without casters of its own it clamps them onto its near plane.
+/// Points around which a light is set up, and its setup. Without casters of its own it clamps them to its near plane.
 struct light_kind {
     enum class fitted_to { cone, box, points, frustum, sphere, cascade, light_space, trapezoid, perspective, ground };
     const char* name;

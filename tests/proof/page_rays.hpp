@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Adaptive maps from end to end against rays: a root around a random scene, the pages that a camera wants within a
-// budget, their depth passes, the table, and filters' look-ups with the acne-free bias of each page's texels.
+// budget, their depth passes, the table, and filters' lookups with the acne-free bias of each page's texels.
 #pragma once
 
 #include <umbrage/images/instances.hpp>
@@ -36,7 +36,7 @@ public:
     }
 
     /// A filter at random points of triangles, in whatever pages hold them.
-    /// @param at_level   counts the look-ups in pages of each level
+    /// @param at_level   counts the lookups in pages of each level
     template <class Filter>
     [[nodiscard]] verdicts compare(Filter filter, int points, std::array<int, 16>& at_level) {
         using namespace umbrage;

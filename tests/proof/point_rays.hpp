@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Point lights' maps from end to end against rays: triangles all around a light, a depth pass of each kind of map, and
-// filters' look-ups, at points where a ray to the light tells what they must find.
+// filters' lookups, at points where a ray to the light tells what they must find.
 #pragma once
 
 #include <algorithm>
@@ -78,7 +78,7 @@ struct surroundings {
         const auto [a, b, c] = corners(k);
         return glm::normalize(glm::cross(b - a, c - a));
     }
-    /// How far along a direction, of which the light is the origin, a triangle is; NaN where it is not.
+    /// Distance of a triangle along a direction from the light; NaN if the ray misses it.
     [[nodiscard]] double distance(std::size_t k, glm::dvec3 direction) const {
         const auto corner = corners(k);
         const glm::dvec3 n = normal(k);
@@ -98,7 +98,7 @@ struct surroundings {
     }
 };
 
-/// A look-up: a square of the map, where in it, and depths that the map's which kind has.
+/// A lookup: a square of the map, where in it, and depths that the map's which kind has.
 struct placed_point {
     umbrage::image_view<const float> map;
     glm::vec2 texel;
@@ -135,8 +135,8 @@ public:
     [[nodiscard]] double texel(glm::dvec3 direction) const {
         return (1 + std::abs(glm::normalize(direction).z) + 0.05) * 2 / (size - 2 * border_);
     }
-    /// How much nearer, in depth, the plane of a triangle may be stored that the filter reads around a point of it;
-    /// 2/3 of a texel, and half of one, are what tessellate leaves of places and of edges that it does not cut.
+    /// Depth by which a triangle's plane may be stored nearer in the texels that the filter reads around a point.
+    /// tessellate leaves errors of 2/3 texel in positions, and of 1/2 texel along edges that it does not cut.
     [[nodiscard]] double margin(glm::dvec3 normal, glm::dvec3 p, double reach) const {
         const double cosine = std::abs(glm::dot(normal, glm::normalize(p)));
         const double tangent = std::sqrt(1 - cosine * cosine) / cosine;

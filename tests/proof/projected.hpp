@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a matrix makes of points: what floats lose of their depths, and how far from the image of an edge they lie.
+// Points transformed by a matrix: the loss of depth in floats, and the distance from the image of an edge.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace proof {
 
-/// What the sums that a matrix times a point is may be off by in floats, as z / w.
+/// Largest error in floats of the sums in a product of a matrix and a point, as z / w.
 /// @cite   Higham: Accuracy and stability of numerical algorithms, 2002: gamma_4
 [[nodiscard]] inline float depth_rounding(const glm::mat4& m, glm::vec3 p) {
     const glm::vec4 h = m * glm::vec4(p, 1.0f), point(glm::abs(p), 1.0f);
@@ -36,7 +36,7 @@ namespace proof {
     return glm::length(to - share * way);
 }
 
-/// Whether a map sees within some texels an edge of a triangle, or the one along which the near plane cuts it.
+/// True when an edge of a triangle lies within some texels in the map, or the edge along which the near plane cuts it.
 [[nodiscard]] inline bool sees_edge(const glm::dmat4& to_texels, bool reversed, const std::array<glm::dvec3, 3>& corner,
                                     glm::dvec2 at, double texels) {
     const auto beyond_near = [&](const glm::dvec4& h) { return reversed ? h.w - h.z : h.z; };

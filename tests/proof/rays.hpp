@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadow maps from end to end against rays: a light fitted to a random scene, its depth pass, and filters' look-ups
+// Shadow maps from end to end against rays: a light fitted to a random scene, its depth pass, and filters' lookups
 // with the acne-free bias, at points where a ray to the light tells what they must find. A sample in the tests, more in
 // `make prove`.
 #pragma once
@@ -37,7 +37,7 @@
 
 namespace proof {
 
-/// What look-ups found, of the receivers at which rays tell.
+/// Results of lookups for the receivers that rays decide.
 struct verdicts {
     std::uint64_t lit = 0, shadowed = 0, wrong = 0;
     std::uint64_t outside = 0;    ///< receivers that the fit left out
@@ -195,7 +195,7 @@ protected:
                 .z_far = 29};
     }
 
-    /// Whether the light was asked to hold it.
+    /// True when the light must hold this point.
     [[nodiscard]] bool is_received(glm::vec3 p) const {
         const glm::dvec4 point(p, 1.0);
         const auto holds = [&](const umbrage::polyhedron& body) {
@@ -206,18 +206,18 @@ protected:
         return !kind_.is_spot || holds(cone());
     }
 
-    /// Whether the map has to hold what is received.
+    /// True when the map must hold this receiver.
     [[nodiscard]] bool is_held(glm::vec3 p) const {
         return kind_.receivers != light_kind::fitted_to::ground || p.y == 0.0f;
     }
-    /// Of a point's depth in floats; on a plane that has no slope in the map the matrix' rounding counts too.
+    /// Rounding of a point's depth in floats. On a plane without slope in the map, the matrix' rounding counts too.
     [[nodiscard]] float rounding(glm::vec3 p) const {
         const bool flat = kind_.receivers == light_kind::fitted_to::ground;
         return depth_rounding(matrix_, p) + (flat ? umbrage::plane_optimal_rounding<float> : 0.0f);
     }
 
-    /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it
-    /// does not, or where the light does not see it.
+    /// Depth between a receiver and a triangle on the line to the light, below 0 behind the receiver. NaN if there is
+    /// no such point, or if the light does not see it.
     /// @cite   Moeller, Trumbore: Fast, minimum storage ray/triangle intersection, 1997
     [[nodiscard]] double blocked_by(std::size_t k, glm::vec3 receiver) const {
         const double none = std::numeric_limits<double>::quiet_NaN();
@@ -242,7 +242,7 @@ protected:
         return depth(here) - depth(caster);
     }
 
-    /// Whether a point of a triangle is lit; nothing where a bias may decide.
+    /// True when a point of a triangle is lit; empty where a bias may decide.
     [[nodiscard]] std::optional<bool> told_by_rays(glm::vec3 p, std::size_t own, float bias, float reach) const {
         bool is_lit = true;
         for (std::size_t k = 0; k < triangles_.size(); ++k) {
@@ -257,7 +257,7 @@ protected:
         return is_lit;
     }
 
-    /// Whether the map sees within some texels an edge of a triangle, or one along which the near plane cuts it.
+    /// True when an edge of a triangle lies within some texels in the map, or an edge along the near plane's cut.
     [[nodiscard]] bool is_near_edge(glm::vec3 at, float texels) const {
         const bool reversed = clip_.direction == umbrage::depth_direction::reversed;
         for (std::size_t k = 0; k < triangles_.size(); ++k)

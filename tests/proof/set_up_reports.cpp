@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the examples measure setups by.
+// Measures by which the examples compare setups.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every set-up of a shadow in every convention over some random scenes.
+// Every setup of a shadow in every convention over some random scenes.
 #include "shadow_rays.hpp"
 
 #include <doctest/doctest.h>

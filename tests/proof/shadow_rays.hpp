@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows of every set-up, with their own bias, over random scenes that rays are traced through. A sample in the tests,
+// Shadows of every setup, with their own bias, over random scenes that rays are traced through. A sample in the tests,
 // more in `make prove`.
 #pragma once
 
@@ -46,7 +46,7 @@ public:
 
     ray_mesh ground, surrounding;
 
-    /// Calls use(name, light, map_size, ray_light, mesh) for each set-up.
+    /// Calls use(name, light, map_size, ray_light, mesh) for each setup.
     template <class Use>
     void for_each_set_up(const Use& use) {
         using namespace umbrage;
@@ -94,7 +94,7 @@ public:
             size, bulb, surrounding);
     }
 
-    /// A point of a triangle that the set-up is to hold.
+    /// A point of a triangle that the setup is to hold.
     struct receiver {
         std::size_t own;
         glm::vec3 point;
@@ -109,7 +109,7 @@ public:
             if (is_held(set_up, p)) return {own, p};
         }
     }
-    /// A point and a normal, some way off the light, for a plane that the set-up holds.
+    /// A point and a normal, some way off the light, for a plane that the setup holds.
     [[nodiscard]] std::pair<glm::vec3, glm::vec3> plane_of(std::string_view set_up, const ray_light& light) {
         for (;;) {
             const glm::vec3 p = light.is_point && set_up != "spot" ? bulb_ + glm::normalize(vector(-1, 1)) * real(2, 5)
@@ -151,7 +151,7 @@ private:
     glm::vec3 sun_{0}, spot_{0}, bulb_{0};
 };
 
-/// Calls use(set-up, filter, shadow, light, mesh) for each set-up under three filters.
+/// Calls use(setup, filter, shadow, light, mesh) for each setup under three filters.
 template <class Use>
 void for_each_traced(shadowed_scene& scene, const Use& use) {
     scene.for_each_set_up(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A shadow of any set-up against rays: at points of triangles where rays tell what it must say, and under a caster that
+// A shadow of any setup against rays: at points of triangles where rays tell what it must say, and under a caster that
 // comes nearer until its shadow is lost.
 #pragma once
 
@@ -41,7 +41,7 @@ struct ray_mesh {
         const auto [a, b, c] = corners(k);
         return glm::vec3(glm::cross(b - a, c - a));
     }
-    /// Where a ray meets a triangle's plane within it, in lengths of the way; NaN where it does not.
+    /// Distance at which a ray meets a triangle, in lengths of the way; NaN if it does not.
     /// @cite   Moeller, Trumbore: Fast, minimum storage ray/triangle intersection, 1997
     [[nodiscard]] double meets(std::size_t k, glm::dvec3 from, glm::dvec3 way) const {
         const auto [a, b, c] = corners(k);
@@ -51,7 +51,7 @@ struct ray_mesh {
     }
 };
 
-/// Where light comes from.
+/// Light for rays.
 struct ray_light {
     bool is_point = false;
     glm::dvec3 from{0};  ///< the point, or a direction
@@ -86,7 +86,7 @@ public:
         return umbrage::dual_paraboloid_slope(glm::vec3(p - bent_->position), normal,
                                               float(2 / (bent_->range * inner)));
     }
-    /// Whether an edge of any triangle lies within some texels.
+    /// True when an edge of any triangle lies within some texels.
     [[nodiscard]] bool is_near_edge(const ray_mesh& mesh, glm::dvec3 p, double texels) const {
         const glm::dvec4 h = placed(p);
         for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
@@ -118,7 +118,7 @@ struct any_shadow {
     std::function<float(glm::vec3, glm::vec3, const std::function<void(const umbrage::map_place&)>&)> places;
     std::function<const traced_map&(const umbrage::map_place&, glm::vec3)> map_of;
     umbrage::shadow_terms terms;
-    double reach;             ///< of the filter alone, texels
+    double reach;             ///< reach of the filter alone, texels
     bool bordered, reversed;  ///< bordered: beside its maps all is lit
 
     template <class Shadow>
@@ -161,7 +161,7 @@ private:
     using set_up_of = std::remove_cvref_t<decltype(std::declval<Shadow>().set_up())>;
 };
 
-/// What a shadow said where rays tell.
+/// Answers of a shadow at receivers that rays decide.
 struct traced {
     std::uint64_t lit = 0, shadowed = 0;
     std::uint64_t acne = 0, leaks = 0;  ///< wrong: dark where it is lit, and the other way round

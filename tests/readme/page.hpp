@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the code of pages may use without saying so: a scene, a camera, a namespace; and what their tests call.
+// Context of the pages' code: a scene, a camera and a namespace, and the functions that its tests call.
 #pragma once
 
 #include <algorithm>

@@ -70,7 +70,7 @@ std::vector<place> texts_of(const page& p) {
     return all;
 }
 
-/// Those to avoid: the field has better ones.
+/// Words to avoid, as the field has better ones.
 const std::regex avoided(
     "\\b(lamps?|anew|besides|whence|abreast|look-ups?|set-ups?|foreign|swims?|crawls?|teeth|grain|half-shadows?|weighs|"
     "asks? for|is asked|are asked|tells?|told|in the manner of|hands? over|colour|centre|grey|"

@@ -17,7 +17,7 @@ struct page {
 /// Every Markdown file of the project, in the order of the paths; none of build folders or hidden ones.
 [[nodiscard]] std::vector<page> pages(const std::filesystem::path& root);
 
-/// What GitHub makes of a heading.
+/// Anchor that GitHub makes of a heading.
 [[nodiscard]] std::string anchor(const std::string& heading);
 
 /// Paragraphs, items and cells of a page, in words: code and links' targets are left out.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What CONTRIBUTING.md's filter is to the library, and its text for a compiler of GLSL.
+// Checks that CONTRIBUTING.md's filter is one of the library's, and writes its text for a compiler of GLSL.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -18,7 +18,7 @@
 namespace readme {
 namespace {
 
-/// What was tried: inputs in all, of each class, and what differed.
+/// Inputs tried, in all and of each class, and the inputs that differed.
 struct tally {
     std::uint64_t inputs = 0, differing = 0;
     double worst_ulp = 0;
@@ -40,7 +40,7 @@ struct tally {
     }
 };
 
-/// What a dialect is of: text in any dialect of GLSL, or in a language that it is printed in.
+/// Language of a dialect: GLSL in any dialect, or a language that it is printed in.
 std::string language_of(const std::string& dialect) {
     if (dialect == "MSL") return "Metal";
     return dialect == "HLSL" || dialect == "WGSL" ? dialect : "GLSL";

@@ -35,7 +35,7 @@ struct target {
     std::string path, heading;
 };
 
-/// Where the link of those words leads, from a page; an empty path: there is none.
+/// Target of a page's link with these words. Its path is empty without such a link.
 target follow(const page& from, const std::string& words) {
     const std::string link = '[' + words + "](";
     const auto at = from.text.find(link);

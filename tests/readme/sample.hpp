@@ -13,7 +13,7 @@
 namespace readme {
 
 /// Sentences of comments and pages, each with its file, in an order that the seed alone decides.
-/// @param count   how many, at most
+/// @param count   largest number of sentences
 [[nodiscard]] std::vector<std::string> sample_of(const std::vector<page>& all, const std::filesystem::path& root,
                                                  std::uint32_t seed, std::size_t count);
 

@@ -42,7 +42,7 @@ bool colors_agree(version v, const Shadow& s, const texture_data& map, const rec
     return wrong == std::vector<int>{0, 0, 0};
 }
 
-/// Tells whether OpenGL reads a map as expected, in each receiver's pixel.
+/// True when OpenGL reads a map as expected, in each receiver's pixel.
 template <class Shadow>
 bool reads(version v, const Shadow& s, const texture_data& map, int number, map_reading expected, const receivers& of,
            glsl::shadow_slots slots = {}) {

@@ -59,8 +59,8 @@ struct tried {
     std::vector<float> block;
     texture_data map;
     shadow_twin twin;
-    std::string call;                                ///< of world, normal and gl_FragCoord
-    std::function<float(glm::vec3 world)> within{};  ///< what it may be off by; left out: equal to the bit
+    std::string call;                                ///< call with world, normal and gl_FragCoord
+    std::function<float(glm::vec3 world)> within{};  ///< largest error; empty: bit for bit
 };
 
 template <class Shadow>

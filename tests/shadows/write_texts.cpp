@@ -2,7 +2,7 @@
 //
 // Texts of shadows, for compilers and for what they say of the blocks:  shadows_write_texts FOLDER
 //
-// FOLDER/all.EXTENSION and FOLDER/glsl, which tests/package/compile.cmake takes, hold shadows of every set-up and what
+// FOLDER/all.EXTENSION and FOLDER/glsl, which tests/package/compile.cmake takes, hold shadows of every setup and what
 // debugs them. FOLDER/blocks/NAME.* is one shadow; NAME.offsets has a line for each member of its block in C++, "name
 // offset components", and NAME.compute.wgsl copies the block's floats in that order.
 #include <cstddef>
@@ -40,7 +40,7 @@ struct member {
 #define MEMBER(block, name) \
     member { #name, offsetof(block, name), sizeof(block::name) / sizeof(float) }
 
-/// Those of a shadow's block.
+/// Fields of a shadow's block.
 template <class SetUp>
 std::vector<member> block_of(std::vector<member> all) {
     using block = shadow_uniforms<SetUp>;
@@ -131,7 +131,7 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     write_block(folder, bind(paged, "paged"), block_of<adaptive_maps>(of_pages));
 }
 
-/// Shadows of every set-up and kind of filter, with what debugs them, in one text a language.
+/// Shadows of every setup and kind of filter, with what debugs them, in one text a language.
 void write_all(const fs::path& folder, clip_space clip) {
     clip_space reversed = clip;
     reversed.direction = depth_direction::reversed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether compilers may fuse multiplications and additions in this build, as they do in users' builds with
-// -march=native. Then what rounds, tier B, keeps its bounds in place of its bits. Tier A keeps its bits.
+// Fusing of multiplications and additions in this build, as compilers do in users' builds with -march=native. With it
+// tier B keeps its bounds but not its bits. Tier A keeps its bits.
 #pragma once
 
 #if defined(UMBRAGE_TESTS_MAY_FUSE) && (defined(__FMA__) || defined(__aarch64__))

@@ -72,7 +72,7 @@ struct light_measures {
                                  ///< world units; 0 unless the map is warped
 };
 
-/// World size of a texel, depth per world unit, and drift at a point. For warped maps too.
+/// World size of a texel, depth per world unit, and drift at a point. The map may be warped.
 ///
 /// @param texture_matrix   matrix from the world to texels
 /// @param direction        direction of the light, or of a spot's axis, any length > 0

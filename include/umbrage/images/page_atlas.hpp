@@ -45,7 +45,7 @@ namespace umbrage {
 
 /// Clears pages and draws them.
 ///
-/// @param root    in double: matrices of pages are made from it and rounded once
+/// @param root    light of the root, in double, so that a page's matrix rounds only once
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
 ///                page, with its gutter
@@ -62,8 +62,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// Writes the finest page of each cell to a table.
-/// @param table   of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the root's
-///                first. Cells without a page, and those around the root, are zero
+/// @param table   image of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the
+///                root's first. Cells without a page, and cells around the root, are zero
 /// @throws std::invalid_argument  a table of another size
 inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");

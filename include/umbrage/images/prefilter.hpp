@@ -241,7 +241,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
 /// @param out        receives visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge
+/// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
 template <class Prefilter, class ParallelFor = serial>
@@ -259,7 +259,7 @@ void visibility(image_view<const typename Prefilter::texel> map, const Prefilter
     detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
-/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
+/// Visibility of the receivers of a camera's depth image: one receiver_at for each of its texels.
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
                 const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},

@@ -59,9 +59,9 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
-/// @param depth          largest side 16384; row 0 is where clip.origin says
-/// @param mesh           triangles with a NaN or infinite position are left out. Those without area on the 1/256 texel
-///                       grid cover nothing
+/// @param depth          image of at most 16384 x 16384 texels. clip.origin decides which row is the first
+/// @param mesh           triangles. One with a NaN or infinite position is left out. One without area on the 1/256
+///                       texel grid covers nothing
 /// @param world_to_clip  projection * view
 /// @param clip           clip space of the light; with reversed depth, larger depths win
 /// @param cull           faces to leave out
@@ -81,7 +81,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
 
 /// Renders many instances of a mesh, whose vertices are not copied.
 ///
-/// @param instances   model to world, one matrix each. Those whose model_to_clip is not finite draw nothing
+/// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
 /// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order
 /// Other parameters as for the pass of a single mesh.
 template <class ParallelFor = serial>

@@ -102,7 +102,7 @@ private:
 
     image_view<const From> values_;
     int columns_;
-    std::vector<Sum> sums_;  // strip by strip, and one after the last
+    std::vector<Sum> sums_;  // one strip after another, and one sum after the last
     std::vector<int> rows_;  // number of rows whose sums are there, set by one thread while others read it
 };
 

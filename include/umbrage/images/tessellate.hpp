@@ -126,10 +126,10 @@ private:
 
     static constexpr unsigned none = ~0u;
     struct vertex {
-        double distance;         ///< from the light
-        unsigned middle = none;  ///< middle of an edge from here to an end of a higher index, the last that was cut;
-        unsigned end = none;     ///< for a middle, that end,
-        unsigned next = none;    ///< and the middle of the edge cut before it
+        double distance;         ///< distance from the light
+        unsigned middle = none;  ///< midpoint of the last cut edge from here to an end of a higher index
+        unsigned end = none;     ///< end of the edge, for a midpoint
+        unsigned next = none;    ///< midpoint of the edge cut before it, for a midpoint
     };
 
     glm::dvec3 light_;

@@ -105,8 +105,8 @@ template <real T>
 ///
 /// @param position    position of the light, world
 /// @param direction   direction the light looks, any length > 0
-/// @param up          hint for the up axis. If it is parallel to direction (within 1e-3), the world axis with the
-///                    smallest component along direction replaces it. So any direction works
+/// @param up          hint for the up axis. The world axis with the smallest component along direction replaces it
+///                    if it is parallel to direction (within 1e-3). So any direction works
 /// @param hand        handedness of the world and the view. right: looks down -z as glm::lookAtRH, left: looks down +z
 ///                    as glm::lookAtLH
 /// @throws std::invalid_argument  zero or non-finite direction; non-finite position

@@ -173,7 +173,7 @@ template <class Use = umbrage::detail::on_use>
             if (lines.find(line) == lines.npos) lines += line;
         };
         const snippet worst = composition<Use>(l, {item}).worst();
-        if (item.declared)  // a chain: each part keeps its own bound
+        if (item.declared)  // each part of a shadow's text keeps its own bound
             for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
         else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
     }

@@ -29,10 +29,11 @@ struct uniform_field {
 namespace glsl {
 
 /// Binding numbers of an API. Each language uses those it has:
-///   OpenGL   from 430 and 310 es on the bindings of block and texture
-///   Vulkan   also the set, as WGSL
-///   HLSL     registers b, t and s, and a space
-///   Metal    none: it has arguments instead
+///   OpenGL   bindings of the block and the texture, in GLSL 430 and 310 es or later
+///   Vulkan   bindings of the block and the texture, and the set
+///   WGSL     bindings of the block, the texture and the sampler, and the group
+///   HLSL     registers b, t and s, and the space
+///   Metal    none: the function takes arguments instead
 struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
@@ -47,7 +48,7 @@ struct interface_function {
     std::string_view calls;                      ///< umbrage_<calls>_<shadow>
     std::string_view says;                       ///< description of its result, for a comment
     int components = 1;                          ///< number of components of its result
-    bool reads_map = true, reads_fields = true;  ///< else only the last two: shadow_terms
+    bool reads_map = true, reads_fields = true;  ///< without reads_fields only the last two: shadow_terms
     std::vector<argument> arguments{};
 };
 

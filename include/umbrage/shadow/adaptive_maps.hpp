@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages of an adaptive shadow map (virtual shadow map), up to 64 of them: a map each. The table that finds a receiver's
-// page lies in the uniform block, so that levels go to 4. More pages and levels take a table as a texture:
-// page_coordinate.
+// Adaptive shadow map (virtual shadow map) with up to 64 pages, each of them a map. The uniform block holds the table
+// that finds a receiver's page, so the deepest level is 4. page_coordinate reads a table of more pages and levels from
+// a texture.
 //
 //     umbrage::page_cache cache({.slots = {8, 8}, .deepest_level = 4});
 //     const auto drawn = cache.update(seen).drawn;          // each frame; see light/adaptive/README.md
 //     const umbrage::page_size size{.texels = 128, .gutter = 4};
 //     const umbrage::shadow sun(umbrage::adaptive_maps(root, cache, size), glm::ivec2(size.pitch()), filter);
-//     umbrage::draw_pages(atlas, size, root, drawn, draw);  // new pages alone; sun.draw(atlas, mesh) draws all
+//     umbrage::draw_pages(atlas, size, root, drawn, draw);  // only new pages; sun.draw(atlas, mesh) draws all
 //
 #pragma once
 
@@ -28,15 +28,16 @@
 
 namespace umbrage {
 
+/// Setup of the pages of an adaptive shadow map.
 struct adaptive_maps {
     light_space<double> root;
-    std::vector<placed_page> pages;  ///< coarse ones first
+    std::vector<placed_page> pages;  ///< coarse pages first
     page_size size;
 
-    /// @param space   of make_page_root
-    /// @param cache   after its update; the shadow is made again for each frame, its shader is not
-    /// @param of      a gutter of the filter's radius + 1/2 texels, or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots, levels beyond 4
+    /// @param space   light from make_page_root
+    /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
+    /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -51,10 +52,10 @@ struct adaptive_maps {
 
     struct uniforms {
         glm::mat4 to_root;   ///< page_matrix
-        glm::mat4 planes;    ///< plane_matrix, of texels of the deepest level
-        glm::mat4 cells[8];  ///< row by row, 16 x 16 of the deepest level, two in a number: first + 1024 second; each
-                             ///< slot + 64 (2^level - 1)
-        glm::vec4 pages;     ///< x: texels of a page; y: of its gutter
+        glm::mat4 planes;    ///< plane_matrix in texels of the deepest level
+        glm::mat4 cells[8];  ///< 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1).
+                             ///< Each number holds two cells: first + 1024 second
+        glm::vec4 pages;     ///< x: size of a page, y: width of its gutter, texels
     };
     static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},     {"cells_1"},
                                             {"cells_2"}, {"cells_3"}, {"cells_4"},     {"cells_5"},
@@ -65,7 +66,7 @@ struct adaptive_maps {
     static constexpr glsl::map_choice tiles{true, glsl::page_tile.name};
 
     [[nodiscard]] clip_space clip() const { return root.clip; }
-    /// By slot, row by row, up to the last that holds a page; the root's in slots that hold none.
+    /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const auto& [page, slot] : pages) {
@@ -75,7 +76,7 @@ struct adaptive_maps {
         }
         return all;
     }
-    /// @throws std::invalid_argument  map_size other than a page's with its gutter
+    /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");
         const light_space<double> here = detail::relative_to(origin, root);

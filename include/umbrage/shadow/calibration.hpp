@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether a host reads a shadow's map as it should: load a map of known depths, ask, and get one answer.
+// Calibration of a shadow's map: tests how a host reads a map of known depths, and names the likely mistake.
 //
 //     auto known = umbrage::calibration_map(sun);                      // upload it in place of the drawn map
 //     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
 //     std::puts(umbrage::explain(says));
 //
-// In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
-// A map that was just cleared must read as map_reading::empty.
+// bind(sun, "sun", {.debug = true}) gives a shader the same test: umbrage_calibrate_sun(0.0) returns the reading's
+// number. See in_shader.hpp. A map that was just cleared must read as map_reading::empty.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ namespace umbrage {
 /// Result of reading a map of known depths.
 enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
 
-/// The reading in a sentence, with what to check.
+/// Sentence for a reading, with the likely causes to check.
 [[nodiscard]] constexpr const char* explain(map_reading reading) {
     switch (reading) {
         case map_reading::right: return "The map is read right.";
@@ -50,14 +50,15 @@ enum class map_reading { right, empty, dark, upside_down, another_map, reversed,
 
 namespace detail {
 
-/// Distance from the near plane, 0 to 1, of the k-th of 32 known depths: four of each map, of which eight repeat.
+/// Distance of the k-th of 32 known depths from the near plane, 0 to 1. A map has four of them, and every eighth map
+/// has the same four.
 [[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
 
-/// Half of what lies between two known depths, with room for rounding.
+/// Tolerance that tells known depths apart: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
-/// By how much a reading may be off, a power of two: its encoding's error, rounding and bias.
-/// Prefilters see a step of depth as a ramp, so that they tell levels apart and no more.
+/// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
+/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only tell known depths apart.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;
@@ -72,9 +73,9 @@ template <class SetUp, class Filter, class Encoding>
 
 }  // namespace detail
 
-/// A map with known depths: four blocks, another four in each of the light's maps.
+/// Map of known depths: four blocks in each of the light's maps, with other depths in each map.
 ///
-/// @return   of the shadow's size(), as its encoding stores them; the first row is the first in memory
+/// @return   image of the shadow's size(), in its encoding. The first row is the first in memory
 /// @throws std::invalid_argument   maps smaller than four times the filter's reach
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
@@ -98,10 +99,10 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Reads a map of known depths through the shadow's own filter.
 ///
-/// @param map      calibration_map(of), as the host has it; or one that was just cleared
-/// @param number   of the light's map, >= 0
-/// @return         map_reading::right when every block is read as it was stored, map_reading::empty of a cleared map
-/// @throws std::invalid_argument   map of another size, a number that the light lacks
+/// @param map      calibration_map(of) as the host has it, or a map that was just cleared
+/// @param number   number of the light's map, >= 0
+/// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map
+/// @throws std::invalid_argument   a map of another size; a number that the light lacks
 /// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
@@ -149,10 +150,10 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// calibrate in GLSL: umbrage_reading, behind what it calls.
+/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
 /// @param terms    declarations of shadow_terms
-/// @param pixel    ", vec2(0.5, 0.5)" for filters that turn
-/// @param choice   the statement that chooses the map of `number`; empty for one map
+/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
+/// @param choice   statement that chooses the map of `number`; empty for one map
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
                                                               const std::string& pixel, const std::string& choice) {

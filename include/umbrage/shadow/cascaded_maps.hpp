@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near
-// its border a blend with the next where that holds them too. Shadows of the last one fade to light at its border.
+// Cascaded shadow maps (CSM) of a directional light, with up to eight cascades and one map per cascade.
+// A receiver is looked up in the first map that holds it and its filter. Near that map's border the next map blends in,
+// if it holds them too. Shadows of the last map fade to light at its border.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
@@ -27,9 +28,9 @@ namespace detail {
 /// Uniforms of up to four cascades.
 template <int Groups>
 struct cascade_block {
-    glm::mat4 rotation;         ///< world to the light's directions
-    glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
-    glm::vec4 blending{0};      ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last one's number
+    glm::mat4 rotation;         ///< rotation from the world to the light's axes
+    glm::mat4 scales, offsets;  ///< one column per cascade, as for cascade_by_projection
+    glm::vec4 blending{0};      ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last
 
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
     static constexpr std::string_view find = "cascade_by_projection(light, scales, offsets", column = "cascade_column";
@@ -43,11 +44,11 @@ struct cascade_block {
     [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column(offsets, number); }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
 };
-/// Of five to eight.
+/// Uniforms of five to eight cascades.
 template <>
 struct cascade_block<2> {
-    glm::mat4 rotation, scales, offsets;        ///< of the first four
-    glm::mat4 farther_scales, farther_offsets;  ///< of the others
+    glm::mat4 rotation, scales, offsets;        ///< columns of the first four cascades
+    glm::mat4 farther_scales, farther_offsets;  ///< columns of the others
     glm::vec4 blending{0};
 
     static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
@@ -71,12 +72,15 @@ struct cascade_block<2> {
 
 }  // namespace detail
 
-/// @tparam Groups   of four cascades: 1 or 2
+/// Setup of cascades.
+/// @tparam Groups   number of groups of four cascades: 1 or 2
 template <int Groups = 1>
 struct cascaded_maps {
     std::vector<cascade<double>> cascades;
-    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
+    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: no band
 
+    /// @param all     cascades from near to far
+    /// @param blend   width of the band in which two cascades blend, texels; 0: no band
     /// @throws std::invalid_argument  blend negative or not finite
     template <real T, std::size_t Count>
     explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
@@ -104,7 +108,7 @@ struct cascaded_maps {
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
-            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // holds nothing where there is no cascade
+            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Six maps around a point light, one for each face of a cube. A border lets filters stay within a face.
+// Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
 //
 //     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
@@ -16,19 +16,20 @@
 
 namespace umbrage {
 
+/// Setup of a cube's six maps.
 struct cube_maps {
     point_light<double> light;
 
     template <real T>
     explicit cube_maps(const point_light<T>& l)
         : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_point_light(light));  // refuses what cannot be
+        static_cast<void>(make_point_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4 position;   ///< of the light; w: 0
-        glm::mat4 to_texels;  ///< from a face's axes, as cube_face_point has them, to texels of its map
-        glm::mat4 planes;     ///< plane_matrix of that
+        glm::vec4 position;   ///< position of the light; w: 0
+        glm::mat4 to_texels;  ///< matrix from a face's axes (cube_face_point) to texels of its map
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{3, 2};
@@ -40,12 +41,12 @@ struct cube_maps {
         const auto faces = make_point_light(light);
         return {faces.begin(), faces.end()};
     }
-    /// @throws std::invalid_argument  map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
         const glm::dmat4 projection = make_point_light(light)[0].projection;
         const double half = 0.5 * light.map_size, inner = half - light.border;
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
         glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
         if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
         glm::dmat4 m(0);

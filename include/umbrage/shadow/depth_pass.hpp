@@ -35,9 +35,9 @@ inline constexpr int channels_of = 1;
 template <glm::length_t Channels>
 inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
 
-/// umbrage_write: the texel of a depth, as a color.
-/// @param stores      to_unorm of the target, null where the writer gives what to write
-/// @param arguments   of the writer behind the depth, of filter_terms
+/// Text of umbrage_write: the texel of a depth, as a color.
+/// @param stores      to_unorm of the target; nullptr for a writer that returns the values to write
+/// @param arguments   arguments of the writer after the depth, in terms of filter_terms
 [[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
                                          std::string_view arguments) {
     std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
@@ -52,12 +52,12 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
                        std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
                        ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
                        ");\n}\n"};
-    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
+    write.needs = {&cleared_depth, &writer};  // cleared_depth makes the text this map's own
     if (stores != nullptr) write.needs.push_back(stores);
     return write;
 }
 
-/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
+/// Text of umbrage_write for a prefilter's texel. The writer to_optimized_moments takes the moments of encode_msm.
 template <prefilter Prefilter>
 [[nodiscard]] own_text write_moments_text() {
     const bool of_moments = Prefilter::writer == &to_optimized_moments;
@@ -65,32 +65,33 @@ template <prefilter Prefilter>
                       channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
 }
 
-/// umbrage_vertex: a vertex in clip space.
+/// Text of umbrage_vertex: a vertex in clip space.
 [[nodiscard]] inline own_text vertex_text(std::string_view parameters, std::string_view statements,
                                           std::vector<const snippet*> needs) {
     std::string source =
         "\n// umbrage_vertex: clip space position of a vertex of the depth pass\n"
         "UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world";
     source.append(parameters).append(") {\n").append(statements).append("}\n");
-    needs.push_back(&cleared_depth);  // which makes the text this map's own
+    needs.push_back(&cleared_depth);  // makes the text this map's own
     return {"vertex", std::move(source), std::move(needs)};
 }
 
-/// Tells directional lights, warped or not, from lights with a place: along some direction neither x, y nor w changes.
+/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
 [[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
     const glm::dmat4 rows = glm::transpose(light.projection * light.view);
     const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
     return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
-/// The vertex of a setup that says itself how it is placed.
+/// Vertex function of a setup with a vertex_place of its own.
 template <class SetUp>
 [[nodiscard]] own_text vertex_text_of() {
     return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
 }
 
-/// The vertex of other setups: a product with the light's matrix.
-/// @param pancakes   moves casters onto the near plane, whose depth in clip space `at_near` says
+/// Vertex function of other setups: a product with the light's matrix.
+/// @param pancakes   true for casters clamped to the near plane
+/// @param at_near    depth of the near plane in clip space
 [[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
     std::string place = "umbrage_shadow_coordinate(to_clip, world)";
     if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
@@ -99,13 +100,13 @@ template <class SetUp>
 
 }  // namespace detail
 
-/// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
+/// Function for the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
 /// buffer's depth. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth, filter_terms).
 ///
-/// The target has the encoding's format, is not sRGB and not blended. Clear it to cleared(). A depth texture needs no
-/// such text.
+/// The target has the encoding's format, without sRGB and without blending. Clear it to cleared(). A depth texture
+/// needs no such function.
 /// @param name    letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name
+/// @throws std::invalid_argument   an empty name, or one of other characters
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
@@ -119,14 +120,14 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
+/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that lie
-/// nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the
-/// light's projection. Behind the vertex they take the light's position and the number of the half: (to_clip, world,
-/// position, number). Tessellate the mesh for them.
+/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, clamp casters to the
+/// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
+/// number): the light's projection, the vertex, the light's position and the number of the half. They need a
+/// tessellated mesh.
 /// @param name    letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name
+/// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 6; dual paraboloids C
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {

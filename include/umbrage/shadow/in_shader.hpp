@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// A shadow in a shader: its block, its map and one function, in any language.
+// Shadow in a shader, in any language: its uniform block, its map and one function.
 //
 //     using namespace umbrage::glsl;
 //     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 1, .texture = 3})});
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
-// hlsl::text, wgsl::text and msl::text take the same; in Metal the block, the map and the sampler come first.
+// hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
+// map and the sampler.
 //
-// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say
-// why (probe.hpp), and umbrage_calibrate_sun(number), which reports how the host reads its map (calibration.hpp).
-// See also: depth_pass.hpp, for what the depth pass calls.
+// bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
+// umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
+// reads its map (calibration.hpp).
+// See also: depth_pass.hpp, for the functions of the depth pass.
 #pragma once
 
 #include <optional>
@@ -28,17 +30,17 @@
 
 namespace umbrage::glsl {
 
-/// How a shader holds a shadow's maps.
+/// Bindings of a shadow in a shader, and the type of its texture.
 struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
-    std::optional<glsl::texture> map{};  ///< none: texture_2d for one map, atlas for several. Or depth, shadow for one;
-                                         ///< array, depth_array, shadow_array for several
-    bool debug = false;                  ///< umbrage_probe_<name> and umbrage_calibrate_<name> too
+    std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
+                                         ///< (default), array, depth_array or shadow_array
+    bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
 namespace detail {
 
-/// umbrage_look and umbrage_shadow, of one shadow's map alone; to debug it, more.
+/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
                                                  const map_choice& choice, bool debug) {
@@ -70,12 +72,12 @@ template <class SetUp, class Filter, class Encoding>
 
 }  // namespace detail
 
-/// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
-/// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.
-/// @param name    letters, digits, single underscores between them; another for each shadow of a shader
-/// @param slots   what it is bound to, and the kind of texture
-/// @throws std::invalid_argument   another name, a kind of texture that does not hold its maps, a filter that needs
-///                                 depths under a comparison sampler
+/// Shadow as functions of a shader: umbrage_<name>(world, normal), and its declarations. Filters with a rotated disc
+/// take the position in pixels as a third argument: gl_FragCoord.xy.
+/// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
+/// @param slots   bindings, and the type of the texture
+/// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter
+///                                 that reads depths, with a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
     constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
@@ -90,7 +92,7 @@ template <class SetUp, class Filter, class Encoding>
     binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;
-    if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
+    if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
     item.texts =

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// How a filter looks at one map of a shadow: what bias its receivers take, what it calls, in C++ and in GLSL.
+// Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
 // Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
-// the receiver's own plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) are
-// looked up in texels of their own.
+// the receiver's plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) have
+// texels of their own.
 #pragma once
 
 #include <concepts>
@@ -29,7 +29,7 @@
 
 namespace umbrage {
 
-/// Texels of a prefiltered map, in an encoding's place.
+/// Texels of a prefiltered map, used in place of an encoding.
 template <prefilter Prefilter>
 struct moment_texels {
     using texel = typename Prefilter::texel;
@@ -40,26 +40,26 @@ struct moment_texels {
 
 namespace detail {
 
-/// Filters that ask for a coordinate, a receiver and perhaps a pixel, no more.
+/// Filter that takes a coordinate and a receiver, perhaps a pixel, and nothing else.
 template <class Filter>
 concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
 } && !requires(const Filter& f) { f.offsets; }
 &&!requires(const Filter& f) { f.epsilon; };
 
-/// Those whose radius differs from receiver to receiver: no bias for all would be small.
+/// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
 template <class Filter>
 concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
     f.softness;
 };
 
-/// Those that read a disc of one radius, whose bias is another.
+/// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
 template <class Filter>
 concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
     f.farthest_point();
 };
 
-/// Those that turn from pixel to pixel.
+/// Filter whose disc has another rotation in each pixel.
 template <class Filter>
 concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f, glm::ivec2());
@@ -76,25 +76,25 @@ struct encoding_for<Prefilter> {
 
 }  // namespace detail
 
-/// Filters that a shadow takes.
+/// Filter that a shadow takes.
 template <class Filter>
 concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
 
-/// Encodings that a shadow takes: those of depths, or a prefilter's own moments.
+/// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
 template <class Encoding, class Filter>
 concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
                           (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
 
 namespace detail {
 
-/// From a receiver to the farthest texel that counts, along an axis.
+/// Distance along an axis from a receiver to the farthest texel that counts, texels.
 [[nodiscard]] constexpr float reach_of(const auto& filter) {
     if constexpr (requires { filter.reach(); }) return filter.reach();
-    else return 1.0f;  // of the four texels around it
+    else return 1.0f;  // a prefilter reads the four texels around it
 }
 
-/// The filter's numbers, as a block holds them.
-/// @param more   what rasterizer and rounding add to a reach
+/// Numbers of a filter, as the uniform block holds them.
+/// @param more   texels that the rasterizer and rounding add to a reach
 [[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
     if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
     else if constexpr (requires { filter.radius_texels; })
@@ -108,7 +108,7 @@ namespace detail {
     else return glm::vec4(0.0f);
 }
 
-/// Bias of a receiver.
+/// Bias of a receiver, in depth.
 template <class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
     if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
@@ -116,9 +116,9 @@ template <class Filter>
     else return acne_free_bias(slope, terms.reach, terms.error);
 }
 
-/// The filter on one map.
-/// @param own        the map alone
-/// @param receiver   (x, y) in its texels, depth, biased
+/// Visibility of a receiver in one map, by a filter.
+/// @param own        this map alone
+/// @param receiver   x and y in texels of the map, z depth with the bias already applied
 template <outside_map Outside, class Filter, class Encoding>
 [[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
@@ -136,7 +136,7 @@ template <outside_map Outside, class Filter, class Encoding>
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
-/// terms_of in GLSL: what the filter's function takes behind coordinate and receiver.
+/// GLSL version of terms_of: arguments of the filter's function after coordinate and receiver.
 template <class Filter>
 [[nodiscard]] std::string arguments_of() {
     constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
@@ -155,7 +155,7 @@ template <class Filter>
     return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
 }
 
-/// What a prefilter's writer takes behind the depth.
+/// Arguments of a prefilter's writer after the depth, in GLSL.
 template <prefilter Prefilter>
 [[nodiscard]] constexpr std::string_view writer_arguments() {
     if constexpr (requires(const Prefilter& p) { p.parameters; })
@@ -164,12 +164,12 @@ template <prefilter Prefilter>
     else return "";
 }
 
-/// bias_of in GLSL, as what computes it,
+/// Snippet that computes bias_of.
 template <class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
     return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// and as a statement of `slope` and `terms`.
+/// GLSL version of bias_of: a statement that uses `slope` and `terms`.
 template <class Filter>
 [[nodiscard]] std::string bias_text() {
     const std::string_view reach = contact_hardening<Filter> ? "0.5"
@@ -179,8 +179,8 @@ template <class Filter>
     return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
 }
 
-/// look in GLSL: umbrage_look, for a filter's map alone.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+/// GLSL version of look: umbrage_look, for one filter and its map.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters with a rotated disc
 template <class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =
@@ -200,7 +200,7 @@ template <class Filter>
     return look;
 }
 
-/// A set-up's text whose look-ups take one more argument.
+/// Text of a setup with one more argument in each call of umbrage_look.
 [[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
     for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
         i = text.find(";\n", i) - 1;
@@ -209,7 +209,7 @@ template <class Filter>
     return text;
 }
 
-/// The filter's map in a shader.
+/// Binding of a filter's map in a shader.
 template <class Filter, class Encoding>
 [[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
     glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Two maps around a point light, a paraboloid's image of either half of all directions in each (dual paraboloid shadow
-// maps). Two passes in place of six, of meshes that are cut finely; distances in place of depths.
+// Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
+// They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
 //
 //     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
@@ -22,19 +22,19 @@
 
 namespace umbrage {
 
+/// Setup of two paraboloid maps.
 struct paraboloid_maps {
     dual_paraboloid_light<double> light;
 
     template <real T>
     explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
         : light{glm::dvec3(l.position), l.range, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_dual_paraboloid_light(light));  // refuses what cannot be
+        static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4
-            position;      ///< of the light; w: change of depth a unit of distance, 1 / range or, reversed, -1 / range
-        glm::vec4 halves;  ///< x: map_size - 2 border; y: border; z: slope a texel; w: depth at the light
+        glm::vec4 position;  ///< position of the light; w: depth per world unit, 1 / range, or reversed -1 / range
+        glm::vec4 halves;    ///< x: map_size - 2 border; y: border; z: 2 / (range x); w: depth at the light
     };
     static constexpr uniform_field fields[]{{"position", false}, {"halves", false}};
     static constexpr map_grid grid{2, 1};
@@ -63,7 +63,7 @@ struct paraboloid_maps {
         for (const int map : {0, 1})
             rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
     }
-    /// @throws std::invalid_argument  map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
         const double inner = light.map_size - 2 * light.border;

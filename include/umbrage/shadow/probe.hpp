@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A debug view of a shadow: texels, cascades and pages in colors, and a plain color for each reason why a point cannot
-// be shadowed. Turn it on when a shadow is missing and nothing says why.
+// Debug view of a shadow. Its colors show texels, cascades and pages. A plain color shows each reason why a point
+// cannot be shadowed. Use it to find out why a shadow is missing.
 //
 //     glm::vec3 color = umbrage::probe(sun, world, normal);
 //
-// In a shader, umbrage_probe_sun(world, normal), of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+// bind(sun, "sun", {.debug = true}) gives a shader the same: umbrage_probe_sun(world, normal). See in_shader.hpp.
 // Also called: shadow debug view, visualize cascades (probe).
 #pragma once
 
@@ -21,12 +21,12 @@
 
 namespace umbrage {
 
-/// Debug color of a point of the world under a shadow. Reads no map.
+/// Debug color of a world position under a shadow. Reads no map.
 ///
-/// @param world, normal   as the shadow takes them
-/// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Where cascades blend, their colors do; the last
+/// @param world, normal   position and normal, as for the shadow
+/// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
-/// @exactness   as project_coordinate: C; the color itself A
+/// @exactness   C, as project_coordinate; A for the color alone
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
     const auto uniforms = of.uniforms();
@@ -42,9 +42,10 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// probe in GLSL: umbrage_point_color, behind what it calls.
-/// @param terms    declarations of shadow_terms
-/// @param fields   of the set-up's uniforms, declared, and as arguments
+/// GLSL version of probe: umbrage_point_color, after the functions that it calls.
+/// @param terms       declarations of shadow_terms
+/// @param fields      declarations of the setup's uniforms
+/// @param arguments   names of the setup's uniforms, for a call
 template <class SetUp, class Filter>
 [[nodiscard]] std::vector<glsl::own_text> probe_texts(const std::string& terms, const std::string& fields,
                                                       const std::string& arguments) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a light's set-up is to a shadow: how many maps it has, how they are drawn, and where a point of the world is
-// looked up. single_map.hpp is the shortest. Any type like these works; no list names them.
+// Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
+// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
 #pragma once
 
 #include <concepts>
@@ -23,32 +23,32 @@
 
 namespace umbrage {
 
-/// What every shadow's block ends with.
+/// Last members of every shadow's uniform block.
 struct shadow_terms {
-    glm::vec2 map_size{1};      ///< of one map, texels
-    float reach = 0;            ///< of the filter, as its bias counts it, texels
-    float error = 0;            ///< by how much depth in the map, or a receiver's, may be off
-    glm::vec4 filter_terms{0};  ///< the filter's own numbers: a radius, or (per_code, min_radius, max_radius)
+    glm::vec2 map_size{1};      ///< size of one map, texels
+    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
+    float error = 0;            ///< largest error of a stored depth and a receiver's together, in depth
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius)
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
 
-/// A receiver's place in a light's maps.
+/// Place of a receiver in a light's maps.
 struct map_place {
-    int number = 0;      ///< of the map
-    glm::vec3 at{0};     ///< texels, texels, depth
-    glm::vec2 slope{0};  ///< change of depth of the receiver's plane, from one texel to the next
+    int number = 0;      ///< number of the map, from 0
+    glm::vec3 at{0};     ///< x and y in texels, z depth
+    glm::vec2 slope{0};  ///< change of depth per texel of the receiver's plane
 };
 
 namespace glsl {
 
-/// How a shader's text chooses one of several maps: a layer of an array, or a tile of an atlas.
+/// Choice of one of several maps in a shader's text: a layer of an array, or a tile of an atlas.
 struct map_choice {
     bool atlas = false;
-    std::string_view tile{};                 ///< snippet that gives a tile's first texel, of its number
-    std::string_view tile_size = "terms.x";  ///< and size
+    std::string_view tile{};                 ///< name of the snippet tile(number, tile_size): a tile's first texel
+    std::string_view tile_size = "terms.x";  ///< size of a tile, texels, in GLSL
 
-    /// The statement that chooses the map of a number, in a set-up's text: the first one, or another.
+    /// Statement of a setup's text that chooses a map by its number. `first` declares a variable, `again` assigns it.
     [[nodiscard]] std::string first(std::string_view number) const {
         return std::string("    UMBRAGE_HIGHP ").append(atlas ? "vec2 " : "float ").append(again(number).substr(4));
     }
@@ -64,8 +64,8 @@ struct map_choice {
     }
 };
 
-/// Body of the depth pass' vertex function, for setups whose vertices are no plain product of a matrix: GLSL statements
-/// that use `to_clip`, `world` and the parameters.
+/// Body of the depth pass' vertex function, for setups that do more than multiply by a matrix. Its GLSL statements use
+/// `to_clip`, `world` and the parameters.
 struct vertex_place {
     std::string_view parameters, statements;
     const glsl::snippet* needs;
@@ -78,20 +78,23 @@ struct map_grid {
     int columns = 1, rows = 1;
 };
 
-/// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
-/// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
-/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose. One whose lights do
-/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends` and
-/// vertex_place `vertex`.
+/// Setup of a light's maps.
+///
+/// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
+/// alike. `visibility` and `text` are the C++ and the GLSL version of one function. C++ calls look(place) where GLSL
+/// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+///
+/// Two kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup that
+/// bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
              float (*look)(const map_place&), const glsl::map_choice& choice) {
     { s.clip() } -> std::same_as<clip_space>;
-    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
-    { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
-    { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
-    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // of an atlas; of one map nothing
+    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
+    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
+    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
+    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // tiles of an atlas; empty for one map
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
     {std::span<const uniform_field>(SetUp::fields)};
     { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
@@ -99,13 +102,14 @@ concept shadow_set_up = std::copyable<SetUp> &&
     {std::span<const glsl::snippet* const>(SetUp::needs)};
 };
 
-/// Maps that bend straight lines and planes: contact hardening, which compares along planes, does not go with them.
+/// Errors of maps that bend straight lines and planes. Contact hardening compares along planes, so a shadow with such
+/// maps does not take it.
 struct bent_lines {
-    float reach = 0;  ///< texels that places are off by
-    float error = 0;  ///< and depths
+    float reach = 0;  ///< largest error of a position, texels
+    float error = 0;  ///< largest error of a depth
 };
 
-/// The set-up that a light is given to a shadow as: itself, unless its header says otherwise.
+/// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
 struct set_up_for {
     using type = Light;
@@ -113,7 +117,7 @@ struct set_up_for {
 
 namespace detail {
 
-/// Holds a set-up's `uniforms` to its `fields`.
+/// True when a setup's `uniforms` have the size of its `fields`.
 template <class SetUp>
 consteval bool has_fields() {
     std::size_t vectors = 0;
@@ -127,12 +131,12 @@ template <class SetUp>
     else return {};
 }
 
-/// A map's first texel in the image of all.
+/// First texel of a map in the image of all maps.
 [[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
     return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
 }
 
-/// A light whose world is relative to an origin.
+/// Light for world positions relative to an origin.
 [[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
     light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
     return light;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A light's shadow as one value: set-up, size of its maps, filter, encoding. It knows its bias, its border, the
-// direction of its depth and what its texels may be off by.
+// Shadow of a light as one value: light setup, map size, filter and encoding. It computes the bias, the border, the
+// direction of depth and the error of its texels.
 //
 //     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
 //     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
 //     sun.draw(map, {positions, triangles});
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
-// In a shader the same, bit for bit where its parts are: in_shader.hpp. Each step by hand: texture_matrix,
-// shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias, biased, then the filter of bordered(map).
+// in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
+// These functions are its steps: texture_matrix, shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias,
+// biased, and the filter on bordered(map).
 #pragma once
 
 #include <cstddef>
@@ -35,12 +36,12 @@
 
 namespace umbrage {
 
-/// Where a frame's world begins: points of the world are given less that.
+/// Origin of a frame in the world. A shader gets positions relative to it.
 struct frame_origin {
     glm::dvec3 origin{0};
 };
 
-/// A shadow's uniforms as its shader wants them: copy the bytes.
+/// Uniform block of a shadow's shader: copy its bytes into the buffer.
 template <shadow_set_up SetUp>
 struct shadow_uniforms {
     typename SetUp::uniforms maps;
@@ -49,7 +50,7 @@ struct shadow_uniforms {
 
 namespace detail {
 
-/// Refuses what no shadow can be made of, whatever its light.
+/// Checks the clip space, the map size and the filter of a shadow.
 template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
@@ -60,19 +61,19 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Gives an encoding the light's direction. An edge at its default follows, an edge of one's own stays.
+/// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
 void set_direction(auto& encoding, depth_direction direction) {
     if constexpr (requires { encoding.edge; })
         if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
     encoding.direction = direction;
 }
 
-/// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
+/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              depth_direction direction, bent_lines bends) {
     const float size = static_cast<float>(greater(map_size.x, map_size.y));
-    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
+    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // 2^-24 size: a coordinate's rounding
     const double error = direction == depth_direction::forward ? off.below : off.above;
     return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
             terms_of(filter, more)};
@@ -80,6 +81,11 @@ template <class Filter>
 
 }  // namespace detail
 
+/// Shadow of a light: draws its maps, and returns the visibility of receivers.
+///
+/// @tparam SetUp      setup of the light's maps, deduced from the light
+/// @tparam Filter     filter of the lookup
+/// @tparam Encoding   encoding of depths in the map
 template <shadow_set_up SetUp, shadow_filter Filter,
           shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
@@ -90,12 +96,12 @@ public:
                   "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
-    /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
-    /// @param map_size   of one map, texels, each >= 1
-    /// @param filter     one of filters:: or prefilters::; the direction of depth is the light's
-    /// @param encoding   how the map's texels hold depth; its direction is the light's. A prefilter's map holds moments
-    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
-    ///                                filter's reach; what the set-up complains of
+    /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
+    /// @param map_size   size of one map, texels, each >= 1
+    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
+    /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
+    /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
+    ///                                filter's reach, or refused by the setup
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
@@ -110,19 +116,19 @@ public:
     [[nodiscard]] const Filter& filter() const { return filter_; }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
-    /// Of the image or texture that holds all maps, texels.
+    /// Size of the image or texture that holds all maps, texels.
     [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
-    /// Of one map; a texture array has this size.
+    /// Size of one map, and of a texture array, texels.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
-    /// What an empty map holds: the far plane.
+    /// Texel of an empty map: the far plane's.
     [[nodiscard]] texel cleared() const {
         if constexpr (prefilter<Filter>) return filter_.encode(cleared_depth(encoding_.direction));
         else return encoding_.cleared();
     }
 
-    /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
-    /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
-    /// @throws std::invalid_argument  depths of another size, and what rasterize_depth complains of
+    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
+    /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
+    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
@@ -136,8 +142,8 @@ public:
         }
     }
 
-    /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
-    /// @throws std::invalid_argument  one of them of another size
+    /// Encodes drawn depths as texels of the map. Blur a prefilter's map afterwards, one map at a time (blur.hpp).
+    /// @throws std::invalid_argument  depths or a map of another size
     template <class ParallelFor = serial>
     void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
         detail::require_size(map.size, size(), "shadow::store", "map.size", "the shadow's size()");
@@ -145,15 +151,16 @@ public:
         else encode(depths, map, encoding_, parallel);
     }
 
-    /// A receiver's visibility.
-    /// @param map      of size(), texels of the encoding, drawn for this light
-    /// @param world    the receiver; NaN is lit
-    /// @param normal   of its surface, any length: the bias is what its plane asks for. Zero: none, for maps whose
-    ///                 depth pass was biased (make_polygon_offset)
-    /// @param pixel    where filters that turn from pixel to pixel (discs, contact hardening) take their turn from
-    /// @return         0 in shadow, 1 lit; outside all maps, behind the light and beyond the far plane 1
-    /// @throws std::invalid_argument  map of another size
-    /// @exactness      the worst of its parts: C, as project_coordinate; cascades B
+    /// Visibility of a receiver.
+    /// @param map      image of size(), texels of the encoding, drawn for this light
+    /// @param world    world position of the receiver
+    /// @param normal   surface normal, any length, for the smallest bias on its plane. Zero: a slope of 0, for maps
+    ///                 whose depth pass was biased (make_polygon_offset)
+    /// @param pixel    pixel that decides the rotation of discs and contact hardening
+    /// @return         visibility in [0, 1]: 0 in shadow, 1 lit
+    /// @edge           outside all maps, behind the light, beyond the far plane, or a NaN position: 1
+    /// @throws std::invalid_argument  a map of another size
+    /// @exactness      that of its weakest part: C, as project_coordinate; cascades B
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
@@ -164,17 +171,18 @@ public:
     }
 
     /// Visibility of an image of receivers.
-    /// @param points, normals   of one size, see operator()
-    /// @param out               of that size
+    /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param out               receives visibility, 1 lit; same size as points
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
-    /// @throws std::invalid_argument  sizes differ, map of another size
+    /// @throws std::invalid_argument  images of different sizes; a map of another size
     template <class ParallelFor = serial>
     void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
 
-    /// Depth before a point within which the bias may detach a shadow (peter-panning), of a caster as steep as the
-    /// surface: beyond it the point is wholly dark. light_units_at has it in world units.
-    /// @return   0 .. 1, in the map that the point is looked up in; of two that blend the greater
+    /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
+    /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
+    /// light_units_at converts it to world units.
+    /// @return   difference of depth from 0 to 1, in the point's map. Where two maps blend: the larger one
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
@@ -188,9 +196,9 @@ public:
         return distance;
     }
 
-    /// What the shader of in_shader.hpp takes.
-    /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
-    ///                camera's place, and the light in double
+    /// Uniform block for the shader of in_shader.hpp.
+    /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
+    ///                make the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         return {set_up_.make_uniforms(map_size_, frame.origin),
                 detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
@@ -198,7 +206,7 @@ public:
     }
 
 private:
-    /// A place's coordinate, and its depth biased.
+    /// Coordinate of a place, in texels, and its depth with the bias applied.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
         const comparison is_lit{encoding_.direction};
         const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
@@ -226,7 +234,7 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
-        // one look-up a receiver: where each lies first, then all of them through the filter's fast form
+        // One lookup per receiver: finds all places first, then filters them by the filter's fast form.
         const auto for_each_place = [&](const auto& use) {
             parallel(out.size.y, [&](int first, int last) {
                 for (glm::ivec2 p{0, first}; p.y < last; ++p.y)

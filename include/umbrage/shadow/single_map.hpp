@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One map: of a spot light, or of a directional light, fitted or warped as may be.
+// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
 //
 //     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
 //
@@ -12,6 +12,7 @@
 
 namespace umbrage {
 
+/// Setup of one map.
 struct single_map {
     light_space<double> light;
 
@@ -20,7 +21,7 @@ struct single_map {
 
     struct uniforms {
         glm::mat4 to_texels;  ///< texture_matrix
-        glm::mat4 planes;     ///< plane_matrix
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
     static constexpr map_grid grid{1, 1};

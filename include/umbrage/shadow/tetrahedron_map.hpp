@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Four maps around a point light in one square: fewer views than a cube, and texels of less even size.
+// Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
+// vary less in size.
 //
 //     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
@@ -23,20 +24,21 @@
 
 namespace umbrage {
 
+/// Setup of a tetrahedron's four views.
 struct tetrahedron_map {
     tetrahedron_light<double> light;
 
     template <real T>
     explicit tetrahedron_map(const tetrahedron_light<T>& l)
         : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_tetrahedron_light(light));  // refuses what cannot be
+        static_cast<void>(make_tetrahedron_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4 position;   ///< of the light; w: half the map's size
-        glm::mat4 to_texels;  ///< from a face's axes, as tetrahedron_face_point has them, to face 0's triangle, texels
-                              ///< from the map's middle
-        glm::mat4 planes;     ///< plane_matrix of that
+        glm::vec4 position;   ///< position of the light; w: half the map's size, texels
+        glm::mat4 to_texels;  ///< matrix from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
+                              ///< relative to the map's center
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{};
@@ -61,11 +63,12 @@ struct tetrahedron_map {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
         const glm::dmat4 projection = make_tetrahedron_light(light)[0].projection;
         const double half = 0.5 * light.map_size, scale = half - 3.0 * light.border, base = light.border - half;
-        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // of the face's normal
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // components of the face's normal
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
         glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
         if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
-        const double side = scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), of sqrt(6) w
+        const double side =
+            scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), the divisor being sqrt(6) w
         glm::dmat4 m(0);
         m[0][0] = side;
         m[1] = {0.0, base * up, depth.x * up, up};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four: a map each, the one that the distance along
-// the camera's axis names, and near its end a blend with the next.
+// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four, with one map per cascade. The distance along
+// the camera's axis chooses a receiver's map. Near that map's end the next one blends in.
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
 //     umbrage::shadow sun(umbrage::warped_maps(cascades, fit.camera, fit.overlap), fit.map_size, filter);
 //
-// Each map has a matrix of its own: it is bent in its own way. A map holds what casts shadows into its own part of the
-// view and not all that it shows, so that no point takes another part's map, as points of cascaded_maps may.
+// Each map has its own matrix, as each warp differs. A map holds only the casters of its own part of the view. So a
+// point never takes the map of another part, unlike in cascaded_maps.
 #pragma once
 
 #include <array>
@@ -28,15 +28,17 @@
 
 namespace umbrage {
 
+/// Setup of warped cascades.
 struct warped_maps {
     std::vector<warped_cascade<double>> cascades;
-    glm::dvec3 position, axis;  ///< of the camera; the axis has length 1
-    double fade;
+    glm::dvec3 position, axis;  ///< position of the camera, and its forward axis of length 1
+    double fade;                ///< fraction of each cascade that blends into the next, 0 to 1
 
-    /// @param camera   that the cascades were made for; distances are along its axis
-    /// @param share    of each cascade over which the next one takes over, 0 .. 1: cascade_fit::overlap or less; after
-    ///                 the last, full light
-    /// @throws std::invalid_argument  a camera's direction of zero or not finite, share out of range
+    /// @param all      cascades from near to far
+    /// @param camera   camera that the cascades were made for. Distances are along its axis
+    /// @param share    fraction of each cascade over which the next one takes over, 0 to 1: cascade_fit::overlap or
+    ///                 less. The last cascade fades to light
+    /// @throws std::invalid_argument  a camera direction of zero or not finite; a share out of range
     template <real T, std::size_t Count>
     warped_maps(const std::array<warped_cascade<T>, Count>& all, const frustum<T>& camera, T share = T(0))
         : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(share) {
@@ -49,11 +51,11 @@ struct warped_maps {
     }
 
     struct uniforms {
-        glm::mat4 to_texels[4];  ///< texture_matrix of each
-        glm::mat4 planes[4];     ///< plane_matrix of these
-        glm::mat4 fades;         ///< columns: scale and offset of each one's cascade_fade
-        glm::vec4 ahead;         ///< distance along the camera's axis: of a point, and of the origin
-        glm::vec4 ends;          ///< of the first three; w: the last one's number
+        glm::mat4 to_texels[4];  ///< texture_matrix of each map
+        glm::mat4 planes[4];     ///< plane_matrix of each
+        glm::mat4 fades;         ///< one column per map: scale and offset for cascade_fade
+        glm::vec4 ahead;         ///< distance along the camera's axis: dot(ahead.xyz, world) + ahead.w
+        glm::vec4 ends;          ///< xyz: ends of the first three cascades; w: number of the last one
     };
     static constexpr uniform_field fields[]{{"to_texels_0"}, {"to_texels_1"},  {"to_texels_2"}, {"to_texels_3"},
                                             {"planes_0"},    {"planes_1"},     {"planes_2"},    {"planes_3"},

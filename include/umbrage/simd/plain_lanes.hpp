@@ -97,7 +97,7 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 
 /// apply_receiver_plane of a row of texels from column `first` on.
 /// @param slope, x   slope and position of the receiver, along the row
-/// @param beside     what the row's distance from the receiver adds to the plane
+/// @param beside     depth that the row's distance from the receiver adds to the plane
 template <int Count>
 inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
                           plain_lanes<float, Count>& texels) {

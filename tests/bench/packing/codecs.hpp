@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is compared: writers and readers of depth, the ways they are run, the shaders for that.
+// Writers and readers of depth to compare, the ways of running them, and the shaders for that.
 #pragma once
 
 #include <cmath>
@@ -71,7 +71,7 @@ inline std::vector<codec> codecs(const std::string& folder) {
     };
 }
 
-/// What came back of all depths, in order.
+/// Decoded depths of all inputs, in order.
 struct result {
     double worst = 0.0;  ///< error of a depth below 1
     int breaks = 0;      ///< depths that decode below their predecessor

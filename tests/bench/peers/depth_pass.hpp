@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What somebody would take instead of our depth pass, each in a file of its own.
+// Alternatives to this library's depth pass, each in a file of its own.
 #pragma once
 
 #include <memory>

@@ -27,7 +27,7 @@ std::vector<job> jobs(const std::string& folder) {
     const std::string three = version("three"), babylon = version("babylon"), playcanvas = version("playcanvas");
     const std::string us = "umbrage";
 
-    // What the peers' engines put before these texts.
+    // Macros that the peers' engines put before these texts.
     const std::string old = "#define texture2D texture\n#define textureCube texture\n";
     const std::string three_shadow =
         old + "#define USE_SHADOWMAP\n#define PI2 6.283185307179586\n" + text("three_shadow");

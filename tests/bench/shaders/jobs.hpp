@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is measured: snippets, and what three.js, Babylon.js and PlayCanvas do for the same job.
+// Jobs to measure: snippets, and the shaders of three.js, Babylon.js and PlayCanvas for the same job.
 #pragma once
 
 #include <string>
@@ -33,11 +33,11 @@ struct job {
 /// The job of jobs() that looks up cascades.
 [[nodiscard]] job cascades();
 
-/// Those of soft shadows.
+/// Jobs of soft shadows.
 /// @param folder   as of jobs()
 [[nodiscard]] std::vector<job> soft(const std::string& folder);
 
-/// What a border costs each filter.
+/// Cost of a border for each filter.
 [[nodiscard]] job outside();
 
 /// Shadows as bind() prints them, against their parts.

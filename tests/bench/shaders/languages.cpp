@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every snippet costs on AMD RDNA2 in each language that reaches SPIR-V, beside its GLSL.
+// Cost of every snippet on AMD RDNA2 in each language that compiles to SPIR-V, compared with its GLSL.
 //
 //     languages FILE.tsv [NODE NAGA.JS NODE_MODULES]   without the latter no WGSL
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What it costs that texels outside the map count as the far plane: each filter clamped, and bordered.
+// Cost of counting texels outside the map as the far plane: each filter clamped, and bordered.
 #include "jobs.hpp"
 
 #include <utility>

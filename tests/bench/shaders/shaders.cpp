@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every snippet costs on AMD RDNA2, by Mesa's compiler and without the hardware, and beside ours what three.js,
-// Babylon.js and PlayCanvas do for the same job.
+// Cost of every snippet on AMD RDNA2, by Mesa's compiler and without the hardware. Shaders of three.js, Babylon.js and
+// PlayCanvas for the same job are measured beside them.
 //
 //     shaders FOLDER PREFIX [--software]   FOLDER: from packing/peers.mjs; writes PREFIX.tsv, PREFIX.json
 //

@@ -201,7 +201,7 @@ private:
         return pipeline;
     }
 
-    /// What drawing needs beside a pipeline.
+    /// Objects that drawing needs besides a pipeline.
     void prepare(std::uint32_t width, std::uint32_t height) {
         vkGetDeviceQueue(device_, family_, 0, &queue_);
         const auto pool =

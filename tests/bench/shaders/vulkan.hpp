@@ -15,7 +15,7 @@ using spirv = std::vector<std::uint32_t>;
 /// Inputs: vec4 x0 to x5 at locations 0 to 5. Push constants: vec2 map_size. Output: location 0, RGBA8.
 inline constexpr int map_size = 2048;
 
-/// What the compiler says of a shader, by its own names; of RADV "Instructions", "Inverse Throughput", "VGPRs" ...
+/// Statistic of the compiler for a shader, by its own name. RADV has "Instructions", "Inverse Throughput", "VGPRs" ...
 struct statistic {
     std::string name;
     std::uint64_t value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How far the operations that snippets use may be from their true results: one table, one row an operation.
+// Errors that the specifications allow to the operations of snippets: a table with one row per operation.
 #pragma once
 
 namespace parity::arithmetic {
@@ -9,7 +9,7 @@ namespace parity::arithmetic {
 struct accuracy {
     const char* operation;
     double glsl, vulkan, wgsl, direct3d, metal;
-    const char* range;  ///< of the operand, outside which no accuracy is promised
+    const char* range;  ///< range of the operand, outside which no accuracy is promised
 
     [[nodiscard]] constexpr double worst() const {
         double most = 0.0;

@@ -43,7 +43,7 @@ inline constexpr setting arithmetics[]{
       .sub_texel_bits = 8}},
 };
 
-/// What a compiler does that fuses, and rounds otherwise than to nearest now and then.
+/// Arithmetic of a compiler that fuses, and sometimes rounds to the other neighbor.
 inline constexpr setting fused_and_rounded{"fused and rounded either way", {.fuses = true, .rounding = rules::either}};
 
 }  // namespace parity::arithmetic

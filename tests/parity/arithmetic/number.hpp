@@ -15,13 +15,13 @@
 
 namespace parity::arithmetic {
 
-/// What an implementation does to floats. The default is IEEE 754 in written order.
+/// Arithmetic of an implementation. The default is IEEE 754 in written order.
 struct rules {
     enum roundings { nearest, up, down, toward_zero, either };
 
     bool fuses = false;            ///< a * b + c is rounded once
     bool reorders = false;         ///< sums and products are regrouped, common factors taken out or multiplied out
-    roundings rounding = nearest;  ///< of + - *; `either`: one of the two neighbors
+    roundings rounding = nearest;  ///< rounding of + - *; `either`: one of the two neighbors
     bool flushes_inputs = false;   ///< denormal operands act as zeros of their sign
     bool flushes_results = false;
     bool assumes_finite = false;  ///< no NaN, no infinity: comparisons with a NaN give anything, x - x is 0
@@ -29,10 +29,10 @@ struct rules {
     bool reads_beside = false;    ///< UNORM texels arrive an ulp off
     bool reads_halves = false;    ///< UNORM texels arrive in 16 bits, as through a sampler of lowp or mediump
     bool stores_either = false;   ///< a UNORM target keeps any of the two codes beside a result
-    int sub_texel_bits = 0;       ///< of a linear sampler's weights; 0: exact ones
+    int sub_texel_bits = 0;       ///< bits of a linear sampler's weights; 0: exact weights
 };
 
-/// What became of one call.
+/// Outcome of one call.
 struct outcome {
     bool denormal = false;      ///< among the values it used
     bool not_finite = false;    ///< likewise a NaN or an infinity
@@ -114,7 +114,7 @@ enum class unorm_store { rounds, truncates };
 /// Draws one of n by the seed.
 [[nodiscard]] int drawn(int n);
 
-/// What is known of a number beside its value.
+/// Knowledge about a number besides its value.
 struct knowledge {
     float value = 0.0f;
     double real = 0.0;        ///< in real arithmetic, after the same decisions

@@ -20,7 +20,7 @@ void each_snippet(const snippet& s, const Use& use) {
     for (const snippet* needed : s.needs) each_snippet(*needed, use);
 }
 
-/// What is corrected after a floor that may fall on either side: the margin is not what makes it exact.
+/// True for results that are corrected after a floor on either side. Their exactness does not need a margin.
 bool corrects_its_floors(const entry& e) {
     bool found = false;
     for (const snippet& s : e.snippets())
@@ -29,7 +29,7 @@ bool corrects_its_floors(const entry& e) {
     return found;
 }
 
-/// Whether a result is what the entry promises in any arithmetic: a visibility is in [0, 1], or off by its bound.
+/// True when a result keeps the entry's promise in any arithmetic: a visibility is in [0, 1], or off by its bound.
 bool is_in_range(const entry& e, float v, const call& got, const promise& p) {
     if (!e.bound.empty() || !is_visibility(e)) return true;
     const outcome& o = got.what;
@@ -148,7 +148,7 @@ count try_entry(const entry& e, const rules& by, std::size_t inputs, const promi
             all.no_visibility += !may_be_nan && !is_in_range(e, got.value(0), got, p);
             const bool flushes = by.flushes_inputs || by.flushes_results;
             bool same = true, in_bound = true, exact = true;
-            double share = 0.0;  // of the bound
+            double share = 0.0;  // share of the bound
             for (int c = 0; c < 4; ++c) {
                 const knowledge& r = got.results[std::size_t(c)];
                 const double difference = std::abs(double(r.value) - double(twin[c])),

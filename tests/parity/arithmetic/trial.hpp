@@ -35,11 +35,11 @@ private:
     std::array<const filled_texture*, max_textures> by_unit_{};
 };
 
-/// Whether the tier of a call's entry allows this result: what some order, fusing and rounding can give, or what lies
-/// within the bound after the same decisions. What no bound holds is a visibility in [0, 1] still, but of NaN.
+/// True when the tier of a call's entry allows this result. Some order, fusing and rounding gives it, or it lies within
+/// the bound after the same decisions. A visibility without a bound must still be in [0, 1], except for NaN.
 [[nodiscard]] bool allows(const caller& run, std::size_t input, const vec4& result);
 
-/// Whether its result is a visibility.
+/// True when the entry's result is a visibility.
 [[nodiscard]] bool is_visibility(const entry& e);
 
 /// A promise to hold an entry to; by default its own.
@@ -48,7 +48,7 @@ struct promise {
     bool as_written = false;  ///< `within` holds in the written order, rounded to nearest, alone
     double within = 0.0;      ///< tier C: greatest difference; 0: the bound n 2^-23 S
     int operations = 0;       ///< n, where the primitive alone is called
-    double share = 1.0;       ///< of the bound that is allowed: a fault, where below 1
+    double share = 1.0;       ///< allowed share of the bound; below 1 it makes a fault
 };
 [[nodiscard]] promise promise_of(const entry& e, const rules& by);
 
@@ -68,7 +68,7 @@ struct count {
     double least_margin =
         std::numeric_limits<double>::infinity();  ///< of a floor or comparison, as a multiple of its error
     double margin = 0.0, error = 0.0;             ///< of that one
-    std::string example{};                        ///< of a broken promise
+    std::string example{};                        ///< example of a broken promise
 
     void add(const count& other);
 };

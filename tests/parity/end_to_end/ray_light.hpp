@@ -23,11 +23,11 @@ public:
     struct receiver {
         vec3 world{0.0f};
         std::size_t triangle = 0;
-        vec2 share{0.0f};  ///< of the triangle's second and third corner
+        vec2 share{0.0f};  ///< shares of the triangle's second and third corner
     };
     /// A point of a triangle that camera and light hold. Only of a light that has_receivers.
     [[nodiscard]] receiver draw(random& r) const;
-    /// Whether such points are one in 32 or more.
+    /// True when one in 32 points or more is such a receiver.
     [[nodiscard]] bool has_receivers() const;
     [[nodiscard]] std::array<vec3, 3> corners_of(const receiver& p) const;
 
@@ -35,14 +35,14 @@ public:
     void move_to_border(receiver& p, int steps) const;
 
     /// Writes what the shader takes of a receiver.
-    /// @param reach   of its filter, texels
+    /// @param reach   reach of its filter, texels
     void fill(const receiver& p, float reach, sample& s) const;
 
     /// Raises the bias of such inputs until the receiver's depth is what its texel stores, where it is farther away.
     /// @param result   visibility, coordinate and receiver of the inputs
     void move_to_depth(sample& s, vec4 result) const;
 
-    /// Whether rays decide that a receiver is lit or in shadow: no edge is near, no bias decides.
+    /// True when rays decide that a receiver is lit or in shadow: no edge is near, and no bias decides.
     [[nodiscard]] bool is_told(const receiver& p, float reach) const;
 
     [[nodiscard]] const texels& map() const { return map_; }
@@ -55,11 +55,11 @@ private:
         return umbrage::project_coordinate(umbrage::shadow_coordinate(matrix_, world));
     }
 
-    umbrage::cascade<float> cascade_{};  ///< of a cascade alone
+    umbrage::cascade<float> cascade_{};  ///< cascade, for lights that are one
     texels map_{{1, 1}};
 };
 
-/// What a filter of a reach is to allow for in the proof: rounded coordinates, vertices moved by a rasterizer.
+/// Reach that the proof allows for a filter, with rounded coordinates and vertices moved by a rasterizer.
 [[nodiscard]] constexpr float allowed_reach(float reach) { return reach + umbrage::rasterizer_snap<float> + 0x1p-10f; }
 
 /// The first `count` lights of a kind that have receivers.

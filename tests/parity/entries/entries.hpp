@@ -51,7 +51,7 @@ template <class Twin>
     e.share = 16;
     return e;
 }
-/// Of one whose sampler weighs comparisons.
+/// Entry whose sampler weights comparisons.
 template <class Twin>
 [[nodiscard]] entry sampled_filter(const snippet& s, const std::string& arguments, const std::string& variant,
                                    const umbrage::glsl::binding& as, Twin twin) {

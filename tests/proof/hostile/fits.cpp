@@ -27,7 +27,7 @@ namespace {
 using namespace umbrage;
 
 constexpr int setups = 200;
-constexpr double slack = 1e-4;  // of the map: float's matrices, in any order of operations
+constexpr double slack = 1e-4;  // slack of the map, for matrices of float in any order of operations
 
 bool all_hold = true;
 
@@ -49,7 +49,7 @@ struct scene {
     [[nodiscard]] hull receivers() const { return intersection(camera, box); }
 };
 
-/// Of points in a map, in normalized device coordinates from -1 to 1, depth too.
+/// Bounds of points in a map, in normalized device coordinates from -1 to 1. Depth has this range too.
 struct bounds {
     double low[3]{9, 9, 9}, high[3]{-9, -9, -9};
     bool in_front = true;

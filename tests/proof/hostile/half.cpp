@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What mediump leaves of the two-channel encodings, 9 to 13 bits.
+// Two-channel encodings of 9 to 13 bits in mediump.
 #include <doctest/doctest.h>
 
 #include <array>

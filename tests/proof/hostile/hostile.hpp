@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the programs of hostile arithmetic share: inputs made from integers and bit patterns alone, so that no flags can
-// change them, the modes of the machine, and a line to print for table.cpp:
+// Common parts of the programs of hostile arithmetic. Inputs are made only from integers and bit patterns, so no flags
+// change them. There are the modes of the machine, and a line to print for table.cpp:
 //
 //     function  class-of-inputs  mode  inputs  digest  digest-without-the-sign-of-zeros
 //
@@ -61,7 +61,7 @@ struct digest {
     }
 };
 
-// What is passed on as it is: a denormal that counted as zero may be there still, and of a NaN only that it is one.
+// Value that is passed on unchanged. A denormal that counted as zero may still be there. A NaN has no defined bits.
 inline float passed_on(float v) {
     const auto bits = std::bit_cast<std::uint32_t>(v);
     if ((bits & 0x7FFFFFFFu) > 0x7F800000u) return from_bits(0x7FC00000u);

@@ -79,7 +79,7 @@ digest digest_of(const T& texel) {
     return d;
 }
 
-/// Which builds agree on a result: all in every mode, all in the same rounding mode, or none, as compilers may fuse.
+/// Builds that agree on a result: all in every mode, all in the same rounding mode, or none, as compilers may fuse.
 enum class agree { everywhere, in_a_mode, in_a_build };
 
 struct image_suite : setting {

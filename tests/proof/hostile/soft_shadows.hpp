@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// tier_a.cpp's inputs for what takes whole numbers to soft shadows: quotients, searches for blockers, boxes of tables.
+// tier_a.cpp's inputs for what takes integers to soft shadows: quotients, searches for blockers, boxes of tables.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct two_codes {
     }
 };
 
-/// Those that take many texels each.
+/// Runs of the filters that read many texels each.
 template <int Points, class Run, class Fetch>
 void each_with_points(const Run& run, const Fetch& fetch) {
     using namespace umbrage;

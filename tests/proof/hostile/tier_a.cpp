@@ -34,13 +34,13 @@ using namespace hostile;
 
 constexpr int block = 64;
 #ifdef SAMPLE
-constexpr int inputs = 1 << 12;  // of each primitive, for each class and mode
+constexpr int inputs = 1 << 12;  // inputs of each primitive, for each class and mode
 #else
 constexpr int inputs = 1 << 15;
 #endif
-constexpr int few_inputs = inputs / 16;  // of those that take many texels each
+constexpr int few_inputs = inputs / 16;  // inputs of primitives that read many texels each
 
-struct look_up {  // what a filter is called with
+struct look_up {  // arguments of a filter
     glm::vec2 a, b, c, d;
     float receiver;
     int radius;
@@ -231,7 +231,7 @@ void suite::all() const {
         const auto bounds = [&](glm::ivec2 at) { return glm::vec2(fetch(at), fetch(at + 1)); };
         return bounds_lit(bounds, l.a, l.receiver, glm::vec2(639.0f, 1.0f / 512.0f));
     });
-    run(  // whole numbers: a zero may have either sign
+    run(  // integers: a zero may have either sign
         "disc_rotation", inputs, [](source& s) { return s.coords(); },
         [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_rotation(pixel))); });
     run(
@@ -261,7 +261,7 @@ void suite::all() const {
             [store](glm::u8vec2 k) { return store_unorm(to_unorm(glm::vec2(k)), store); });
 }
 
-// What the docstrings say of NaN, said to this build alone: is_nan tests bits, so that -ffast-math must leave it.
+// Promises of the docstrings for NaN, checked in this build alone. is_nan tests bits, so -ffast-math keeps it.
 bool nan_promises_hold() {
     using namespace umbrage;
     const auto lit = [](glm::ivec2) { return 1.0f; };

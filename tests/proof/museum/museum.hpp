@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A museum of public bugs: each exhibit runs the old formula, written anew from its description, and ours on the same
+// A museum of public bugs: each exhibit runs the old formula, written again from its description, and ours on the same
 // inputs. The test demands that the old one fails and ours does not; main.cpp makes MUSEUM.md of the same table.
 #pragma once
 
@@ -26,11 +26,11 @@ struct score {
 struct exhibit {
     const char* title;
     const char* seen;     ///< where: public systems and threads
-    const char* trouble;  ///< what goes wrong
+    const char* trouble;  ///< symptom
     const char* formula;  ///< the old one
-    const char* counted;  ///< what is tried and what counts as wrong
-    const char* unit;     ///< of the worst error
-    const char* ours;     ///< what umbrage does
+    const char* counted;  ///< inputs tried, and the condition for a wrong one
+    const char* unit;     ///< unit of the worst error
+    const char* ours;     ///< answer of umbrage
     score (*old_way)();
     score (*our_way)();
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the exhibits of encodings try: public formulas, written anew from their descriptions, and the inputs on which
-// they and ours are scored.
+// Exhibits of encodings: public formulas, written again from their descriptions, and the inputs for the scores of these
+// formulas and of this library.
 #pragma once
 
 #include <array>

@@ -51,7 +51,7 @@ vec3 truth(const light_space<float>& light, vec3 p) {
     const double z = light.clip.range == depth_range::minus_one_to_one ? ndc.z * 0.5 + 0.5 : ndc.z;
     return vec3((ndc.x * 0.5 + 0.5) * map_size.x, (y * 0.5 + 0.5) * map_size.y, z);
 }
-// Where points land, in texels, against the truth; the map stores depth clamped, `depth` counts it in 1024ths.
+// Errors of projected points, in texels. The map stores clamped depth, and `depth` counts it in units of 1/1024.
 template <class Land>
 score landings(clip_space clip, Land land) {
     const light_space<float> light = spot(clip);

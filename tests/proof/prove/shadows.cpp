@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows of every set-up against rays, over many random scenes in every convention, on all cores. Prints a table,
+// Shadows of every setup against rays, over many random scenes in every convention, on all cores. Prints a table,
 // writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
 //     prove_shadows shadows.tsv        or fewer scenes than 512: prove_shadows shadows.tsv 32
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Of all scenes, a set-up under a filter.
+/// Result of a setup with a filter, over all scenes.
 struct line {
     proof::traced found{};
     std::uint64_t planes = 0, beyond = 0;  ///< tried; whose shadow is lost farther or less far than stated

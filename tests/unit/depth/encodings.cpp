@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every encoding says of itself, held against what it does.
+// Properties that every encoding states, compared with its behavior.
 #include <doctest/doctest.h>
 
 #include <algorithm>

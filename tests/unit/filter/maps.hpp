@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of filters share: random maps and coordinates, and the plainest possible way to look a texel up.
+// Common parts of tests of filters: random maps and coordinates, and the simplest lookup of a texel.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What discs between texels are held against: their points and the four texels around each in real numbers.
+// Oracle of discs between texels: their points, and the four texels around each, in real numbers.
 #pragma once
 
 #include <cmath>

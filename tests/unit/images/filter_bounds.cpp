@@ -16,7 +16,7 @@ using namespace umbrage;
 
 namespace {
 
-/// Of the texels whose centers lie within `reach` of c, and of `more` beyond either way.
+/// Bounds of the texels whose centers lie within `reach` of c, and of `more` texels beyond on each side.
 glm::dvec2 by_hand(const image<float>& map, glm::vec2 c, double reach, int more) {
     glm::dvec2 bounds(2, -2);
     const auto first = [&](float at) { return static_cast<int>(std::ceil(double(at) - reach - 0.5)) - more; };

@@ -38,7 +38,7 @@ bool same(const image<Texel>& a, const image<Texel>& b) {
     return std::equal(a.texels().begin(), a.texels().end(), b.texels().begin());
 }
 
-/// Whether visibility takes these arguments.
+/// True when visibility takes these arguments.
 template <class... Args>
 constexpr bool takes = requires(Args... args) {
     visibility(args...);

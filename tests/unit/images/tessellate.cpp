@@ -34,7 +34,7 @@ glm::dvec3 area(const tessellated_mesh& m, const glm::uvec3& t) {
     return glm::cross(corner(m, t, 1) - corner(m, t, 0), corner(m, t, 2) - corner(m, t, 0)) / 2.0;
 }
 
-/// How high an arc is over its chord, of a map of some texels.
+/// Height of an arc over its chord, in a map of some texels.
 double height_over_chord(glm::dvec3 p, glm::dvec3 q, int texels) {
     const auto place = [&](glm::dvec3 d) {
         const glm::dvec4 h = dual_paraboloid_position(d, 0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of lights share: every convention there is, a double's way through a matrix, how matrices differ, and
-// what an error says.
+// Common parts of tests of lights: every convention, transformation in double, differences of matrices, and messages
+// of errors.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ inline glm::dvec3 in_convention(glm::dvec3 p, umbrage::clip_space clip, double h
     return p;
 }
 
-/// What a set-up function complains of; empty when it does not.
+/// Message of a setup function's error; empty without an error.
 template <class Call>
 std::string complaint(Call call) {
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of maps around a point light share.
+// Common parts of tests of maps around a point light.
 #pragma once
 
 #include <random>
@@ -18,8 +18,8 @@ inline glm::dvec3 any(std::mt19937& random) {
     return {x, y, z};
 }
 
-/// How many steradians a step of one in s and in t sweeps, from what coordinates do around a direction.
-/// @param coordinate   dvec3 -> (s, t, map), of one map around the direction
+/// Solid angle in steradians of a step of 1 in s and in t, from differences of coordinates around a direction.
+/// @param coordinate   returns (s, t, map) of a direction: dvec3(dvec3). One map around the direction
 template <class Coordinate>
 double solid_angle(glm::dvec3 direction, const Coordinate& coordinate) {
     constexpr double step = 1e-6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A long ground that a camera sees from two units above it, which set-ups of lights are measured over.
+// A long ground that a camera sees from two units above it, which setups of lights are measured over.
 #pragma once
 
 #include <array>
@@ -52,11 +52,11 @@ inline glm::dvec3 sun(double elevation, double azimuth) {
     return {-std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e)};
 }
 
-/// Elevations and azimuths that set-ups are known for.
+/// Elevations and azimuths that setups are known for.
 inline constexpr std::array<std::array<double, 2>, 8> suns{
     {{90, 0}, {45, 90}, {20, 90}, {45, 180}, {45, 0}, {45, 135}, {15, 180}, {15, 0}}};
 
-/// What warps are fitted to; without margin.
+/// Input of the warps, without a margin.
 inline warp_fit<double> warp_under(std::array<double, 2> s) {
     return {.camera = reference.seen,
             .direction = sun(s[0], s[1]),
@@ -66,7 +66,7 @@ inline warp_fit<double> warp_under(std::array<double, 2> s) {
             .clip = cpu_clip_space};
 }
 
-/// What a camera sees of the ground, up to its far plane, through a pixel.
+/// Point of the ground that a camera sees through a pixel, up to its far plane.
 inline std::optional<glm::dvec3> ground_at(const view& v, glm::dvec2 pixel) {
     const glm::dvec4 h = glm::inverse(v.to_pixels) * glm::dvec4(pixel, 0.5, 1);
     const glm::dvec3 way = glm::dvec3(h) / h.w - v.seen.position;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every set-up function of lights, by its name, from one set of arguments.
+// Every setup function of lights, by its name, from one set of arguments.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ namespace set_up_functions {
 
 using namespace umbrage;
 
-/// All that lights are set up from: a spot inside a scene, and a camera inside it.
+/// Arguments of all light setups: a spot light and a camera, both inside a scene.
 template <class T>
 struct arguments {
     using vec = glm::vec<3, T>;
@@ -65,7 +65,7 @@ std::vector<light_space<T>> vector_of(const std::array<light_space<T>, N>& faces
     return {faces.begin(), faces.end()};
 }
 
-/// Every set-up function, by its name. Without a light where it gives none.
+/// Every setup function, by its name. Without a light where it gives none.
 template <class T>
 const std::map<std::string, std::function<std::vector<light_space<T>>(const arguments<T>&)>> functions{
     {"make_directional_light",

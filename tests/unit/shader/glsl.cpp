@@ -58,7 +58,7 @@ std::vector<word> words(std::string_view code) {
     return found;
 }
 
-/// What the preprocessor may leave of a text, without directives: the first branch of every #if, and the last.
+/// Texts that the preprocessor may leave, without directives: with the first branch of every #if, and with the last.
 std::vector<std::string> branches(const std::string& code) {
     std::vector<std::string> texts;
     for (const bool first : {true, false}) {

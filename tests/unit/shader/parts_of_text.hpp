@@ -8,7 +8,7 @@
 
 #include <umbrage/shader/glsl.hpp>
 
-/// How often a part occurs in a text.
+/// Number of times that a part occurs in a text.
 inline std::size_t count(std::string_view text, std::string_view part) {
     std::size_t n = 0;
     for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;

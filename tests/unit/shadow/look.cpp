@@ -10,7 +10,7 @@ using namespace umbrage;
 TEST_CASE("look: which filters a shadow takes, and which encodings with them") {
     static_assert(shadow_filter<filters::window> && shadow_filter<filters::disc> && shadow_filter<filters::dpcf>);
     static_assert(shadow_filter<prefilters::vsm> && shadow_filter<prefilters::msm_unorm16>);
-    static_assert(!shadow_filter<filters::four_tap>);        // its offsets are a set-up's of the application
+    static_assert(!shadow_filter<filters::four_tap>);        // its offsets are a setup's of the application
     static_assert(!shadow_filter<filters::pcf_2x2_dx_sdk>);  // it has a bias of its own
     static_assert(shadow_encoding<depth32f, filters::window> && !shadow_encoding<depth32f, prefilters::vsm>);
     static_assert(shadow_encoding<moment_texels<prefilters::vsm>, prefilters::vsm>);

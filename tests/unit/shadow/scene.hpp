@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A floor with a table over it, and lights of every set-up above: what the tests of shadows draw.
+// A floor with a table over it, and lights of every setup above: what the tests of shadows draw.
 #pragma once
 
 #include <array>
@@ -90,7 +90,7 @@ template <std::size_t Count = 3>
     return {root, cache, {.texels = 64, .gutter = 8}};
 }
 
-/// Calls use(shadow) for each set-up under a filter and an encoding.
+/// Calls use(shadow) for each setup under a filter and an encoding.
 template <class Filter, class Encoding, class Use>
 void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& encoding, const Use& use) {
     use(shadow(spot(clip), {256, 128}, filter, encoding));

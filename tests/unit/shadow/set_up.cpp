@@ -9,7 +9,7 @@ using namespace umbrage;
 
 namespace {
 
-/// A set-up of a user's own: what stands on the floor is looked up straight from above.
+/// A setup of a user's own: what stands on the floor is looked up straight from above.
 struct from_above {
     struct uniforms {
         glm::vec4 scale;

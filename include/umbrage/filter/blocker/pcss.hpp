@@ -36,7 +36,7 @@ namespace umbrage {
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
-/// @edge             no blocker found, as for a receiver at the near plane: 1. Every point a blocker: the filter
+/// @edge             no blocker found, as for a receiver at the near plane: 1. Blockers at every point: the filter
 ///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   disc(penumbra(z - floor(s / m)) / 16)

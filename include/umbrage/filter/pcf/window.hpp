@@ -32,7 +32,7 @@ inline constexpr int max_window = 15;
 /// Row of kernel weights, the same along both axes. Make it with make_window_row.
 struct window_row {
     int size;                   ///< number of weights
-    std::array<float, 8> half;  ///< weights from the edge to the middle one; the others mirror them
+    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
     int steps;                  ///< steps per texel
     float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
     float scale;              ///< 1 / whole^2
@@ -51,8 +51,9 @@ struct window_row {
 
 /// Row of kernel weights for window().
 /// @param size    number of weights, 1 .. 15
-/// @param half    weights from the edge to the middle one, none negative: size / 2 of them, rounded up
-/// @param steps   per texel, a power of two up to 256. Times the sum of all weights it must be an integer up to 4096
+/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
+/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
+///                up to 4096
 /// @throws std::invalid_argument  a parameter outside its range
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
     constexpr auto function = "make_window_row";
@@ -74,7 +75,7 @@ struct window_row {
 /// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
 /// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
 /// @param weights   receives row.touched() of them
-/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one gets
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
 ///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
 template <real T>
 constexpr void window_weights(const window_row& row, int moved, T* weights) {

@@ -74,7 +74,7 @@ namespace detail {
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
-    if (2 * k == size / 2)  // middle two of all weights, wherever the kernel is
+    if (2 * k == size / 2)  // the two central weights, wherever the kernel is
         return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",

@@ -35,7 +35,7 @@ template <real T>
 
 /// Texel of four components: a growing and a falling power of depth, and their squares.
 /// @param depth       in [0, 1]; clamped
-/// @param exponents   of the growing and of the falling power, 0 to 55
+/// @param exponents   exponents of the growing and the falling power, 0 to 55
 /// @edge              NaN: as the far plane and a cleared texel
 /// @formula           (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness         B, n = 73
@@ -106,7 +106,7 @@ struct evsm_settings {
 
 /// Parameters for shaders and functions, from make_evsm.
 struct evsm_parameters {
-    glm::vec2 exponents{};   ///< of the growing and the falling power; with two components only the first counts
+    glm::vec2 exponents{};   ///< exponents of the growing and the falling power; evsm2 uses only the first
     glm::vec2 deviations{};  ///< minimum deviations, relative to the receiver's powers
 };
 

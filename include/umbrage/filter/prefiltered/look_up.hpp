@@ -42,8 +42,8 @@ template <real T, class Fetch>
 
 namespace detail {
 
-/// Lookup that all prefiltered maps share. Receivers outside the filter domain are lit, with bordered(map) also those
-/// outside the map. Texels outside the map are the nearest ones inside, as for the blur.
+/// Lookup that all prefiltered maps share. Receivers outside the filter domain are lit. With bordered(map), receivers
+/// outside the map are lit too. Texels outside the map are the nearest ones inside, as for the blur.
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};

@@ -19,7 +19,7 @@
 namespace umbrage {
 namespace detail {
 
-/// Number of Pascal's triangle in row taps - 1, at a distance from its middle.
+/// Binomial coefficient in row taps - 1 of Pascal's triangle, at a distance from the row's center.
 [[nodiscard]] constexpr int binomial_weight(int taps, int distance) {
     int weight = 1;
     for (int i = 0; i < taps / 2 - distance; ++i) weight = weight * (taps - 1 - i) / (i + 1);

@@ -106,7 +106,7 @@ struct box_blocks {
 
     /// First of the texels that a receiver reads, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box, texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< side of a box, texels
     [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< texels per row, in registers of eight
 
     template <class Receivers>

@@ -108,7 +108,7 @@ struct disc_blocks {
 private:
     static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
     struct near_texels {
-        alignas(64) std::int32_t offsets[block];                           ///< of the first texel
+        alignas(64) std::int32_t offsets[block];                           ///< offset of the first texel
         alignas(64) std::uint32_t from[block];                             ///< from that texel to the receiver, packed
         alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
     };

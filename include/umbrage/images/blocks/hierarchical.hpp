@@ -80,14 +80,14 @@ struct open_receivers {
 };
 
 /// Blocks that try bounds first.
-/// @tparam Blocks   of the filter that reads every texel of its box
+/// @tparam Blocks   blocks of the filter, which reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
     using test = typename Blocks::test;
     using tile = open_receivers;
     struct placed {
         receiver_block r;
-        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of the compared receivers
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< for the compared receivers
     };
     const box_bounds& tree;
     Blocks every_texel;

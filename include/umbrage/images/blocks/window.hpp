@@ -40,7 +40,7 @@ struct window_blocks {
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a kernel, texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< side of a kernel, texels
     [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< texels per row
         return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
     }
@@ -131,7 +131,7 @@ private:
         sum = (upper + lower) * sum;
     }
 
-    /// Weights texels for all receivers. Those outside the map use the map's first texels.
+    /// Weights texels for all receivers. A receiver outside the map uses the map's first texels.
     template <int Lanes, int Registers, int Rows = 0, class Placed>
     UMBRAGE_INLINE void weigh_inside(const Placed& at, int count, float* sums) const {
         const texel_bytes memory(map);

@@ -10,9 +10,9 @@
 //     }
 //     buffer.finish();
 //
-// A column of texels takes one cache line per row. Where rows start a multiple of 4096 bytes apart, all of
-// these belong to one set of the usual L1 cache of 64 sets of 8 lines. Stores wait for lines that the loads of later
-// rows have evicted. Tall triangles then take two to four times as long.
+// A column of texels takes one cache line per row. The usual L1 cache has 64 sets of 8 lines. All lines of the column
+// belong to one set if rows start a multiple of 4096 bytes apart. Stores then wait for lines that the loads of later
+// rows have evicted, and tall triangles take two to four times as long.
 //
 #pragma once
 
@@ -46,7 +46,8 @@ public:
         for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
         if (left_ > 0) return;
         constexpr std::size_t line = 64;
-        const std::size_t lines = ((row_bytes() + line - 1) / line) | 1;  // odd: 64 rows begin in as many sets
+        const std::size_t lines =
+            ((row_bytes() + line - 1) / line) | 1;  // odd, so 64 rows begin in 64 sets of the cache
         buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
         rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
         copy(in_place_, rows_);

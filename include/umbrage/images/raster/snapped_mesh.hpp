@@ -148,8 +148,8 @@ private:
         return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
     }
 
-    /// Parts that are drawn of a triangle that crosses planes: the part behind the near plane, and the part in front of
-    /// it where that plane clamps. None if the triangle is outside of another plane, or not finite.
+    /// Drawn parts of a triangle that crosses planes: the part behind the near plane and, if that plane clamps, the
+    /// part in front of it. There are none if the triangle is outside of another plane, or not finite.
     /// @param use   (a, b, c, unsigned triangle), for each triangle of a part
     template <class Use>
     void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {

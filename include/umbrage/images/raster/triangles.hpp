@@ -8,7 +8,7 @@
 //     for (int i = 0; i < batch.count; ++i)
 //         batch.for_each_row(i, [&](int y, int first, int last) { ... });
 //
-// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
+// A sample is inside an edge from a to b if E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
 // is neither a top nor a left one the condition is E > 0, which is E - 1 >= 0. From texel to texel E grows by multiples
 // of 256. So its sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
 //
@@ -82,7 +82,7 @@ public:
         id[count++] = triangle;
     }
 
-    /// Sets up all triangles. Those that face away, have no area or no texel within `bounds` get no rows.
+    /// Sets up all triangles. Triangles that face away, without area or without a texel within `bounds`, get no rows.
     ///
     /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. A sample is within 2^-48 n m of the
     ///             plane through the snapped vertices: n is the bounds' larger side in 1/256 texel, m the sum of the

@@ -79,7 +79,8 @@ template <real T, class Table>
 inline constexpr int page_tile_columns = 8;
 
 /// First texel of a page in an atlas of eight a row, without a table of texels: see shadow/adaptive_maps.hpp.
-/// @param number   0 or above, whole;   size  of a page with its gutter, texels
+/// @param number   number of the page's slot, an integer >= 0
+/// @param size     size of a page with its gutter, texels
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 page_tile(int number, int size) {
     return glm::ivec2(number % page_tile_columns, number / page_tile_columns) * size;

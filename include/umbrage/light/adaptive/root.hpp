@@ -60,7 +60,7 @@ template <real T = float>
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
-        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // so that nothing lies on a plane
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // keeps the scene off both planes
     light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
                                             root.clip, function, "center and side", "scene");
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};

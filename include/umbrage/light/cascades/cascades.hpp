@@ -279,7 +279,7 @@ requires(Count >= 1 && Count <= 4)
 template <real T, std::size_t Count>
 struct grouped_cascade_uniforms {
     glm::mat<4, 4, T> rotation{T(1)};                                ///< as in cascade_uniforms
-    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as in cascade_uniforms
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< a matrix per four cascades
     /// Ends of all cascades but the last, in groups of three. The sum of cascade_by_depth over them is the cascade.
     std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
 };

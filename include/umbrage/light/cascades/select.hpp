@@ -84,7 +84,7 @@ template <real T>
 
 /// Finest cascade that contains a point and the filter around it, which is the first, and the position there.
 /// @param light            the point, rotated into the light's axes
-/// @param scales, offsets  of four cascades, as for cascade_coordinate; with fewer see make_cascade_uniforms
+/// @param scales, offsets  columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
 /// @param size             size of each map, in texels
 /// @param reach            filter radius, in texels
 /// @return                 (x, y) in texels, depth, index of the cascade

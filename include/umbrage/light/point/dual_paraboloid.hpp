@@ -69,7 +69,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w). x and y are from -1 to 1 in the map's half, and larger beyond it. w is
 ///                    never below 0, and is 0 at the center of the other half
 /// @formula           w = |p| + z, for map 1 |p| - z
-/// @exactness         C, n = 18: a square root. S of w = |p| + |z|, of z that times |p|; x and y are exact
+/// @exactness         C, n = 18: a square root. S(w) = |p| + |z|, S(z) = |p| S(w). x and y are exact
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);

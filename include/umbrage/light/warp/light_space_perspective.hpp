@@ -50,7 +50,7 @@ template <real T>
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
-    // an orthographic camera shrinks nothing: no warp, as where camera and light look one way
+    // an orthographic camera needs no warp, nor does a camera that looks along the light
     v.sine = is_perspective(fit.camera) ? glm::length(glm::cross(view, unit(glm::dvec3(fit.direction)))) : 0.0;
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
@@ -121,7 +121,8 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param distance   n, from the warp's center to the nearest receivers, > 0, in world units along the camera's view
+/// @param distance   distance n from the warp's center to the nearest receivers, > 0, in world units along the
+///                   camera's view
 ///                   across the light. Smaller values give more texels to close receivers. Infinity gives no warp.
 ///                   2^-14 of the receivers' extent replaces smaller values. The default is sqrt(z0 optimal_distance),
 ///                   with z0 the receivers' smallest distance along the camera's view. It is close to optimal on a

@@ -129,8 +129,8 @@ private:
         return 0;
     }
 
-    /// Operand in brackets where WGSL needs them. WGSL's operators of no higher level than GLSL's take no unbracketed
-    /// operators at all, or not these.
+    /// Operand in brackets where WGSL needs them. Its bitwise, shift and comparison operators take fewer operands
+    /// without brackets than GLSL's do.
     static std::string operand(const value& v, int level, bool chained) {
         const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
         const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
@@ -267,7 +267,7 @@ private:
         std::string type = arguments[0].type;
         for (const value& v : arguments)
             if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
-        for (value& v : arguments) {  // in WGSL all are of one type
+        for (value& v : arguments) {  // in WGSL all arguments have one type
             if (v.type == type) continue;
             if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
             const std::size_t space = v.text.find_first_not_of(" \n");

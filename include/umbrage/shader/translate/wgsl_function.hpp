@@ -191,7 +191,7 @@ private:
             skip_qualifiers();
         }
         if (glsl::detail::is_type(next().text)) return declaration(constant);
-        if (next() == "++" || next() == "--") {  // after its variable, in WGSL
+        if (next() == "++" || next() == "--") {  // WGSL has the sign after its variable
             const std::string sign(take().text);
             return expression().text + sign;
         }

@@ -16,7 +16,7 @@
 
 namespace umbrage::glsl::detail {
 
-/// Differences of such a language from GLSL.
+/// Differences of a near language from GLSL.
 struct near_language {
     std::string_view name;
     std::string_view word::*own;

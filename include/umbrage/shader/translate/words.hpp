@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Other words
-// are names of the text, or errors.
+// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Any other
+// word of a text is a name that the text declares, or an error.
 //
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where biases end: 2^-64, 2 and 2^64, and the floats beside them.
+// Limits of biases: 2^-64, 2 and 2^64, and the neighboring floats.
 #pragma once
 
 #include <array>

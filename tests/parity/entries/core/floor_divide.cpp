@@ -6,7 +6,7 @@
 namespace parity {
 namespace {
 
-/// a in x0.x, b in x0.y, a quotient at most one off in x0.z; whole numbers.
+/// a in x0.x, b in x0.y, a quotient at most one off in x0.z; integers.
 void draw_fraction(std::uint32_t a, std::uint32_t b, random& r, sample& s) {
     const float off = static_cast<float>(r.below(3)) - 1.0f;
     s.x[0] = {static_cast<float>(a), static_cast<float>(b), static_cast<float>(a / b) + off, 0.0f};

@@ -11,7 +11,7 @@
 
 namespace parity {
 
-/// Whether a position is more than a rounding away from borders between texels, where samplers may take either.
+/// True when a position is more than a rounding away from borders between texels. There samplers may take either.
 [[nodiscard]] inline bool off_borders(vec2 position) {
     const vec2 within = position - glm::floor(position);
     return std::min(std::min(within.x, within.y), 1.0f - std::max(within.x, within.y)) > 1.0f / 512.0f;

@@ -41,7 +41,7 @@ bool has_box(const binding& as) {
     return kind && !as.gather && as.direction == depth_direction::reversed;
 }
 
-/// What a shader of the map calls, and the same in C++: pcf_2x2, box or hard, the bits of lit_2x2, fetch_depth or lit.
+/// Calls of a shader of the map, and the same in C++: pcf_2x2, box or hard, the bits of lit_2x2, fetch_depth or lit.
 std::string calls(const binding& as, const std::string& depth = "x0.z") {
     const std::string receiver = "(map, map_size, vec2(x0.x, x0.y), " + depth,
                       texel = "(map, map_size, vec2(x1.x, x1.y)";
@@ -186,7 +186,7 @@ void add_levels(std::vector<entry>& all) {
         }
 }
 
-/// Depths of 16 bits, and receivers between two of them: implementations may compare floats or whole numbers. Filters
+/// Depths of 16 bits, and receivers between two of them: implementations may compare floats or integers. Filters
 /// alone, which light what is beyond the far plane before any sampler compares.
 void add_short_depths(std::vector<entry>& all) {
     constexpr float most = bound_map::most_short;

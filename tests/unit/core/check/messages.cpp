@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What functions say of bad input: which function was called, which argument is wrong, what it must be, and its value.
+// Messages of functions for bad input: the function, the argument, the condition, and the value.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What contact hardening promises: the penumbra of a straight edge is as wide as rays to an area light see it.
+// Promise of contact hardening: a straight edge's penumbra has the width that rays to an area light give it.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -73,7 +73,7 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
     CHECK(std::abs(ours - theirs) <= std::max(1.0, 0.1 * theirs));
 }
 
-/// Of suns and spots, either direction of depth, with and without a far plane.
+/// Checks directional lights and spot lights, both directions of depth, with and without a far plane.
 template <class Pcss>
 void check_widths(const Pcss& pcss) {
     for (const clip_space clip :

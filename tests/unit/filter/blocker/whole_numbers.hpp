@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What contact hardening is held against: its steps in 64-bit whole numbers and texels by brute force.
+// Oracle of contact hardening: its steps in 64-bit integers, and its texels by brute force.
 #pragma once
 
 #include <algorithm>

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// The texel of a point, in whole numbers.
+/// The texel of a point, in integers.
 std::int64_t tap_along(double coord, std::int64_t turned, std::int64_t radius) {
     const auto position = static_cast<std::int64_t>(std::floor(coord * 256));
     return floor_divide(position + floor_divide(turned * radius, 64), 256);

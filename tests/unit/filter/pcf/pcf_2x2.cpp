@@ -20,7 +20,7 @@ auto masked(int mask, glm::ivec2 base) {
     };
 }
 
-/// Weights in whole numbers of 2^-16.
+/// Weights in integers of 2^-16.
 int weighted(int mask, int fx, int fy) {
     const int weights[4] = {(256 - fx) * (256 - fy), fx * (256 - fy), (256 - fx) * fy, fx * fy};
     int sum = 0;
@@ -72,7 +72,7 @@ TEST_CASE("pcf_2x2: brute force, in float and double, up to the limits of texel 
     for (float x : awkward_coordinates(random, size.x))
         for (float y : awkward_coordinates(random, size.y)) {
             const float receiver = static_cast<float>(tried++ % 3) / 2.0f;
-            // position in 1/256 texel, in whole numbers from here on
+            // position in 1/256 texel, in integers from here on
             const long long px = std::llround(std::floor(double(x) * 256.0)) - 128,
                             py = std::llround(std::floor(double(y) * 256.0)) - 128;
             const long long tx = px >> 8, ty = py >> 8;

@@ -37,7 +37,7 @@ double greatest_change(const std::vector<double>& x, const std::vector<double>& 
     return change;
 }
 
-/// What an axis' texels weigh where a window has moved by a share of a texel, in real numbers.
+/// Weights of an axis' texels for a kernel moved by a fraction of a texel, in real numbers.
 std::vector<double> moved_by(double s, const std::vector<std::int64_t>& quarters) {
     std::vector<double> weights;
     const auto sum = double(std::accumulate(quarters.begin(), quarters.end(), std::int64_t(0)));
@@ -105,7 +105,7 @@ TEST_CASE("window_hardware: between texels the sum in real numbers, on the steps
     }
 }
 
-// What a shader's samplers do to it is for parity; here, how far samplers can be off at all.
+// Largest errors of samplers. Parity tests the errors of a shader's samplers.
 TEST_CASE("window_hardware: its bound holds for fractions rounded and truncated to 1/256, and not to 1/64") {
     for (const row_in_quarters& r : rows_in_quarters()) {
         if (r.row.size % 2 == 0) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The rows of windows.hpp once more, as whole numbers: quarters of their weights.
+// The rows of windows.hpp once more, as integers: quarters of their weights.
 #pragma once
 
 #include <algorithm>

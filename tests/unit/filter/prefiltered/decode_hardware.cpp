@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("decode_hardware: by hand", T, float, double) {
 
 namespace {
 
-/// What is lit of one power's moments, of double precision throughout.
+/// Visibility from one power's moments, in double throughout.
 double lit_in_reals(glm::dvec2 m, double w, double deviation) { return chebyshev(m, w, deviation * deviation * w * w); }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What no distribution of depths with given moments undercuts, found without knowing how such distributions look: the
-// linear program over the masses of many depths, by the simplex method.
+// Lower bound over all distributions of depths with given moments, found without knowing their shape. It is a linear
+// program over the masses of many depths, solved by the simplex method.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ public:
     }
 
     [[nodiscard]] double least() const { return least_; }
-    /// How far off the moments of the masses found are.
+    /// Error of the moments of the masses found.
     [[nodiscard]] double unmet() const { return unmet_; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of prefiltered maps share: windows of depths with a receiver, and how much of them is lit.
+// Common parts of tests of prefiltered maps: windows of depths with a receiver, and their lit fraction.
 #pragma once
 
 #include <algorithm>

@@ -123,7 +123,7 @@ void check_filters(Encoding encoding, std::initializer_list<int> radii) {
 TEST_CASE("visibility: every path gives the filter's bits, float map") {
     check_filters(umbrage::depth32f{}, {-1, 0, 1, 2, 3, 4, 7, 8, 9});
 }
-// What has a radius reads these maps as floats.
+// Filters with a radius read these maps as floats.
 TEST_CASE("visibility: every path gives the filter's bits, 11-bit map") { check_filters(umbrage::rg<11>{}, {1}); }
 TEST_CASE("visibility: every path gives the filter's bits, 16-bit map") {
     check_filters(umbrage::rg<16>{.edge = umbrage::center<float>}, {8});

@@ -30,7 +30,7 @@ int differing(const Filter& filter, const image<float>& map, const image<glm::ve
     return differ;
 }
 
-/// Whether visibility() would filter so many receivers by bounds.
+/// True when visibility() filters this number of receivers by bounds.
 template <class Filter>
 bool by_bounds(const Filter& filter, glm::ivec2 map_size, glm::ivec2 receivers) {
     static_assert(requires { typename umbrage::detail::block_form<Filter>::by_bounds; });

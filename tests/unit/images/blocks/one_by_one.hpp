@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What visibility over images is held against: the filter called for each receiver, bit by bit, on each path.
+// Oracle of visibility over images: the filter called for each receiver. Each path must give the same bits.
 #pragma once
 
 #include "paths.hpp"
@@ -37,7 +37,7 @@ struct any_filter {
     }
 };
 
-/// What the filter gives for each receiver alone, in some rounding modes.
+/// Results of the filter for each receiver alone, in several rounding modes.
 class one_by_one {
 public:
     one_by_one(const any_filter& filter, const any_fetch& fetch, glm::ivec2 size, const any_receivers& at) {

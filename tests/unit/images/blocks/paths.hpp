@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of image functions against their primitives share: every instruction set of this machine, every rounding
-// mode, rows with gaps, bands, values that break conversions.
+// Common parts of tests that compare image functions with their primitives: every instruction set of this machine,
+// every rounding mode, rows with gaps, bands, and values that break conversions.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -95,7 +95,7 @@ struct values {
     std::mt19937 engine{20021};
     std::uint32_t word() { return static_cast<std::uint32_t>(engine()); }
     float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
-    /// What breaks conversions: NaN of either sign, infinities, borders of codes, any pattern of bits.
+    /// Value that breaks conversions: NaN of either sign, infinities, borders of codes, any pattern of bits.
     float depth() {
         constexpr float infinity = std::numeric_limits<float>::infinity();
         switch (word() % 12) {

@@ -25,7 +25,7 @@ bool same_floats(const std::vector<float>& a, const std::vector<float>& b) {
                       [](float x, float y) { return std::bit_cast<unsigned>(x) == std::bit_cast<unsigned>(y); });
 }
 
-/// Of two triangles, of which one covers nothing.
+/// Bounds of two triangles, of which one covers nothing.
 detail::triangles bounds_of(int columns, int rows) {
     detail::triangles batch;
     batch.count = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which samples a triangle covers, against the oracle.
+// Samples that a triangle covers, compared with the oracle.
 #include <umbrage/images/rasterize.hpp>
 
 #include <doctest/doctest.h>

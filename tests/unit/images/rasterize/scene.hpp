@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of the rasterizer share: meshes, random numbers, a picture of either kind.
+// Common parts of the rasterizer's tests: meshes, random numbers, a picture of either kind.
 #pragma once
 
 #include <algorithm>

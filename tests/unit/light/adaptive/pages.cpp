@@ -21,7 +21,7 @@ using reference_view::view;
 using umbrage::page;
 using umbrage::page_receiver;
 
-/// What a camera over the ground wants of a light, at every few pixels.
+/// Receivers of a camera over the ground, at every few pixels.
 std::vector<page_receiver> ground_receivers(const view& v, const glm::dmat4& to_root, int step) {
     glm::dmat4 to_texels(1);  // of a map of one page
     to_texels[0][0] = to_texels[1][1] = 128;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every set-up function makes of input that is at its limits: the argument named, or lights that hold what they
-// should.
+// Results of every setup function for input at its limits: an error that names the argument, or a light that holds all
+// that it should.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -113,7 +113,7 @@ TEST_CASE("cube_view_z, cube_plane, cube_point: a direction's parts and back, wi
 
 namespace {
 
-/// Where a face's row or column goes on beyond its edge: the next face, which of its sides, and which way along it.
+/// Continuation of a face's row or column beyond its edge: the next face, its side, and the direction along it.
 enum class edge { s_first, s_last, t_first, t_last };
 struct beyond {
     int face;

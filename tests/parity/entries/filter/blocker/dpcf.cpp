@@ -16,7 +16,7 @@ void add_dpcf(std::vector<entry>& all, std::size_t share) {
                     });
 }
 
-/// How many are blocked in x0.x, the ratio in x0.y.
+/// Number of blockers in x0.x, the ratio in x0.y.
 template <int Points>
 void add_hardened(std::vector<entry>& all) {
     all.push_back({.primitive = &glsl::hardened_kernel<Points>,

@@ -41,7 +41,7 @@ void add_search(std::vector<entry>& all, const std::string& name, const umbrage:
                        bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as, search_twin<Points>));
 }
 
-/// How many blockers in x0.x, the sum of their depths in x0.y, the receiver in x0.z; in x1 a softness.
+/// Number of blockers in x0.x, the sum of their depths in x0.y, the receiver in x0.z, and a softness in x1.
 std::vector<input_class> found_blockers() {
     std::vector<input_class> all = spread({{0.0f, 32.0f}, {0.0f, 16.0f}, {0.0f, 1.0f}}, special_values());
     for (input_class& c : all)

@@ -8,7 +8,7 @@ namespace {
 
 using namespace umbrage;
 
-/// A whole number in either direction.
+/// An integer in either direction.
 float whole(random& r, int below) { return static_cast<float>(r.below(2 * below + 1) - below); }
 
 /// position x0.xy, point x0.zw, rotation x1.xy and radius x1.z of disc_tap.

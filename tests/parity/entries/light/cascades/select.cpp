@@ -47,7 +47,7 @@ glm::mat4 scales(const sample& s) {
     return {s.x[1], vec4(xy * 0.5f, 1.0f, 0.0f), vec4(xy * 0.25f, 1.0f, 0.0f), vec4(xy * 0.125f, 1.0f, 0.0f)};
 }
 
-/// Of the next four, whose depths are those of points eight times as far.
+/// Scales of the next four cascades, which give depths to points eight times as far.
 glm::mat4 farther_scales(const sample& s) {
     glm::mat4 m(0.0f);
     for (glm::length_t i = 0; i < 4; ++i)
@@ -55,7 +55,7 @@ glm::mat4 farther_scales(const sample& s) {
     return m;
 }
 
-/// A whole look-up: cascades of x2, x4 and x3, x5 in turn, chosen by a view depth and ends in x1; without its twin.
+/// A whole lookup: cascades of x2, x4 and x3, x5 in turn, chosen by a view depth and ends in x1; without its twin.
 entry look_up(const std::string& variant, const std::string& size, bound_map map, float most_depth) {
     const std::string number = "umbrage_cascade_by_depth(x1.x, vec3(x1.y, x1.z, x1.w))";
     const std::string coordinate =

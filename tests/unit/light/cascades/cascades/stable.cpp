@@ -53,7 +53,7 @@ glm::dvec3 seen(const frustum<double>& camera, double x, double y, double depth)
     return glm::inverse(view) * glm::dvec4(x * camera.tan_half_x * depth, y * camera.tan_half_y * depth, -depth, 1.0);
 }
 
-/// What is outside of a cascade of points of its part, how many were tried, and how far its two ways to texels differ.
+/// Points of a cascade's part that lie outside of it, number of points tried, and difference of its two ways to texels.
 struct found {
     int outside = 0, tried = 0;
     double apart = 0;

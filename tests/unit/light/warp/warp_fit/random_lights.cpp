@@ -26,7 +26,7 @@ namespace {
 
 struct named_warp {
     const char* name;
-    int unwarped;  ///< of the lights at most: the camera looks along them, or the focus lies behind what it sees
+    int unwarped;  ///< most lights without a warp: along the view, or with the focus behind all receivers
     std::function<warped_light<double>(const warp_fit<double>&)> fit;
 };
 const std::vector<named_warp> all_warps{
