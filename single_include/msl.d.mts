@@ -337,6 +337,10 @@ export const receiver_rg16: Snippet;
 export const decode_ps14: Snippet;
 /** receiver depth on the scale of decode_ps14 */
 export const receiver_ps14: Snippet;
+/** number in a register of the Radeon 8500 */
+export const fixed_ps14: Snippet;
+/** r / 8 + g in the Radeon 8500's fixed point */
+export const decode_fixed_ps14: Snippet;
 /** true if a texel lies inside the map */
 export const inside_map: Snippet;
 /** texel of a map, or a border value outside it */

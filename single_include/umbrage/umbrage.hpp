@@ -394,6 +394,9 @@ struct short_name {
 //
 //     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
 //
+// Also called: reversed Z, reverse-Z, inverted depth (depth_direction); glClipControl, zero-to-one depth, y flip
+// (clip_space).
+//
 
 namespace umbrage {
 
@@ -598,7 +601,7 @@ inline constexpr const snippet* scalar_snippets[]{&saturate};
 // Filters compare once per texel with less_equal, without an epsilon. For reversed Z pass greater_equal.
 // Pass comparison if the direction is known only at run time. In shaders the binding gives the direction.
 // NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test beyond_far_plane first.
-// Also called: shadow test, depth test, reversed Z.
+// Also called: shadow test, depth test (compare).
 
 namespace umbrage {
 
@@ -797,6 +800,7 @@ inline constexpr const snippet* compare_snippets[]{&beyond_far_plane, &within_fa
 //
 //     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias for reversed depth
 //
+// Also called: shadow bias, depth bias, epsilon (biased).
 // See also: acne_free.hpp for the size of the bias; rasterizer.hpp to bias the casters instead.
 //
 
@@ -1303,7 +1307,9 @@ consteval bool is_filter() {
 // The reach is the filter radius in texels. A filter compares a receiver with texel centers up to its reach away in x
 // and y. There a plane of slope (a, b) may be nearer to the light by reach (|a| + |b|). The stored depth may be nearer
 // still by the encoding's error. The bias covers both, and 9/10 of it leaves some receiver dark.
-// Also called: adaptive depth bias, optimal bias. See also: slope.hpp for the slope, receiver_plane.hpp.
+// Also called: the Bias sliders of Unity, Unreal and Godot, adaptive depth bias, optimal bias (acne_free_bias);
+// peter-panning, light gap (peter_panning_distance).
+// See also: slope.hpp for the slope, receiver_plane.hpp.
 
 namespace umbrage {
 
@@ -1501,6 +1507,8 @@ template <class T>
 //         {.position = {0, 5, 0}, .direction = {0, -1, 0}, .clip = umbrage::opengl_clip_space});
 //     glm::mat4 clip_from_world = light.projection * light.view;
 //
+// Also called: light view-projection, lightSpaceMatrix, light camera (light_space).
+//
 
 namespace umbrage {
 
@@ -1581,8 +1589,8 @@ template <real T>
 ///
 /// @param position    position of the light, world
 /// @param direction   direction the light looks, any length > 0
-/// @param up          hint for the up axis. If it is parallel to direction (within 1e-3), the world axis with the
-///                    smallest component along direction replaces it. So any direction works
+/// @param up          hint for the up axis. The world axis with the smallest component along direction replaces it
+///                    if it is parallel to direction (within 1e-3). So any direction works
 /// @param hand        handedness of the world and the view. right: looks down -z as glm::lookAtRH, left: looks down +z
 ///                    as glm::lookAtLH
 /// @throws std::invalid_argument  zero or non-finite direction; non-finite position
@@ -1965,6 +1973,7 @@ inline constexpr const snippet* distance_slope_snippets[]{&dual_paraboloid_slope
 //     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
 //     float bias = umbrage::world_to_depth(world, units, w);
 //
+// Also called: cone bias, tan(acos(N.L)) (kernel_bias).
 // See also: acne_free.hpp, from a plane's slope; normal_offset.hpp, which moves the receiver along its normal.
 
 namespace umbrage {
@@ -2043,7 +2052,9 @@ inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 //     draw_depths(umbrage::relative_to(light, origin));
 //     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, glm::vec3(world - origin)));
 //
-// Also called: shadow matrix, bias matrix, world-to-shadow matrix, camera-relative rendering.
+// Also called: shadow matrix, bias matrix, depthBiasMVP, unity_WorldToShadow, world-to-shadow matrix (texture_matrix);
+// shadowCoord, FragPosLightSpace, vShadowCoord (shadow_coordinate); perspective divide, projCoords
+// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to).
 
 namespace umbrage {
 
@@ -2287,7 +2298,7 @@ struct light_measures {
                                  ///< world units; 0 unless the map is warped
 };
 
-/// World size of a texel, depth per world unit, and drift at a point. For warped maps too.
+/// World size of a texel, depth per world unit, and drift at a point. The map may be warped.
 ///
 /// @param texture_matrix   matrix from the world to texels
 /// @param direction        direction of the light, or of a spot's axis, any length > 0
@@ -2388,7 +2399,8 @@ inline constexpr const snippet* light_units_snippets[]{&texels_to_world, &world_
 //     glm::vec3 point = world + umbrage::normal_offset(normal, light_direction, way, width, 0.0f);
 //
 // The offset is in world space, so the direction of depth does not matter. It is 0 where the light hits head-on.
-// Also called: normal bias, normal offset shadows. See also: acne_free.hpp, a bias in depth.
+// Also called: normal bias (three.js normalBias, Unity Normal Bias), normal offset shadows (normal_offset).
+// See also: acne_free.hpp, a bias in depth.
 
 namespace umbrage {
 
@@ -2477,7 +2489,8 @@ inline constexpr const snippet* normal_offset_snippets[]{&normal_offset};
 //
 // Rasterizers multiply by the larger slope of depth, |a| or |b|, but a filter needs |a| + |b|. They also multiply by a
 // step of the depth buffer. In a float buffer that is the step at the primitive's largest depth.
-// Also called: polygon offset, glPolygonOffset, vkCmdSetDepthBias, SlopeScaledDepthBias.
+// Also called: slope-scaled depth bias, glPolygonOffset (make_polygon_offset); vkCmdSetDepthBias, depthBiasSlopeFactor
+// (make_vulkan_depth_bias); DepthBias, SlopeScaledDepthBias (make_direct3d_depth_bias).
 
 namespace umbrage {
 
@@ -2567,7 +2580,8 @@ namespace detail {
 //     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
 //
 // In a shader bind the filter with {.receiver_plane = true}. It then takes slope and coord after the map.
-// Also called: receiver plane bias, RPDB. See also: acne_free.hpp, one bias for the whole kernel.
+// Also called: receiver plane bias, RPDB (receiver_plane_slope, apply_receiver_plane).
+// See also: acne_free.hpp, one bias for the whole kernel.
 
 namespace umbrage {
 
@@ -3340,6 +3354,8 @@ template <int Bits, real T>
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
+// Also called: linearize depth, LinearEyeDepth, perspectiveDepthToViewZ (view_z_from_depth, depth_from_view_z).
+//
 
 namespace umbrage {
 
@@ -3653,6 +3669,8 @@ struct depth32f {
 //     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
 //     float same = umbrage::decode_float_bits(texel);
 //
+// Also called: floatBitsToUint into RGBA8 (encode_float_bits).
+//
 
 namespace umbrage {
 
@@ -3843,6 +3861,8 @@ struct r16 {
 //
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
 //     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//
+// Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
 //
 
 namespace umbrage {
@@ -4245,6 +4265,8 @@ struct rgb10 {
 //     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
 //     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
 //
+// Also called: pack depth to RGB8, 24-bit depth (encode_rgb24, decode_rgb24).
+//
 
 namespace umbrage {
 
@@ -4349,7 +4371,8 @@ struct rgb24 {
 //
 // Points, rotations and radii are integers, so the taps fall on the same texels everywhere. The points were annealed
 // for the smallest error on edges of any direction, alone and over four rotations by 90 degrees.
-// Also called: Poisson disk PCF, rotated disc PCF. See also: disc_hardware.hpp, blocker/pcss.hpp.
+// Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
+// See also: disc_hardware.hpp, blocker/pcss.hpp.
 
 namespace umbrage {
 
@@ -4640,6 +4663,8 @@ inline constexpr std::array<disc, 3> disc::values{{{.points = 8}, {.points = 16}
 // radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
 // The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
 // the mean distance.
+// Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius
+// (make_penumbra_params).
 // See also: pcss.hpp, dpcf.hpp.
 
 namespace umbrage {
@@ -4839,6 +4864,7 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
 // of pcss. It is softer than pcss where the penumbra is much narrower than the light.
+// Also called: DPCF.
 // See also: pcss.hpp.
 
 namespace umbrage {
@@ -5005,7 +5031,7 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
 // (receiver_plane.hpp) avoids this: it needs no other bias at any radius.
-// Also called: contact hardening, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
+// Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 
 namespace umbrage {
 
@@ -5019,7 +5045,7 @@ namespace umbrage {
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
-/// @edge             no blocker found, as for a receiver at the near plane: 1. Every point a blocker: the filter
+/// @edge             no blocker found, as for a receiver at the near plane: 1. Blockers at every point: the filter
 ///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   disc(penumbra(z - floor(s / m)) / 16)
@@ -5124,7 +5150,7 @@ inline constexpr std::array<pcss, 3> pcss::values{{{.points = 8}, {.points = 16}
 //
 // pcf_2x2 rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
 // pcf_2x2_dx_sdk is the DirectX SDK sample's version, with unrounded weights.
-// Also called: 4-tap bilinear PCF, sampler2DShadow, SampleCmp. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
+// Also called: bilinear PCF, 2x2 PCF, 4-tap PCF. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
 
 namespace umbrage {
 
@@ -5290,7 +5316,8 @@ struct pcf_2x2_dx_sdk {
 // In a shader, bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly. For any other map
 // it is pcf_2x2. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
 // OpenGL does not define how a linear filter treats comparisons: Mesa's softpipe compares a filtered depth.
-// Also called: hardware PCF, sampler2DShadow, SampleCmp. See also: pcf_2x2.hpp, exact on every GPU.
+// Also called: hardware PCF, sampler2DShadow, SampleCmp, textureSampleCompare.
+// See also: pcf_2x2.hpp, exact on every GPU.
 //
 
 namespace umbrage {
@@ -5532,6 +5559,7 @@ inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware
 //     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
 // A point of the search that lies within a rounding error of a texel's border may read the next texel.
+// Also called: PCSS with samplers.
 // See also: pcss.hpp, exact on every GPU.
 
 namespace umbrage {
@@ -5708,7 +5736,7 @@ inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radi
 //     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
 //
 // It is worth the fetch for filters of many texels, and for shadows with more interior than border.
-// Also called: min-max shadow map, hierarchical shadow map. See also: images/filter_bounds.hpp.
+// Also called: early out, min-max shadow map, hierarchical shadow map. See also: images/filter_bounds.hpp.
 
 namespace umbrage {
 
@@ -5767,7 +5795,7 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 //
 //     float visibility = umbrage::box(umbrage::bordered(map), coord, depth - bias, 2);  // 5 x 5
 //
-// Also called: box PCF, NxN PCF. See also: windows.hpp for smooth edges, disc.hpp for wide filters.
+// Also called: NxN PCF, box PCF, 5x5 PCF. See also: windows.hpp for smooth edges, disc.hpp for wide filters.
 
 namespace umbrage {
 
@@ -6086,7 +6114,8 @@ inline constexpr const snippet* four_tap_hardware_snippets[]{&four_tap_hardware}
 //
 //     float visibility = umbrage::hard(umbrage::bordered(map), coord, depth - bias);
 //
-// Also called: shadow mapping, nearest-texel test. See also: pcf_2x2.hpp, the smallest filter with smooth edges.
+// Also called: basic shadow map, hard shadows, nearest-texel test, step(z, depth).
+// See also: pcf_2x2.hpp, the smallest filter with smooth edges.
 
 namespace umbrage {
 
@@ -6157,7 +6186,7 @@ struct hard {
 //     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
 //
-// Also called: omnidirectional shadow maps, point light shadows. See also: point_light.hpp for the six light spaces.
+// Also called: omnidirectional shadow maps, shadow cubemap (cube_coordinate). See also: point_light.hpp.
 
 namespace umbrage {
 
@@ -6454,7 +6483,7 @@ inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_
 //     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
 //
 // Depths must not depend on the face: store distances from the light, as distance_depth computes them.
-// Also called: seamless point light shadows, omnidirectional shadow map, TextureCube SampleCmp.
+// Also called: seamless point light shadows, samplerCubeShadow, TextureCube SampleCmp.
 
 namespace umbrage {
 
@@ -6575,7 +6604,7 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 //
 // A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
 // in proportion to the distance that the kernel has moved.
-// Also called: PCF kernel, Gaussian PCF, weighted PCF. See also: windows.hpp, this library's rows of weights.
+// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
 
 namespace umbrage {
 
@@ -6584,7 +6613,7 @@ inline constexpr int max_window = 15;
 /// Row of kernel weights, the same along both axes. Make it with make_window_row.
 struct window_row {
     int size;                   ///< number of weights
-    std::array<float, 8> half;  ///< weights from the edge to the middle one; the others mirror them
+    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
     int steps;                  ///< steps per texel
     float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
     float scale;              ///< 1 / whole^2
@@ -6603,8 +6632,9 @@ struct window_row {
 
 /// Row of kernel weights for window().
 /// @param size    number of weights, 1 .. 15
-/// @param half    weights from the edge to the middle one, none negative: size / 2 of them, rounded up
-/// @param steps   per texel, a power of two up to 256. Times the sum of all weights it must be an integer up to 4096
+/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
+/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
+///                up to 4096
 /// @throws std::invalid_argument  a parameter outside its range
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
     constexpr auto function = "make_window_row";
@@ -6626,7 +6656,7 @@ struct window_row {
 /// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
 /// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
 /// @param weights   receives row.touched() of them
-/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one gets
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
 ///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
 template <real T>
 constexpr void window_weights(const window_row& row, int moved, T* weights) {
@@ -6837,7 +6867,7 @@ namespace detail {
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
-    if (2 * k == size / 2)  // middle two of all weights, wherever the kernel is
+    if (2 * k == size / 2)  // the two central weights, wherever the kernel is
         return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
@@ -6923,7 +6953,8 @@ inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, 
 //     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
 //     quadratic_b_spline           of 3 x 3 texels, edges without a kink
 //
-// Also called: tent filter, Gaussian PCF, Castano's (The Witness) PCF, 3x3, 5x5 and 7x7 PCF.
+// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
+// (tent).
 
 namespace umbrage {
 
@@ -7327,6 +7358,7 @@ inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial,
 //
 // Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, one
 // behind the other: at distances a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
+// Also called: ChebyshevUpperBound (chebyshev); light bleeding reduction, linstep (reduce_light_bleeding).
 
 namespace umbrage {
 
@@ -7439,6 +7471,7 @@ inline constexpr const snippet* chebyshev_snippets[]{&to_forward_depth, &chebysh
 //
 // Visibility is the mean of 2^(2 exponent (depth - receiver)) over the texels, at most 1. A caster nearer by
 // 3.3 / exponent lets 1/100 of the light through. One lit texel far behind the receiver outweighs all its casters.
+// Also called: ESM, exponential shadow maps (make_esm, encode_esm, decode_esm).
 // See also: evsm.hpp, which has less light bleeding.
 
 namespace umbrage {
@@ -7568,7 +7601,7 @@ inline constexpr const snippet* esm_snippets[]{&exponential_warp, &encode_esm, &
 //     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents);
 //     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents, evsm.deviations);
 //
-// Also called: EVSM2, EVSM4. See also: vsm.hpp, msm.hpp.
+// Also called: EVSM, EVSM2, EVSM4 (make_evsm, encode_evsm4, decode_evsm4). See also: vsm.hpp, msm.hpp.
 
 namespace umbrage {
 
@@ -7586,7 +7619,7 @@ template <real T>
 
 /// Texel of four components: a growing and a falling power of depth, and their squares.
 /// @param depth       in [0, 1]; clamped
-/// @param exponents   of the growing and of the falling power, 0 to 55
+/// @param exponents   exponents of the growing and the falling power, 0 to 55
 /// @edge              NaN: as the far plane and a cleared texel
 /// @formula           (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness         B, n = 73
@@ -7657,7 +7690,7 @@ struct evsm_settings {
 
 /// Parameters for shaders and functions, from make_evsm.
 struct evsm_parameters {
-    glm::vec2 exponents{};   ///< of the growing and the falling power; with two components only the first counts
+    glm::vec2 exponents{};   ///< exponents of the growing and the falling power; evsm2 uses only the first
     glm::vec2 deviations{};  ///< minimum deviations, relative to the receiver's powers
 };
 
@@ -7792,6 +7825,7 @@ inline constexpr const snippet* evsm_snippets[]{&encode_evsm2, &encode_evsm4, &d
 //     glm::vec2 moments = umbrage::decode_deviation(held);
 //
 // A mean of these values is not a mean of depths: decode, blur, then encode again.
+// Also called: VSM, variance shadow maps (encode_vsm, decode_vsm).
 // See also: evsm.hpp and msm.hpp, which have less light bleeding.
 
 namespace umbrage {
@@ -8160,6 +8194,8 @@ inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, 
 //
 // Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. That one
 // has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to the light.
+// Also called: MSM, 4MSM, Hamburger MSM (encode_msm, decode_msm); optimized moments, 16-bit moment quantization
+// (to_optimized_moments, from_optimized_moments).
 
 namespace umbrage {
 
@@ -8444,6 +8480,7 @@ inline constexpr const snippet* msm_snippets[]{&encode_msm,   &to_optimized_mome
 // A floor that falls away from the light darkens a little where it ends before cleared texels. The blur there holds
 // only the floor's nearer side: depths nearer to the light than the receiver. decode_msm misses them, since it takes
 // the cleared texels for spread about a mean. A bias for the blur's radius removes the darkening.
+// Also called: Hausdorff MSM (decode_msm_hausdorff).
 
 namespace umbrage {
 
@@ -8610,8 +8647,8 @@ template <real T, class Fetch>
 
 namespace detail {
 
-/// Lookup that all prefiltered maps share. Receivers outside the filter domain are lit, with bordered(map) also those
-/// outside the map. Texels outside the map are the nearest ones inside, as for the blur.
+/// Lookup that all prefiltered maps share. Receivers outside the filter domain are lit. With bordered(map), receivers
+/// outside the map are lit too. Texels outside the map are the nearest ones inside, as for the blur.
 template <real T, class Fetch, class Decode>
 [[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T cleared, const Decode& decode) {
     const comparison is_lit{cleared < T(0.5) ? depth_direction::reversed : depth_direction::forward};
@@ -8877,7 +8914,7 @@ inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm, 
 namespace umbrage {
 namespace detail {
 
-/// Number of Pascal's triangle in row taps - 1, at a distance from its middle.
+/// Binomial coefficient in row taps - 1 of Pascal's triangle, at a distance from the row's center.
 [[nodiscard]] constexpr int binomial_weight(int taps, int distance) {
     int weight = 1;
     for (int i = 0; i < taps / 2 - distance; ++i) weight = weight * (taps - 1 - i) / (i + 1);
@@ -9122,7 +9159,8 @@ inline constexpr const snippet* summed_moments_snippets[]{&box_mean, &summed_mom
 // The table's sums are integers modulo 2^32, and so are their differences. They are exact while the sum over a box is
 // below 2^32. Squares are taken about the box's mean, rounded down, and stay integers. So nothing cancels but exact
 // values, unlike n S2 - S1^2 in floats.
-// Also called: SAVSM, SATVSM. See also: summed_moments.hpp, which has less light bleeding.
+// Also called: SAVSM, SATVSM, summed-area variance shadow maps.
+// See also: summed_moments.hpp, which has less light bleeding.
 
 namespace umbrage {
 
@@ -9296,7 +9334,7 @@ inline constexpr const snippet* summed_variance_snippets[]{&box_moments, &summed
 //
 // Root coordinates go from 1 to 2, not from 0, so that all have 23 fraction bits. Adding a gutter to a position in a
 // page then does not round.
-// Also called: virtual shadow maps, adaptive shadow maps (ASM). See also: pages.hpp, root.hpp.
+// Also called: page table, indirection texture (page_coordinate). See also: pages.hpp, root.hpp.
 
 namespace umbrage {
 
@@ -9344,7 +9382,8 @@ template <real T, class Table>
 inline constexpr int page_tile_columns = 8;
 
 /// First texel of a page in an atlas of eight a row, without a table of texels: see shadow/adaptive_maps.hpp.
-/// @param number   0 or above, whole;   size  of a page with its gutter, texels
+/// @param number   number of the page's slot, an integer >= 0
+/// @param size     size of a page with its gutter, texels
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 page_tile(int number, int size) {
     return glm::ivec2(number % page_tile_columns, number / page_tile_columns) * size;
@@ -9407,7 +9446,8 @@ inline constexpr const snippet* page_table_snippets[]{&page_coordinate, &page_ti
 //     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
 // Weights are multiples of 1/256, and visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
-// Also called: cascade blending, cross-fade, ordered dithering.
+// Also called: cascade blending, cross-fade (cascade_fade, blend_cascades); dithered transition, ordered dithering
+// (dithered_cascade).
 
 namespace umbrage {
 
@@ -9620,6 +9660,9 @@ inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,
 //     float number = 0;
 //     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
 //     glm::vec4 scale = umbrage::cascade_column_8(u.scales[0], u.scales[1], number);
+//
+// Also called: cascade index, cascade selection (cascade_by_depth, cascade_by_projection); five or more cascades
+// (cascade_by_projection_8, cascade_column_8).
 
 namespace umbrage {
 
@@ -9670,7 +9713,7 @@ template <real T>
 
 /// Finest cascade that contains a point and the filter around it, which is the first, and the position there.
 /// @param light            the point, rotated into the light's axes
-/// @param scales, offsets  of four cascades, as for cascade_coordinate; with fewer see make_cascade_uniforms
+/// @param scales, offsets  columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
 /// @param size             size of each map, in texels
 /// @param reach            filter radius, in texels
 /// @return                 (x, y) in texels, depth, index of the cascade
@@ -9876,7 +9919,7 @@ inline constexpr const snippet* select_snippets[]{&cascade_by_depth,        &cas
 //
 // Any increasing distances work, such as your own. You can also replace the first distance of these, so that the space
 // right in front of the camera claims no cascades.
-// Also called: practical split scheme, PSSM splits.
+// Also called: practical split scheme, PSSM splits, lambda, split distances (practical_splits).
 
 namespace umbrage {
 
@@ -9969,6 +10012,7 @@ template <real T = float>
 //         {.view = view, .projection = projection, .z_near = 1, .z_far = 20, .clip = clip});
 //
 // Corners are computed in double for float and double alike.
+// Also called: frustum corners, inverse view-projection, off-axis or VR camera (make_frustum, corners).
 
 namespace umbrage {
 
@@ -10312,7 +10356,8 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 // adds.
 //
 // A border of texels extends each map beyond its half, so that filters need no other map: see point_light.hpp.
-// Also called: paraboloid shadow maps, DPSM. See also: cube_map.hpp, tetrahedron.hpp.
+// Also called: paraboloid shadow maps, DPSM (make_dual_paraboloid_light, dual_paraboloid_coordinate).
+// See also: cube_map.hpp, tetrahedron.hpp.
 
 namespace umbrage {
 
@@ -10350,7 +10395,7 @@ template <real T>
 /// @return            (x w, y w, distance w, w). x and y are from -1 to 1 in the map's half, and larger beyond it. w is
 ///                    never below 0, and is 0 at the center of the other half
 /// @formula           w = |p| + z, for map 1 |p| - z
-/// @exactness         C, n = 18: a square root. S of w = |p| + |z|, of z that times |p|; x and y are exact
+/// @exactness         C, n = 18: a square root. S(w) = |p| + |z|, S(z) = |p| S(w). x and y are exact
 template <real T>
 [[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
     const bool behind = map > T(0.5);
@@ -10457,7 +10502,8 @@ inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coor
 // are enough. Between faces the edge of a shadow moves by at most one texel.
 // Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
 // (distance_depth) itself.
-// Also called: omnidirectional shadows. See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
+// Also called: omnidirectional shadows, point light shadows (make_point_light).
+// See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
 
 namespace umbrage {
 
@@ -10506,7 +10552,8 @@ template <real T = float>
 //     glm::vec2 texel = umbrage::tetrahedron_texel(at, 1024.0f, 2.0f);
 //     float depth = umbrage::depth_from_view_z(umbrage::tetrahedron_view_z(world - light), z_near, z_far);
 //
-// Also called: tetrahedron mapping. See also: tetrahedron_light.hpp for the light spaces; cube_map.hpp.
+// Also called: tetrahedron shadow map, tetrahedron mapping (tetrahedron_coordinate).
+// See also: tetrahedron_light.hpp for the light spaces; cube_map.hpp.
 
 namespace umbrage {
 
@@ -10871,6 +10918,7 @@ template <real T = float>
 //     auto light = umbrage::make_spot_light(
 //         {.position = p, .direction = d, .outer_angle_radians = 0.6f, .clip = umbrage::opengl_clip_space});
 //
+// Also called: spotlight, cone light.
 // See also: spot_fit.hpp, which fits the map to the receivers; point/point_light.hpp for light in all directions.
 
 namespace umbrage {
@@ -10916,7 +10964,9 @@ template <real T = float>
 // Lighting of the DirectX SDK's ShadowMap sample: a spot cone, and diffuse plus ambient light.
 //
 //     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
-//     glm::vec3 color = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
+//     glm::vec3 color = umbrage::diffuse_ambient(albedo, ambient, glm::dot(normal, to_light), visibility * cone);
+//
+// Also called: spotlight cone, smooth falloff, inner and outer angle (spot_cone).
 //
 
 namespace umbrage {
@@ -10944,7 +10994,7 @@ template <real T>
 /// Light that a diffuse surface reflects to the eye.
 ///
 /// @param albedo       albedo of the surface, RGB
-/// @param ambient      fraction of the light that reaches shadows, in [0, 1]
+/// @param ambient      fraction of the light that reaches shadows, RGB, each in [0, 1]
 /// @param n_dot_l      cosine between the normal and the direction to the light
 /// @param visibility   visibility of the light, 1 = lit
 /// @edge               n_dot_l <= 0 or NaN: ambient light alone
@@ -10952,7 +11002,8 @@ template <real T>
 /// @exactness          B, n = 5
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
+[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, glm::vec<3, T> ambient, T n_dot_l,
+                                                       T visibility) {
     const bool faces = !is_nan(n_dot_l) && n_dot_l > T(0);
     return albedo * (faces ? visibility * n_dot_l * (T(1) - ambient) + ambient : ambient);
 }
@@ -10988,9 +11039,9 @@ inline constexpr snippet diffuse_ambient{
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP vec3 ambient,
                                            UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 )GLSL",
@@ -11115,7 +11166,7 @@ inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
 //     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
 //     color = umbrage::probe_inputs(color, world, normal);
 //
-// Also called: visualize cascades, shadow debug mode.
+// Also called: shadow debug mode, cascade colors (probe_color).
 // See also: shadow/probe.hpp, which joins both functions for a shadow, in C++ and in shaders.
 
 namespace umbrage {
@@ -11702,7 +11753,7 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 
 /// apply_receiver_plane of a row of texels from column `first` on.
 /// @param slope, x   slope and position of the receiver, along the row
-/// @param beside     what the row's distance from the receiver adds to the plane
+/// @param beside     depth that the row's distance from the receiver adds to the plane
 template <int Count>
 inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
                           plain_lanes<float, Count>& texels) {
@@ -12287,6 +12338,8 @@ void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& pa
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
 //     auto splits = umbrage::practical_splits<4>(range.x, range.y, 1.0f);
 //
+// Also called: SDSM, sample distribution shadow maps, auto-fit to the depth buffer (measure_depths, seen_range).
+//
 
 namespace umbrage {
 
@@ -12358,6 +12411,8 @@ template <real T>
 // Meshes for the depth pass: triangles, drawn once or as instances, each with its matrix.
 //
 //     umbrage::mesh_view mesh{positions, triangles};
+//
+// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane).
 //
 
 UMBRAGE_STRICT_MATH
@@ -12660,7 +12715,7 @@ UMBRAGE_END_STRICT_MATH
 //     for (int i = 0; i < batch.count; ++i)
 //         batch.for_each_row(i, [&](int y, int first, int last) { ... });
 //
-// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
+// A sample is inside an edge from a to b if E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
 // is neither a top nor a left one the condition is E > 0, which is E - 1 >= 0. From texel to texel E grows by multiples
 // of 256. So its sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
 //
@@ -12721,7 +12776,7 @@ public:
         id[count++] = triangle;
     }
 
-    /// Sets up all triangles. Those that face away, have no area or no texel within `bounds` get no rows.
+    /// Sets up all triangles. Triangles that face away, without area or without a texel within `bounds`, get no rows.
     ///
     /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. A sample is within 2^-48 n m of the
     ///             plane through the snapped vertices: n is the bounds' larger side in 1/256 texel, m the sum of the
@@ -12945,9 +13000,9 @@ UMBRAGE_END_STRICT_MATH
 //     }
 //     buffer.finish();
 //
-// A column of texels takes one cache line per row. Where rows start a multiple of 4096 bytes apart, all of
-// these belong to one set of the usual L1 cache of 64 sets of 8 lines. Stores wait for lines that the loads of later
-// rows have evicted. Tall triangles then take two to four times as long.
+// A column of texels takes one cache line per row. The usual L1 cache has 64 sets of 8 lines. All lines of the column
+// belong to one set if rows start a multiple of 4096 bytes apart. Stores then wait for lines that the loads of later
+// rows have evicted, and tall triangles take two to four times as long.
 //
 
 namespace umbrage::detail {
@@ -12971,7 +13026,8 @@ public:
         for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
         if (left_ > 0) return;
         constexpr std::size_t line = 64;
-        const std::size_t lines = ((row_bytes() + line - 1) / line) | 1;  // odd: 64 rows begin in as many sets
+        const std::size_t lines =
+            ((row_bytes() + line - 1) / line) | 1;  // odd, so 64 rows begin in 64 sets of the cache
         buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
         rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
         copy(in_place_, rows_);
@@ -13835,8 +13891,8 @@ private:
         return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
     }
 
-    /// Parts that are drawn of a triangle that crosses planes: the part behind the near plane, and the part in front of
-    /// it where that plane clamps. None if the triangle is outside of another plane, or not finite.
+    /// Drawn parts of a triangle that crosses planes: the part behind the near plane and, if that plane clamps, the
+    /// part in front of it. There are none if the triangle is outside of another plane, or not finite.
     /// @param use   (a, b, c, unsigned triangle), for each triangle of a part
     template <class Use>
     void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
@@ -14004,6 +14060,7 @@ UMBRAGE_END_STRICT_MATH
 // rule, with top and left as in NDC for both texture origins. Depth is a plane with rounded coefficients, so that every
 // sample is computed exactly. No order of triangles or vertices, no threads and no instruction set changes a bit.
 // Contraction to FMA may only move a clipped triangle's cut by 1/256 texel.
+// Also called: software rasterizer (rasterize_depth, rasterize).
 //
 
 UMBRAGE_STRICT_MATH
@@ -14026,9 +14083,9 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
-/// @param depth          largest side 16384; row 0 is where clip.origin says
-/// @param mesh           triangles with a NaN or infinite position are left out. Those without area on the 1/256 texel
-///                       grid cover nothing
+/// @param depth          image of at most 16384 x 16384 texels. clip.origin decides which row is the first
+/// @param mesh           triangles. One with a NaN or infinite position is left out. One without area on the 1/256
+///                       texel grid covers nothing
 /// @param world_to_clip  projection * view
 /// @param clip           clip space of the light; with reversed depth, larger depths win
 /// @param cull           faces to leave out
@@ -14048,7 +14105,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
 
 /// Renders many instances of a mesh, whose vertices are not copied.
 ///
-/// @param instances   model to world, one matrix each. Those whose model_to_clip is not finite draw nothing
+/// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
 /// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order
 /// Other parameters as for the pass of a single mesh.
 template <class ParallelFor = serial>
@@ -14556,6 +14613,8 @@ struct reached_texels {
 //     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
 //     if (lit < 0) lit = filter(umbrage::bordered(map), coord, depth - bias);
 //
+// Also called: shadow mask of tiles, bounds of a kernel.
+//
 
 namespace umbrage {
 
@@ -14827,6 +14886,8 @@ using hull = detail::rounded_hull<>;
 //                                  world_to_clip, clip);
 //     }
 //
+// Also called: caster culling, frustum culling of casters (instances_in_map).
+//
 
 namespace umbrage {
 
@@ -15041,6 +15102,7 @@ template <real T>
 //
 //     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
 // minimum of the 4 x 4 texels around `texel`
+// Also called: HiZ, min-max mip (make_min_max_pyramid).
 //
 
 namespace umbrage {
@@ -15283,6 +15345,7 @@ UMBRAGE_END_STRICT_MATH
 //
 // Prefer integers: quantize depths or moments first. Their tables are exact in any order. A table of floats loses bits
 // as it grows, and its differences lose more.
+// Also called: SAT, integral image (summed_area).
 
 UMBRAGE_STRICT_MATH
 namespace umbrage {
@@ -15358,7 +15421,7 @@ private:
 
     image_view<const From> values_;
     int columns_;
-    std::vector<Sum> sums_;  // strip by strip, and one after the last
+    std::vector<Sum> sums_;  // one strip after another, and one sum after the last
     std::vector<int> rows_;  // number of rows whose sums are there, set by one thread while others read it
 };
 
@@ -16291,7 +16354,7 @@ struct box_blocks {
 
     /// First of the texels that a receiver reads, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< of a box, texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return 2 * radius + 1; }  ///< side of a box, texels
     [[nodiscard]] UMBRAGE_INLINE int loaded() const { return side() + 7; }    ///< texels per row, in registers of eight
 
     template <class Receivers>
@@ -16599,7 +16662,7 @@ struct disc_blocks {
 private:
     static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
     struct near_texels {
-        alignas(64) std::int32_t offsets[block];                           ///< of the first texel
+        alignas(64) std::int32_t offsets[block];                           ///< offset of the first texel
         alignas(64) std::uint32_t from[block];                             ///< from that texel to the receiver, packed
         alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
     };
@@ -16864,7 +16927,7 @@ struct window_blocks {
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< of a kernel, texels
+    [[nodiscard]] UMBRAGE_INLINE int side() const { return row.touched(); }  ///< side of a kernel, texels
     [[nodiscard]] UMBRAGE_INLINE int loaded() const {                        ///< texels per row
         return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
     }
@@ -16955,7 +17018,7 @@ private:
         sum = (upper + lower) * sum;
     }
 
-    /// Weights texels for all receivers. Those outside the map use the map's first texels.
+    /// Weights texels for all receivers. A receiver outside the map uses the map's first texels.
     template <int Lanes, int Registers, int Rows = 0, class Placed>
     UMBRAGE_INLINE void weigh_inside(const Placed& at, int count, float* sums) const {
         const texel_bytes memory(map);
@@ -17092,14 +17155,14 @@ struct open_receivers {
 };
 
 /// Blocks that try bounds first.
-/// @tparam Blocks   of the filter that reads every texel of its box
+/// @tparam Blocks   blocks of the filter, which reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
     using test = typename Blocks::test;
     using tile = open_receivers;
     struct placed {
         receiver_block r;
-        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< of the compared receivers
+        alignas(64) std::int32_t offsets[block], compared[block], any;  ///< for the compared receivers
     };
     const box_bounds& tree;
     Blocks every_texel;
@@ -17499,6 +17562,7 @@ struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
 //     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
 // Results have the same bits as the filter for each receiver alone over bordered(map): everything outside is lit.
+// Also called: shadow factor, ShadowCalculation, shadow mask, screen-space shadows (visibility).
 
 namespace umbrage {
 
@@ -17765,7 +17829,8 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 //         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
 //     }
 //
-// Also called: virtual shadow maps, adaptive shadow maps (ASM). See also: page_table.hpp, root.hpp.
+// Also called: virtual shadow maps (Unreal), adaptive shadow maps (ASM), sparse or quadtree shadow maps (page_cache).
+// See also: page_table.hpp, root.hpp.
 
 namespace umbrage {
 
@@ -18234,7 +18299,7 @@ template <real T = float>
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
-        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // so that nothing lies on a plane
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // keeps the scene off both planes
     light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
                                             root.clip, function, "center and side", "scene");
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
@@ -18287,6 +18352,8 @@ template <real T>
 //     umbrage::write_page_table(cache, table);
 //     umbrage::visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
+// Also called: shadow atlas, virtual texture of a shadow map (draw_pages).
+//
 
 namespace umbrage {
 
@@ -18302,7 +18369,7 @@ namespace umbrage {
 
 /// Clears pages and draws them.
 ///
-/// @param root    in double: matrices of pages are made from it and rounded once
+/// @param root    light of the root, in double, so that a page's matrix rounds only once
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
 ///                page, with its gutter
@@ -18319,8 +18386,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// Writes the finest page of each cell to a table.
-/// @param table   of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the root's
-///                first. Cells without a page, and those around the root, are zero
+/// @param table   image of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the
+///                root's first. Cells without a page, and cells around the root, are zero
 /// @throws std::invalid_argument  a table of another size
 inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require_size(table.size, page_table_size(cache), "write_page_table", "table.size", "page_table_size");
@@ -19048,7 +19115,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
 /// @param out        receives visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge
+/// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
 template <class Prefilter, class ParallelFor = serial>
@@ -19066,7 +19133,7 @@ void visibility(image_view<const typename Prefilter::texel> map, const Prefilter
     detail::decode_image(map, filter, receivers, out, parallel, outside);
 }
 
-/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
+/// Visibility of the receivers of a camera's depth image: one receiver_at for each of its texels.
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
                 const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},
@@ -19188,10 +19255,10 @@ private:
 
     static constexpr unsigned none = ~0u;
     struct vertex {
-        double distance;         ///< from the light
-        unsigned middle = none;  ///< middle of an edge from here to an end of a higher index, the last that was cut;
-        unsigned end = none;     ///< for a middle, that end,
-        unsigned next = none;    ///< and the middle of the edge cut before it
+        double distance;         ///< distance from the light
+        unsigned middle = none;  ///< midpoint of the last cut edge from here to an end of a higher index
+        unsigned end = none;     ///< end of the edge, for a midpoint
+        unsigned next = none;    ///< midpoint of the edge cut before it, for a midpoint
     };
 
     glm::dvec3 light_;
@@ -19377,7 +19444,8 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
 //         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = {1024, 1024},
 //          .clip = clip});
 //
-// Also called: light frustum fitting, texel snapping. See also: cascades/cascades.hpp for several maps, spot_fit.hpp.
+// Also called: light frustum fitting (fit_directional_light); texel snapping of one map (snap_texels).
+// See also: cascades/cascades.hpp for several maps, spot_fit.hpp.
 
 namespace umbrage {
 
@@ -19489,7 +19557,8 @@ template <real T = float>
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // for select.hpp and blend.hpp
 //
 // Far from the world's origin fit in double, then draw and look up with relative_to(cascades, origin).
-// Also called: CSM, PSSM, sun shadows. See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
+// Also called: CSM, PSSM, shadow cascades, sun shadows (make_stable_cascades, make_tight_cascades); stable shadows,
+// shimmering fix (make_stable_cascades). See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
 
 namespace umbrage {
 
@@ -19741,7 +19810,7 @@ requires(Count >= 1 && Count <= 4)
 template <real T, std::size_t Count>
 struct grouped_cascade_uniforms {
     glm::mat<4, 4, T> rotation{T(1)};                                ///< as in cascade_uniforms
-    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< of four cascades each, as in cascade_uniforms
+    std::array<glm::mat<4, 4, T>, (Count + 3) / 4> scales, offsets;  ///< a matrix per four cascades
     /// Ends of all cascades but the last, in groups of three. The sum of cascade_by_depth over them is the cascade.
     std::array<glm::vec<3, T>, detail::ends_groups<Count>> ends;
 };
@@ -20253,7 +20322,8 @@ template <real T>
 //     auto warped = umbrage::fit_light_space_perspective(fit);
 //     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
 //
-// Also called: LiSPSM, LSPSM. See also: trapezoidal.hpp, perspective.hpp, cascades/warped.hpp.
+// Also called: LiSPSM, LSPSM, light space perspective shadow maps (fit_light_space_perspective).
+// See also: trapezoidal.hpp, perspective.hpp, cascades/warped.hpp.
 
 namespace umbrage {
 namespace detail {
@@ -20275,7 +20345,7 @@ template <real T>
     along_view v;
     v.frame = light_frame(view_of(fit, function), fit.clip.hand);
     const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera, function, "camera")[2];
-    // an orthographic camera shrinks nothing: no warp, as where camera and light look one way
+    // an orthographic camera needs no warp, nor does a camera that looks along the light
     v.sine = is_perspective(fit.camera) ? glm::length(glm::cross(view, unit(glm::dvec3(fit.direction)))) : 0.0;
     const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
@@ -20346,7 +20416,8 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
-/// @param distance   n, from the warp's center to the nearest receivers, > 0, in world units along the camera's view
+/// @param distance   distance n from the warp's center to the nearest receivers, > 0, in world units along the
+///                   camera's view
 ///                   across the light. Smaller values give more texels to close receivers. Infinity gives no warp.
 ///                   2^-14 of the receivers' extent replaces smaller values. The default is sqrt(z0 optimal_distance),
 ///                   with z0 the receivers' smallest distance along the camera's view. It is close to optimal on a
@@ -20383,7 +20454,8 @@ template <real T = float>
 //     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
 //     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective instead");
 //
-// Also called: PSM. See also: light_space_perspective.hpp, which is simpler; trapezoidal.hpp.
+// Also called: PSM, perspective shadow maps (fit_perspective).
+// See also: light_space_perspective.hpp, which is simpler; trapezoidal.hpp.
 
 namespace umbrage {
 
@@ -20746,7 +20818,7 @@ template <real T>
 //                                  .clip = clip};
 //     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
 //
-// Also called: TSM. See also: light_space_perspective.hpp, which needs no focus distance.
+// Also called: TSM, trapezoidal shadow maps. See also: light_space_perspective.hpp, which needs no focus distance.
 
 namespace umbrage {
 
@@ -21421,10 +21493,11 @@ struct uniform_field {
 namespace glsl {
 
 /// Binding numbers of an API. Each language uses those it has:
-///   OpenGL   from 430 and 310 es on the bindings of block and texture
-///   Vulkan   also the set, as WGSL
-///   HLSL     registers b, t and s, and a space
-///   Metal    none: it has arguments instead
+///   OpenGL   bindings of the block and the texture, in GLSL 430 and 310 es or later
+///   Vulkan   bindings of the block and the texture, and the set
+///   WGSL     bindings of the block, the texture and the sampler, and the group
+///   HLSL     registers b, t and s, and the space
+///   Metal    none: the function takes arguments instead
 struct shader_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;
 };
@@ -21439,7 +21512,7 @@ struct interface_function {
     std::string_view calls;                      ///< umbrage_<calls>_<shadow>
     std::string_view says;                       ///< description of its result, for a comment
     int components = 1;                          ///< number of components of its result
-    bool reads_map = true, reads_fields = true;  ///< else only the last two: shadow_terms
+    bool reads_map = true, reads_fields = true;  ///< without reads_fields only the last two: shadow_terms
     std::vector<argument> arguments{};
 };
 
@@ -21613,6 +21686,8 @@ template <class Type>
 //     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
 //                                                 bind(box, "spot", stored_as(umbrage::rg<11>{}))});
 //     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_spot(sampler2D map, ...)
+//
+// Also called: textureGather, GatherCmp, gather4 (bind).
 //
 
 namespace umbrage::glsl {
@@ -22140,7 +22215,7 @@ template <class Use = umbrage::detail::on_use>
             if (lines.find(line) == lines.npos) lines += line;
         };
         const snippet worst = composition<Use>(l, {item}).worst();
-        if (item.declared)  // a chain: each part keeps its own bound
+        if (item.declared)  // each part of a shadow's text keeps its own bound
             for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
         else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
     }
@@ -22508,8 +22583,8 @@ template <class = umbrage::detail::on_use>
 }  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/translate/words.hpp
-// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Other words
-// are names of the text, or errors.
+// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Any other
+// word of a text is a name that the text declares, or an error.
 //
 
 namespace umbrage::glsl::detail {
@@ -22610,7 +22685,7 @@ inline constexpr word vocabulary[]{
 
 namespace umbrage::glsl::detail {
 
-/// Differences of such a language from GLSL.
+/// Differences of a near language from GLSL.
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
@@ -23057,7 +23132,8 @@ template <class Use = umbrage::detail::on_use>
 // truncates makes errors up to 2^-7.98 (4e-3), where nearby depths change their order. The repaired writer has neither
 // fault, and works with the same reader. Only the reader's rounding remains. Depths k / 2^24 keep their order. Two
 // pairs of other neighboring floats decode out of order, by 1 ulp.
-// Also called: EncodeFloatRGBA, packDepth.
+// Also called: EncodeFloatRGBA, packDepth, Aras' packing, Babylon.js pack, bgfx packFloatToRgba (write_base255,
+// decode_base255); packing by 255 without its defects (encode_base255_repaired).
 //
 
 namespace umbrage {
@@ -23226,6 +23302,8 @@ struct base255_repaired {
 //     rgba     2^-32          2^-31.99
 //     rgb      2^-24          2^-23.99
 //     rg       2^-16.99       2^-15.99
+//
+// Also called: packDepthToRGBA, unpackRGBAToDepth, three.js r167 and later (write_threejs_rgba, decode_threejs_rgba).
 //
 
 namespace umbrage {
@@ -23494,6 +23572,9 @@ struct threejs_rg {
 //     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below smaller depths
 //     legacy, repaired   2^-24            2^-24             none
 //
+// Also called: packDepthToRGBA, unpackRGBAToDepth before three.js r167 (write_threejs_legacy, decode_threejs_legacy);
+// packing before three.js r167 without its defects (encode_threejs_legacy_repaired).
+//
 
 namespace umbrage {
 
@@ -23678,6 +23759,10 @@ constexpr bool with_encoding(std::string_view name, Use&& use) {
 //
 //     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
 //
+// The same in the numbers of that card, whose registers hold 12 fractional bits between -8 and 8 (s3.12):
+//
+//     bool lit = umbrage::fixed_ps14(umbrage::receiver_ps14(depth)) <= umbrage::decode_fixed_ps14(sampled);
+//
 
 namespace umbrage {
 
@@ -23700,6 +23785,30 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
     return less_equal::beyond_far_plane(depth) ? T(-1) : depth * T(256.0 / 255.0);
+}
+
+/// Number as a register of the Radeon 8500 holds it: the nearest multiple of 1/4096 from -8 to 8 - 1/4096.
+/// @param v       any number; halfway between two multiples it becomes the greater one
+/// @edge          NaN, and 8 or more: 8 - 1/4096. Below -8: -8
+/// @formula       floor(4096 v + 1/2) / 4096, clamped
+/// @exactness     A: the remainder above the floor is exact, or farther from 1/2 than its rounding
+/// @cite          Direct3D 8: MaxPixelShaderValue is 8 on this card; pixel shader 1.4 in s3.12
+template <real T>
+[[nodiscard]] T fixed_ps14(T v) {
+    constexpr T most = T(32767) / T(4096), least = T(-8);
+    const T steps = (!is_nan(v) && v < most ? (v > least ? v : least) : most) * T(4096), below = std::floor(steps);
+    return (steps - below < T(0.5) ? below : below + T(1)) * T(1.0 / 4096.0);
+}
+
+/// Stored depth as the Radeon 8500 computed it, in its own numbers.
+/// @param c       the two channels of encode_rg<11> as sampled, k / 255, each off by up to 4 ulp
+/// @return        multiple of 1/4096, within 1/4096 of x / 2040: codes stay distinct and in order
+/// @formula       floor(r 4096 / 8) / 4096 + g, r and g by fixed_ps14. The shift by _d8 drops three bits
+/// @exactness     A
+/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] T decode_fixed_ps14(glm::vec<2, T> c) {
+    return std::floor(fixed_ps14(c.x) * T(512)) * T(1.0 / 4096.0) + fixed_ps14(c.y);
 }
 
 namespace glsl {
@@ -23733,7 +23842,37 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
 )GLSL",
 };
 
-inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14};
+inline constexpr snippet fixed_ps14{
+    .name = "fixed_ps14",
+    .summary = "number in a register of the Radeon 8500",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
+UMBRAGE_HIGHP float umbrage_fixed_ps14(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float within = v < 7.999755859375 ? v : 7.999755859375;
+    UMBRAGE_HIGHP float steps = (within > -8.0 ? within : -8.0) * 4096.0;
+    UMBRAGE_HIGHP float below = floor(steps);
+    return (steps - below < 0.5 ? below : below + 1.0) * 0.000244140625;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_fixed_ps14{
+    .name = "decode_fixed_ps14",
+    .summary = "r / 8 + g in the Radeon 8500's fixed point",
+    .exactness = tier::a,
+    .needs = list<&fixed_ps14>,
+    .scaled = true,
+    .source = R"GLSL(
+// umbrage_decode_fixed_ps14: x / 2040 in steps of 1 / 4096 from the channels of an 11-bit code, as sampled
+//   compare with umbrage_fixed_ps14(umbrage_receiver_ps14(depth)); 1.0 is not the far plane on this scale
+UMBRAGE_HIGHP float umbrage_decode_fixed_ps14(UMBRAGE_HIGHP vec2 c) {
+    return floor(umbrage_fixed_ps14(c.x) * 512.0) * 0.000244140625 + umbrage_fixed_ps14(c.y);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14, &fixed_ps14, &decode_fixed_ps14};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -24002,8 +24141,8 @@ private:
         return 0;
     }
 
-    /// Operand in brackets where WGSL needs them. WGSL's operators of no higher level than GLSL's take no unbracketed
-    /// operators at all, or not these.
+    /// Operand in brackets where WGSL needs them. Its bitwise, shift and comparison operators take fewer operands
+    /// without brackets than GLSL's do.
     static std::string operand(const value& v, int level, bool chained) {
         const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
         const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
@@ -24140,7 +24279,7 @@ private:
         std::string type = arguments[0].type;
         for (const value& v : arguments)
             if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
-        for (value& v : arguments) {  // in WGSL all are of one type
+        for (value& v : arguments) {  // in WGSL all arguments have one type
             if (v.type == type) continue;
             if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
             const std::size_t space = v.text.find_first_not_of(" \n");
@@ -24340,7 +24479,7 @@ private:
             skip_qualifiers();
         }
         if (glsl::detail::is_type(next().text)) return declaration(constant);
-        if (next() == "++" || next() == "--") {  // after its variable, in WGSL
+        if (next() == "++" || next() == "--") {  // WGSL has the sign after its variable
             const std::string sign(take().text);
             return expression().text + sign;
         }
@@ -24551,37 +24690,37 @@ template <class Use = umbrage::detail::on_use>
 }  // namespace umbrage::wgsl
 
 // ---- umbrage/shadow/set_up.hpp
-// What a light's set-up is to a shadow: how many maps it has, how they are drawn, and where a point of the world is
-// looked up. single_map.hpp is the shortest. Any type like these works; no list names them.
+// Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
+// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
 
 namespace umbrage {
 
-/// What every shadow's block ends with.
+/// Last members of every shadow's uniform block.
 struct shadow_terms {
-    glm::vec2 map_size{1};      ///< of one map, texels
-    float reach = 0;            ///< of the filter, as its bias counts it, texels
-    float error = 0;            ///< by how much depth in the map, or a receiver's, may be off
-    glm::vec4 filter_terms{0};  ///< the filter's own numbers: a radius, or (per_code, min_radius, max_radius)
+    glm::vec2 map_size{1};      ///< size of one map, texels
+    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
+    float error = 0;            ///< largest error of a stored depth and a receiver's together, in depth
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius)
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
 
-/// A receiver's place in a light's maps.
+/// Place of a receiver in a light's maps.
 struct map_place {
-    int number = 0;      ///< of the map
-    glm::vec3 at{0};     ///< texels, texels, depth
-    glm::vec2 slope{0};  ///< change of depth of the receiver's plane, from one texel to the next
+    int number = 0;      ///< number of the map, from 0
+    glm::vec3 at{0};     ///< x and y in texels, z depth
+    glm::vec2 slope{0};  ///< change of depth per texel of the receiver's plane
 };
 
 namespace glsl {
 
-/// How a shader's text chooses one of several maps: a layer of an array, or a tile of an atlas.
+/// Choice of one of several maps in a shader's text: a layer of an array, or a tile of an atlas.
 struct map_choice {
     bool atlas = false;
-    std::string_view tile{};                 ///< snippet that gives a tile's first texel, of its number
-    std::string_view tile_size = "terms.x";  ///< and size
+    std::string_view tile{};                 ///< name of the snippet tile(number, tile_size): a tile's first texel
+    std::string_view tile_size = "terms.x";  ///< size of a tile, texels, in GLSL
 
-    /// The statement that chooses the map of a number, in a set-up's text: the first one, or another.
+    /// Statement of a setup's text that chooses a map by its number. `first` declares a variable, `again` assigns it.
     [[nodiscard]] std::string first(std::string_view number) const {
         return std::string("    UMBRAGE_HIGHP ").append(atlas ? "vec2 " : "float ").append(again(number).substr(4));
     }
@@ -24597,8 +24736,8 @@ struct map_choice {
     }
 };
 
-/// Body of the depth pass' vertex function, for setups whose vertices are no plain product of a matrix: GLSL statements
-/// that use `to_clip`, `world` and the parameters.
+/// Body of the depth pass' vertex function, for setups that do more than multiply by a matrix. Its GLSL statements use
+/// `to_clip`, `world` and the parameters.
 struct vertex_place {
     std::string_view parameters, statements;
     const glsl::snippet* needs;
@@ -24611,20 +24750,23 @@ struct map_grid {
     int columns = 1, rows = 1;
 };
 
-/// How a light's maps are set up. `uniforms` holds mat4s and vec4s alone, in the order of `fields`, so that C++,
-/// std140, cbuffers, WGSL and Metal lay it out alike. `visibility` and `text` are twins: C++ calls look(place) where
-/// GLSL calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose. One whose lights do
-/// not draw each into a map of its own has draw(depths, mesh, parallel); one that bends lines, bent_lines `bends` and
-/// vertex_place `vertex`.
+/// Setup of a light's maps.
+///
+/// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
+/// alike. `visibility` and `text` are the C++ and the GLSL version of one function. C++ calls look(place) where GLSL
+/// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+///
+/// Two kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup that
+/// bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
              float (*look)(const map_place&), const glsl::map_choice& choice) {
     { s.clip() } -> std::same_as<clip_space>;
-    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // of the maps, each with its depth pass
-    { SetUp::grid } -> std::convertible_to<map_grid>;                  // of the maps in one image
-    { SetUp::outside } -> std::convertible_to<outside_map>;            // what texels outside a map count as
-    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // of an atlas; of one map nothing
+    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
+    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
+    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
+    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // tiles of an atlas; empty for one map
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
     {std::span<const uniform_field>(SetUp::fields)};
     { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
@@ -24632,13 +24774,14 @@ concept shadow_set_up = std::copyable<SetUp> &&
     {std::span<const glsl::snippet* const>(SetUp::needs)};
 };
 
-/// Maps that bend straight lines and planes: contact hardening, which compares along planes, does not go with them.
+/// Errors of maps that bend straight lines and planes. Contact hardening compares along planes, so a shadow with such
+/// maps does not take it.
 struct bent_lines {
-    float reach = 0;  ///< texels that places are off by
-    float error = 0;  ///< and depths
+    float reach = 0;  ///< largest error of a position, texels
+    float error = 0;  ///< largest error of a depth
 };
 
-/// The set-up that a light is given to a shadow as: itself, unless its header says otherwise.
+/// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
 struct set_up_for {
     using type = Light;
@@ -24646,7 +24789,7 @@ struct set_up_for {
 
 namespace detail {
 
-/// Holds a set-up's `uniforms` to its `fields`.
+/// True when a setup's `uniforms` have the size of its `fields`.
 template <class SetUp>
 consteval bool has_fields() {
     std::size_t vectors = 0;
@@ -24660,12 +24803,12 @@ template <class SetUp>
     else return {};
 }
 
-/// A map's first texel in the image of all.
+/// First texel of a map in the image of all maps.
 [[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
     return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
 }
 
-/// A light whose world is relative to an origin.
+/// Light for world positions relative to an origin.
 [[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
     light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
     return light;
@@ -24680,28 +24823,29 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/adaptive_maps.hpp
-// Pages of an adaptive shadow map (virtual shadow map), up to 64 of them: a map each. The table that finds a receiver's
-// page lies in the uniform block, so that levels go to 4. More pages and levels take a table as a texture:
-// page_coordinate.
+// Adaptive shadow map (virtual shadow map) with up to 64 pages, each of them a map. The uniform block holds the table
+// that finds a receiver's page, so the deepest level is 4. page_coordinate reads a table of more pages and levels from
+// a texture.
 //
 //     umbrage::page_cache cache({.slots = {8, 8}, .deepest_level = 4});
 //     const auto drawn = cache.update(seen).drawn;          // each frame; see light/adaptive/README.md
 //     const umbrage::page_size size{.texels = 128, .gutter = 4};
 //     const umbrage::shadow sun(umbrage::adaptive_maps(root, cache, size), glm::ivec2(size.pitch()), filter);
-//     umbrage::draw_pages(atlas, size, root, drawn, draw);  // new pages alone; sun.draw(atlas, mesh) draws all
+//     umbrage::draw_pages(atlas, size, root, drawn, draw);  // only new pages; sun.draw(atlas, mesh) draws all
 //
 
 namespace umbrage {
 
+/// Setup of the pages of an adaptive shadow map.
 struct adaptive_maps {
     light_space<double> root;
-    std::vector<placed_page> pages;  ///< coarse ones first
+    std::vector<placed_page> pages;  ///< coarse pages first
     page_size size;
 
-    /// @param space   of make_page_root
-    /// @param cache   after its update; the shadow is made again for each frame, its shader is not
-    /// @param of      a gutter of the filter's radius + 1/2 texels, or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots, levels beyond 4
+    /// @param space   light from make_page_root
+    /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
+    /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -24716,10 +24860,10 @@ struct adaptive_maps {
 
     struct uniforms {
         glm::mat4 to_root;   ///< page_matrix
-        glm::mat4 planes;    ///< plane_matrix, of texels of the deepest level
-        glm::mat4 cells[8];  ///< row by row, 16 x 16 of the deepest level, two in a number: first + 1024 second; each
-                             ///< slot + 64 (2^level - 1)
-        glm::vec4 pages;     ///< x: texels of a page; y: of its gutter
+        glm::mat4 planes;    ///< plane_matrix in texels of the deepest level
+        glm::mat4 cells[8];  ///< 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1).
+                             ///< Each number holds two cells: first + 1024 second
+        glm::vec4 pages;     ///< x: size of a page, y: width of its gutter, texels
     };
     static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},     {"cells_1"},
                                             {"cells_2"}, {"cells_3"}, {"cells_4"},     {"cells_5"},
@@ -24730,7 +24874,7 @@ struct adaptive_maps {
     static constexpr glsl::map_choice tiles{true, glsl::page_tile.name};
 
     [[nodiscard]] clip_space clip() const { return root.clip; }
-    /// By slot, row by row, up to the last that holds a page; the root's in slots that hold none.
+    /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const auto& [page, slot] : pages) {
@@ -24740,7 +24884,7 @@ struct adaptive_maps {
         }
         return all;
     }
-    /// @throws std::invalid_argument  map_size other than a page's with its gutter
+    /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");
         const light_space<double> here = detail::relative_to(origin, root);
@@ -24823,8 +24967,9 @@ private:
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cascaded_maps.hpp
-// Cascades of a directional light, up to eight: a map each, the first that holds a receiver and its filter, and near
-// its border a blend with the next where that holds them too. Shadows of the last one fade to light at its border.
+// Cascaded shadow maps (CSM) of a directional light, with up to eight cascades and one map per cascade.
+// A receiver is looked up in the first map that holds it and its filter. Near that map's border the next map blends in,
+// if it holds them too. Shadows of the last map fade to light at its border.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
 //     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
@@ -24838,9 +24983,9 @@ namespace detail {
 /// Uniforms of up to four cascades.
 template <int Groups>
 struct cascade_block {
-    glm::mat4 rotation;         ///< world to the light's directions
-    glm::mat4 scales, offsets;  ///< columns: a cascade's each, as cascade_by_projection takes them
-    glm::vec4 blending{0};      ///< x: weight of the next cascade a texel, 1 / blend_texels; y: the last one's number
+    glm::mat4 rotation;         ///< rotation from the world to the light's axes
+    glm::mat4 scales, offsets;  ///< one column per cascade, as for cascade_by_projection
+    glm::vec4 blending{0};      ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last
 
     static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
     static constexpr std::string_view find = "cascade_by_projection(light, scales, offsets", column = "cascade_column";
@@ -24854,11 +24999,11 @@ struct cascade_block {
     [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column(offsets, number); }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
 };
-/// Of five to eight.
+/// Uniforms of five to eight cascades.
 template <>
 struct cascade_block<2> {
-    glm::mat4 rotation, scales, offsets;        ///< of the first four
-    glm::mat4 farther_scales, farther_offsets;  ///< of the others
+    glm::mat4 rotation, scales, offsets;        ///< columns of the first four cascades
+    glm::mat4 farther_scales, farther_offsets;  ///< columns of the others
     glm::vec4 blending{0};
 
     static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
@@ -24882,12 +25027,15 @@ struct cascade_block<2> {
 
 }  // namespace detail
 
-/// @tparam Groups   of four cascades: 1 or 2
+/// Setup of cascades.
+/// @tparam Groups   number of groups of four cascades: 1 or 2
 template <int Groups = 1>
 struct cascaded_maps {
     std::vector<cascade<double>> cascades;
-    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: none
+    float blend_texels;  ///< width of the band along a map's border in which the next one takes over; 0: no band
 
+    /// @param all     cascades from near to far
+    /// @param blend   width of the band in which two cascades blend, texels; 0: no band
     /// @throws std::invalid_argument  blend negative or not finite
     template <real T, std::size_t Count>
     explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
@@ -24915,7 +25063,7 @@ struct cascaded_maps {
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
-            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // holds nothing where there is no cascade
+            u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
@@ -25000,7 +25148,7 @@ struct set_up_for<std::array<cascade<T>, Count>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cube_maps.hpp
-// Six maps around a point light, one for each face of a cube. A border lets filters stay within a face.
+// Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
 //
 //     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
@@ -25008,19 +25156,20 @@ struct set_up_for<std::array<cascade<T>, Count>> {
 
 namespace umbrage {
 
+/// Setup of a cube's six maps.
 struct cube_maps {
     point_light<double> light;
 
     template <real T>
     explicit cube_maps(const point_light<T>& l)
         : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_point_light(light));  // refuses what cannot be
+        static_cast<void>(make_point_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4 position;   ///< of the light; w: 0
-        glm::mat4 to_texels;  ///< from a face's axes, as cube_face_point has them, to texels of its map
-        glm::mat4 planes;     ///< plane_matrix of that
+        glm::vec4 position;   ///< position of the light; w: 0
+        glm::mat4 to_texels;  ///< matrix from a face's axes (cube_face_point) to texels of its map
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{3, 2};
@@ -25032,12 +25181,12 @@ struct cube_maps {
         const auto faces = make_point_light(light);
         return {faces.begin(), faces.end()};
     }
-    /// @throws std::invalid_argument  map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
         const glm::dmat4 projection = make_point_light(light)[0].projection;
         const double half = 0.5 * light.map_size, inner = half - light.border;
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
         glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
         if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
         glm::dmat4 m(0);
@@ -25079,15 +25228,15 @@ struct set_up_for<point_light<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/look.hpp
-// How a filter looks at one map of a shadow: what bias its receivers take, what it calls, in C++ and in GLSL.
+// Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
 // Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
-// the receiver's own plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) are
-// looked up in texels of their own.
+// the receiver's plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) have
+// texels of their own.
 
 namespace umbrage {
 
-/// Texels of a prefiltered map, in an encoding's place.
+/// Texels of a prefiltered map, used in place of an encoding.
 template <prefilter Prefilter>
 struct moment_texels {
     using texel = typename Prefilter::texel;
@@ -25098,26 +25247,26 @@ struct moment_texels {
 
 namespace detail {
 
-/// Filters that ask for a coordinate, a receiver and perhaps a pixel, no more.
+/// Filter that takes a coordinate and a receiver, perhaps a pixel, and nothing else.
 template <class Filter>
 concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
 } && !requires(const Filter& f) { f.offsets; }
 &&!requires(const Filter& f) { f.epsilon; };
 
-/// Those whose radius differs from receiver to receiver: no bias for all would be small.
+/// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
 template <class Filter>
 concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
     f.softness;
 };
 
-/// Those that read a disc of one radius, whose bias is another.
+/// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
 template <class Filter>
 concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
     f.farthest_point();
 };
 
-/// Those that turn from pixel to pixel.
+/// Filter whose disc has another rotation in each pixel.
 template <class Filter>
 concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f, glm::ivec2());
@@ -25134,25 +25283,25 @@ struct encoding_for<Prefilter> {
 
 }  // namespace detail
 
-/// Filters that a shadow takes.
+/// Filter that a shadow takes.
 template <class Filter>
 concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
 
-/// Encodings that a shadow takes: those of depths, or a prefilter's own moments.
+/// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
 template <class Encoding, class Filter>
 concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
                           (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
 
 namespace detail {
 
-/// From a receiver to the farthest texel that counts, along an axis.
+/// Distance along an axis from a receiver to the farthest texel that counts, texels.
 [[nodiscard]] constexpr float reach_of(const auto& filter) {
     if constexpr (requires { filter.reach(); }) return filter.reach();
-    else return 1.0f;  // of the four texels around it
+    else return 1.0f;  // a prefilter reads the four texels around it
 }
 
-/// The filter's numbers, as a block holds them.
-/// @param more   what rasterizer and rounding add to a reach
+/// Numbers of a filter, as the uniform block holds them.
+/// @param more   texels that the rasterizer and rounding add to a reach
 [[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
     if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
     else if constexpr (requires { filter.radius_texels; })
@@ -25166,7 +25315,7 @@ namespace detail {
     else return glm::vec4(0.0f);
 }
 
-/// Bias of a receiver.
+/// Bias of a receiver, in depth.
 template <class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
     if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
@@ -25174,9 +25323,9 @@ template <class Filter>
     else return acne_free_bias(slope, terms.reach, terms.error);
 }
 
-/// The filter on one map.
-/// @param own        the map alone
-/// @param receiver   (x, y) in its texels, depth, biased
+/// Visibility of a receiver in one map, by a filter.
+/// @param own        this map alone
+/// @param receiver   x and y in texels of the map, z depth with the bias already applied
 template <outside_map Outside, class Filter, class Encoding>
 [[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
@@ -25194,7 +25343,7 @@ template <outside_map Outside, class Filter, class Encoding>
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
-/// terms_of in GLSL: what the filter's function takes behind coordinate and receiver.
+/// GLSL version of terms_of: arguments of the filter's function after coordinate and receiver.
 template <class Filter>
 [[nodiscard]] std::string arguments_of() {
     constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
@@ -25213,7 +25362,7 @@ template <class Filter>
     return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
 }
 
-/// What a prefilter's writer takes behind the depth.
+/// Arguments of a prefilter's writer after the depth, in GLSL.
 template <prefilter Prefilter>
 [[nodiscard]] constexpr std::string_view writer_arguments() {
     if constexpr (requires(const Prefilter& p) { p.parameters; })
@@ -25222,12 +25371,12 @@ template <prefilter Prefilter>
     else return "";
 }
 
-/// bias_of in GLSL, as what computes it,
+/// Snippet that computes bias_of.
 template <class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
     return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// and as a statement of `slope` and `terms`.
+/// GLSL version of bias_of: a statement that uses `slope` and `terms`.
 template <class Filter>
 [[nodiscard]] std::string bias_text() {
     const std::string_view reach = contact_hardening<Filter> ? "0.5"
@@ -25237,8 +25386,8 @@ template <class Filter>
     return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
 }
 
-/// look in GLSL: umbrage_look, for a filter's map alone.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters that turn
+/// GLSL version of look: umbrage_look, for one filter and its map.
+/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters with a rotated disc
 template <class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =
@@ -25258,7 +25407,7 @@ template <class Filter>
     return look;
 }
 
-/// A set-up's text whose look-ups take one more argument.
+/// Text of a setup with one more argument in each call of umbrage_look.
 [[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
     for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
         i = text.find(";\n", i) - 1;
@@ -25267,7 +25416,7 @@ template <class Filter>
     return text;
 }
 
-/// The filter's map in a shader.
+/// Binding of a filter's map in a shader.
 template <class Filter, class Encoding>
 [[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
     glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};
@@ -25279,13 +25428,14 @@ template <class Filter, class Encoding>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/single_map.hpp
-// One map: of a spot light, or of a directional light, fitted or warped as may be.
+// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
 //
 //     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
 //
 
 namespace umbrage {
 
+/// Setup of one map.
 struct single_map {
     light_space<double> light;
 
@@ -25294,7 +25444,7 @@ struct single_map {
 
     struct uniforms {
         glm::mat4 to_texels;  ///< texture_matrix
-        glm::mat4 planes;     ///< plane_matrix
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
     static constexpr map_grid grid{1, 1};
@@ -25335,25 +25485,26 @@ struct set_up_for<light_space<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/shadow.hpp
-// A light's shadow as one value: set-up, size of its maps, filter, encoding. It knows its bias, its border, the
-// direction of its depth and what its texels may be off by.
+// Shadow of a light as one value: light setup, map size, filter and encoding. It computes the bias, the border, the
+// direction of depth and the error of its texels.
 //
 //     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
 //     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
 //     sun.draw(map, {positions, triangles});
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
-// In a shader the same, bit for bit where its parts are: in_shader.hpp. Each step by hand: texture_matrix,
-// shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias, biased, then the filter of bordered(map).
+// in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
+// These functions are its steps: texture_matrix, shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias,
+// biased, and the filter on bordered(map).
 
 namespace umbrage {
 
-/// Where a frame's world begins: points of the world are given less that.
+/// Origin of a frame in the world. A shader gets positions relative to it.
 struct frame_origin {
     glm::dvec3 origin{0};
 };
 
-/// A shadow's uniforms as its shader wants them: copy the bytes.
+/// Uniform block of a shadow's shader: copy its bytes into the buffer.
 template <shadow_set_up SetUp>
 struct shadow_uniforms {
     typename SetUp::uniforms maps;
@@ -25362,7 +25513,7 @@ struct shadow_uniforms {
 
 namespace detail {
 
-/// Refuses what no shadow can be made of, whatever its light.
+/// Checks the clip space, the map size and the filter of a shadow.
 template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
@@ -25373,19 +25524,19 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Gives an encoding the light's direction. An edge at its default follows, an edge of one's own stays.
+/// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
 void set_direction(auto& encoding, depth_direction direction) {
     if constexpr (requires { encoding.edge; })
         if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
     encoding.direction = direction;
 }
 
-/// Makes the terms that end a uniform block, from a filter and the error of its map's depths.
+/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              depth_direction direction, bent_lines bends) {
     const float size = static_cast<float>(greater(map_size.x, map_size.y));
-    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // beside it a coordinate's rounding
+    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // 2^-24 size: a coordinate's rounding
     const double error = direction == depth_direction::forward ? off.below : off.above;
     return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
             terms_of(filter, more)};
@@ -25393,6 +25544,11 @@ template <class Filter>
 
 }  // namespace detail
 
+/// Shadow of a light: draws its maps, and returns the visibility of receivers.
+///
+/// @tparam SetUp      setup of the light's maps, deduced from the light
+/// @tparam Filter     filter of the lookup
+/// @tparam Encoding   encoding of depths in the map
 template <shadow_set_up SetUp, shadow_filter Filter,
           shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
@@ -25403,12 +25559,12 @@ public:
                   "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
-    /// @param light      a light_space, an array of cascades, a point_light, or a set-up of your own
-    /// @param map_size   of one map, texels, each >= 1
-    /// @param filter     one of filters:: or prefilters::; the direction of depth is the light's
-    /// @param encoding   how the map's texels hold depth; its direction is the light's. A prefilter's map holds moments
-    /// @throws std::invalid_argument  a light whose clip space is unset; a map_size below 1, or less than twice the
-    ///                                filter's reach; what the set-up complains of
+    /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
+    /// @param map_size   size of one map, texels, each >= 1
+    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
+    /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
+    /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
+    ///                                filter's reach, or refused by the setup
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
@@ -25423,19 +25579,19 @@ public:
     [[nodiscard]] const Filter& filter() const { return filter_; }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
-    /// Of the image or texture that holds all maps, texels.
+    /// Size of the image or texture that holds all maps, texels.
     [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
-    /// Of one map; a texture array has this size.
+    /// Size of one map, and of a texture array, texels.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
-    /// What an empty map holds: the far plane.
+    /// Texel of an empty map: the far plane's.
     [[nodiscard]] texel cleared() const {
         if constexpr (prefilter<Filter>) return filter_.encode(cleared_depth(encoding_.direction));
         else return encoding_.cleared();
     }
 
-    /// Draws a mesh into the maps' depths, each map's own view of it, nearer depths winning.
-    /// @param depths   of size(), cleared to cleared_depth of the light's clip space, or drawn into before
-    /// @throws std::invalid_argument  depths of another size, and what rasterize_depth complains of
+    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
+    /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
+    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
@@ -25449,8 +25605,8 @@ public:
         }
     }
 
-    /// Makes the map's texels of drawn depths; blur a prefilter's afterwards (blur.hpp), map by map.
-    /// @throws std::invalid_argument  one of them of another size
+    /// Encodes drawn depths as texels of the map. Blur a prefilter's map afterwards, one map at a time (blur.hpp).
+    /// @throws std::invalid_argument  depths or a map of another size
     template <class ParallelFor = serial>
     void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
         detail::require_size(map.size, size(), "shadow::store", "map.size", "the shadow's size()");
@@ -25458,15 +25614,16 @@ public:
         else encode(depths, map, encoding_, parallel);
     }
 
-    /// A receiver's visibility.
-    /// @param map      of size(), texels of the encoding, drawn for this light
-    /// @param world    the receiver; NaN is lit
-    /// @param normal   of its surface, any length: the bias is what its plane asks for. Zero: none, for maps whose
-    ///                 depth pass was biased (make_polygon_offset)
-    /// @param pixel    where filters that turn from pixel to pixel (discs, contact hardening) take their turn from
-    /// @return         0 in shadow, 1 lit; outside all maps, behind the light and beyond the far plane 1
-    /// @throws std::invalid_argument  map of another size
-    /// @exactness      the worst of its parts: C, as project_coordinate; cascades B
+    /// Visibility of a receiver.
+    /// @param map      image of size(), texels of the encoding, drawn for this light
+    /// @param world    world position of the receiver
+    /// @param normal   surface normal, any length, for the smallest bias on its plane. Zero: a slope of 0, for maps
+    ///                 whose depth pass was biased (make_polygon_offset)
+    /// @param pixel    pixel that decides the rotation of discs and contact hardening
+    /// @return         visibility in [0, 1]: 0 in shadow, 1 lit
+    /// @edge           outside all maps, behind the light, beyond the far plane, or a NaN position: 1
+    /// @throws std::invalid_argument  a map of another size
+    /// @exactness      that of its weakest part: C, as project_coordinate; cascades B
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
@@ -25477,17 +25634,18 @@ public:
     }
 
     /// Visibility of an image of receivers.
-    /// @param points, normals   of one size, see operator()
-    /// @param out               of that size
+    /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param out               receives visibility, 1 lit; same size as points
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
-    /// @throws std::invalid_argument  sizes differ, map of another size
+    /// @throws std::invalid_argument  images of different sizes; a map of another size
     template <class ParallelFor = serial>
     void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
 
-    /// Depth before a point within which the bias may detach a shadow (peter-panning), of a caster as steep as the
-    /// surface: beyond it the point is wholly dark. light_units_at has it in world units.
-    /// @return   0 .. 1, in the map that the point is looked up in; of two that blend the greater
+    /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
+    /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
+    /// light_units_at converts it to world units.
+    /// @return   difference of depth from 0 to 1, in the point's map. Where two maps blend: the larger one
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
@@ -25501,9 +25659,9 @@ public:
         return distance;
     }
 
-    /// What the shader of in_shader.hpp takes.
-    /// @param frame   points that the shader is given are relative to its origin; far from the world's origin give the
-    ///                camera's place, and the light in double
+    /// Uniform block for the shader of in_shader.hpp.
+    /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
+    ///                make the light in double
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
         return {set_up_.make_uniforms(map_size_, frame.origin),
                 detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
@@ -25511,7 +25669,7 @@ public:
     }
 
 private:
-    /// A place's coordinate, and its depth biased.
+    /// Coordinate of a place, in texels, and its depth with the bias applied.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
         const comparison is_lit{encoding_.direction};
         const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
@@ -25539,7 +25697,7 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
-        // one look-up a receiver: where each lies first, then all of them through the filter's fast form
+        // One lookup per receiver: finds all places first, then filters them by the filter's fast form.
         const auto for_each_place = [&](const auto& use) {
             parallel(out.size.y, [&](int first, int last) {
                 for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
@@ -25590,9 +25748,9 @@ inline constexpr int channels_of = 1;
 template <glm::length_t Channels>
 inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
 
-/// umbrage_write: the texel of a depth, as a color.
-/// @param stores      to_unorm of the target, null where the writer gives what to write
-/// @param arguments   of the writer behind the depth, of filter_terms
+/// Text of umbrage_write: the texel of a depth, as a color.
+/// @param stores      to_unorm of the target; nullptr for a writer that returns the values to write
+/// @param arguments   arguments of the writer after the depth, in terms of filter_terms
 [[nodiscard]] inline own_text write_text(const snippet& writer, const snippet* stores, int channels,
                                          std::string_view arguments) {
     std::string texel = "umbrage_" + std::string(writer.name) + "(depth" + std::string(arguments) + ")";
@@ -25607,12 +25765,12 @@ inline constexpr int channels_of<glm::vec<Channels, float>> = Channels;
                        std::string(arguments.empty() ? "" : ", UMBRAGE_HIGHP vec4 filter_terms") +
                        ") {\n    UMBRAGE_HIGHP " + type + " texel = " + texel + ";\n    return vec4(" + color +
                        ");\n}\n"};
-    write.needs = {&cleared_depth, &writer};  // the first makes the text this map's own
+    write.needs = {&cleared_depth, &writer};  // cleared_depth makes the text this map's own
     if (stores != nullptr) write.needs.push_back(stores);
     return write;
 }
 
-/// The same of a prefilter's texel. to_optimized_moments, a writer too, takes the moments of encode_msm.
+/// Text of umbrage_write for a prefilter's texel. The writer to_optimized_moments takes the moments of encode_msm.
 template <prefilter Prefilter>
 [[nodiscard]] own_text write_moments_text() {
     const bool of_moments = Prefilter::writer == &to_optimized_moments;
@@ -25620,32 +25778,33 @@ template <prefilter Prefilter>
                       channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
 }
 
-/// umbrage_vertex: a vertex in clip space.
+/// Text of umbrage_vertex: a vertex in clip space.
 [[nodiscard]] inline own_text vertex_text(std::string_view parameters, std::string_view statements,
                                           std::vector<const snippet*> needs) {
     std::string source =
         "\n// umbrage_vertex: clip space position of a vertex of the depth pass\n"
         "UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world";
     source.append(parameters).append(") {\n").append(statements).append("}\n");
-    needs.push_back(&cleared_depth);  // which makes the text this map's own
+    needs.push_back(&cleared_depth);  // makes the text this map's own
     return {"vertex", std::move(source), std::move(needs)};
 }
 
-/// Tells directional lights, warped or not, from lights with a place: along some direction neither x, y nor w changes.
+/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
 [[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
     const glm::dmat4 rows = glm::transpose(light.projection * light.view);
     const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
     return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
-/// The vertex of a setup that says itself how it is placed.
+/// Vertex function of a setup with a vertex_place of its own.
 template <class SetUp>
 [[nodiscard]] own_text vertex_text_of() {
     return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
 }
 
-/// The vertex of other setups: a product with the light's matrix.
-/// @param pancakes   moves casters onto the near plane, whose depth in clip space `at_near` says
+/// Vertex function of other setups: a product with the light's matrix.
+/// @param pancakes   true for casters clamped to the near plane
+/// @param at_near    depth of the near plane in clip space
 [[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
     std::string place = "umbrage_shadow_coordinate(to_clip, world)";
     if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
@@ -25654,13 +25813,13 @@ template <class SetUp>
 
 }  // namespace detail
 
-/// Gives a shader the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
+/// Function for the texel that a depth pass writes into a color target: umbrage_write_<name>(depth), with the depth
 /// buffer's depth. ESM and EVSM take exponents from the block: umbrage_write_<name>(depth, filter_terms).
 ///
-/// The target has the encoding's format, is not sRGB and not blended. Clear it to cleared(). A depth texture needs no
-/// such text.
+/// The target has the encoding's format, without sRGB and without blending. Clear it to cleared(). A depth texture
+/// needs no such function.
 /// @param name    letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name
+/// @throws std::invalid_argument   an empty name, or one of other characters
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
@@ -25674,14 +25833,14 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Gives a depth pass its vertices in clip space: umbrage_vertex_<name>(to_clip, world).
+/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, move casters that lie
-/// nearer than the near plane onto it (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take the
-/// light's projection. Behind the vertex they take the light's position and the number of the half: (to_clip, world,
-/// position, number). Tessellate the mesh for them.
+/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, clamp casters to the
+/// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
+/// number): the light's projection, the vertex, the light's position and the number of the half. They need a
+/// tessellated mesh.
 /// @param name    letters, digits, single underscores between them
-/// @throws std::invalid_argument   another name
+/// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 6; dual paraboloids C
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
@@ -25700,21 +25859,21 @@ template <class SetUp, class Filter, class Encoding>
 }  // namespace umbrage::glsl
 
 // ---- umbrage/shadow/calibration.hpp
-// Tells whether a host reads a shadow's map as it should: load a map of known depths, ask, and get one answer.
+// Calibration of a shadow's map: tests how a host reads a map of known depths, and names the likely mistake.
 //
 //     auto known = umbrage::calibration_map(sun);                      // upload it in place of the drawn map
 //     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
 //     std::puts(umbrage::explain(says));
 //
-// In a shader, umbrage_calibrate_sun(0.0) gives the same number, of bind(sun, "sun", {.debug = true}): in_shader.hpp.
-// A map that was just cleared must read as map_reading::empty.
+// bind(sun, "sun", {.debug = true}) gives a shader the same test: umbrage_calibrate_sun(0.0) returns the reading's
+// number. See in_shader.hpp. A map that was just cleared must read as map_reading::empty.
 
 namespace umbrage {
 
 /// Result of reading a map of known depths.
 enum class map_reading { right, empty, dark, upside_down, another_map, reversed, coarse, wrong };
 
-/// The reading in a sentence, with what to check.
+/// Sentence for a reading, with the likely causes to check.
 [[nodiscard]] constexpr const char* explain(map_reading reading) {
     switch (reading) {
         case map_reading::right: return "The map is read right.";
@@ -25736,14 +25895,15 @@ enum class map_reading { right, empty, dark, upside_down, another_map, reversed,
 
 namespace detail {
 
-/// Distance from the near plane, 0 to 1, of the k-th of 32 known depths: four of each map, of which eight repeat.
+/// Distance of the k-th of 32 known depths from the near plane, 0 to 1. A map has four of them, and every eighth map
+/// has the same four.
 [[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
 
-/// Half of what lies between two known depths, with room for rounding.
+/// Tolerance that tells known depths apart: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
-/// By how much a reading may be off, a power of two: its encoding's error, rounding and bias.
-/// Prefilters see a step of depth as a ramp, so that they tell levels apart and no more.
+/// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
+/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only tell known depths apart.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;
@@ -25758,9 +25918,9 @@ template <class SetUp, class Filter, class Encoding>
 
 }  // namespace detail
 
-/// A map with known depths: four blocks, another four in each of the light's maps.
+/// Map of known depths: four blocks in each of the light's maps, with other depths in each map.
 ///
-/// @return   of the shadow's size(), as its encoding stores them; the first row is the first in memory
+/// @return   image of the shadow's size(), in its encoding. The first row is the first in memory
 /// @throws std::invalid_argument   maps smaller than four times the filter's reach
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
@@ -25784,10 +25944,10 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Reads a map of known depths through the shadow's own filter.
 ///
-/// @param map      calibration_map(of), as the host has it; or one that was just cleared
-/// @param number   of the light's map, >= 0
-/// @return         map_reading::right when every block is read as it was stored, map_reading::empty of a cleared map
-/// @throws std::invalid_argument   map of another size, a number that the light lacks
+/// @param map      calibration_map(of) as the host has it, or a map that was just cleared
+/// @param number   number of the light's map, >= 0
+/// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map
+/// @throws std::invalid_argument   a map of another size; a number that the light lacks
 /// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
@@ -25835,10 +25995,10 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// calibrate in GLSL: umbrage_reading, behind what it calls.
+/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
 /// @param terms    declarations of shadow_terms
-/// @param pixel    ", vec2(0.5, 0.5)" for filters that turn
-/// @param choice   the statement that chooses the map of `number`; empty for one map
+/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
+/// @param choice   statement that chooses the map of `number`; empty for one map
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
                                                               const std::string& pixel, const std::string& choice) {
@@ -25900,21 +26060,22 @@ template <class SetUp, class Filter, class Encoding>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/probe.hpp
-// A debug view of a shadow: texels, cascades and pages in colors, and a plain color for each reason why a point cannot
-// be shadowed. Turn it on when a shadow is missing and nothing says why.
+// Debug view of a shadow. Its colors show texels, cascades and pages. A plain color shows each reason why a point
+// cannot be shadowed. Use it to find out why a shadow is missing.
 //
 //     glm::vec3 color = umbrage::probe(sun, world, normal);
 //
-// In a shader, umbrage_probe_sun(world, normal), of bind(sun, "sun", {.debug = true}): in_shader.hpp.
+// bind(sun, "sun", {.debug = true}) gives a shader the same: umbrage_probe_sun(world, normal). See in_shader.hpp.
+// Also called: shadow debug view, visualize cascades (probe).
 
 namespace umbrage {
 
-/// Debug color of a point of the world under a shadow. Reads no map.
+/// Debug color of a world position under a shadow. Reads no map.
 ///
-/// @param world, normal   as the shadow takes them
-/// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Where cascades blend, their colors do; the last
+/// @param world, normal   position and normal, as for the shadow
+/// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
-/// @exactness   as project_coordinate: C; the color itself A
+/// @exactness   C, as project_coordinate; A for the color alone
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
     const auto uniforms = of.uniforms();
@@ -25930,9 +26091,10 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// probe in GLSL: umbrage_point_color, behind what it calls.
-/// @param terms    declarations of shadow_terms
-/// @param fields   of the set-up's uniforms, declared, and as arguments
+/// GLSL version of probe: umbrage_point_color, after the functions that it calls.
+/// @param terms       declarations of shadow_terms
+/// @param fields      declarations of the setup's uniforms
+/// @param arguments   names of the setup's uniforms, for a call
 template <class SetUp, class Filter>
 [[nodiscard]] std::vector<glsl::own_text> probe_texts(const std::string& terms, const std::string& fields,
                                                       const std::string& arguments) {
@@ -25977,32 +26139,34 @@ template <class SetUp, class Filter>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/in_shader.hpp
-// A shadow in a shader: its block, its map and one function, in any language.
+// Shadow in a shader, in any language: its uniform block, its map and one function.
 //
 //     using namespace umbrage::glsl;
 //     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 1, .texture = 3})});
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
-// hlsl::text, wgsl::text and msl::text take the same; in Metal the block, the map and the sampler come first.
+// hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
+// map and the sampler.
 //
-// When a shadow is missing: bind(sun, "sun", {.debug = true}) adds umbrage_probe_sun(world, normal), colors that say
-// why (probe.hpp), and umbrage_calibrate_sun(number), which reports how the host reads its map (calibration.hpp).
-// See also: depth_pass.hpp, for what the depth pass calls.
+// bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
+// umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
+// reads its map (calibration.hpp).
+// See also: depth_pass.hpp, for the functions of the depth pass.
 
 namespace umbrage::glsl {
 
-/// How a shader holds a shadow's maps.
+/// Bindings of a shadow in a shader, and the type of its texture.
 struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
-    std::optional<glsl::texture> map{};  ///< none: texture_2d for one map, atlas for several. Or depth, shadow for one;
-                                         ///< array, depth_array, shadow_array for several
-    bool debug = false;                  ///< umbrage_probe_<name> and umbrage_calibrate_<name> too
+    std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
+                                         ///< (default), array, depth_array or shadow_array
+    bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
 namespace detail {
 
-/// umbrage_look and umbrage_shadow, of one shadow's map alone; to debug it, more.
+/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
                                                  const map_choice& choice, bool debug) {
@@ -26034,12 +26198,12 @@ template <class SetUp, class Filter, class Encoding>
 
 }  // namespace detail
 
-/// A shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. Filters that turn from pixel
-/// to pixel take the position in pixels as a third argument: gl_FragCoord.xy.
-/// @param name    letters, digits, single underscores between them; another for each shadow of a shader
-/// @param slots   what it is bound to, and the kind of texture
-/// @throws std::invalid_argument   another name, a kind of texture that does not hold its maps, a filter that needs
-///                                 depths under a comparison sampler
+/// Shadow as functions of a shader: umbrage_<name>(world, normal), and its declarations. Filters with a rotated disc
+/// take the position in pixels as a third argument: gl_FragCoord.xy.
+/// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
+/// @param slots   bindings, and the type of the texture
+/// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter
+///                                 that reads depths, with a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
     constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
@@ -26054,7 +26218,7 @@ template <class SetUp, class Filter, class Encoding>
     binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;
-    if (kind == texture::atlas)  // of GLSL before 130, which cannot ask a texture for its size
+    if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
     item.texts =
@@ -26090,8 +26254,8 @@ template <class SetUp, class Filter, class Encoding>
 }  // namespace umbrage::glsl
 
 // ---- umbrage/shadow/paraboloid_maps.hpp
-// Two maps around a point light, a paraboloid's image of either half of all directions in each (dual paraboloid shadow
-// maps). Two passes in place of six, of meshes that are cut finely; distances in place of depths.
+// Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
+// They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
 //
 //     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
@@ -26099,19 +26263,19 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace umbrage {
 
+/// Setup of two paraboloid maps.
 struct paraboloid_maps {
     dual_paraboloid_light<double> light;
 
     template <real T>
     explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
         : light{glm::dvec3(l.position), l.range, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_dual_paraboloid_light(light));  // refuses what cannot be
+        static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4
-            position;      ///< of the light; w: change of depth a unit of distance, 1 / range or, reversed, -1 / range
-        glm::vec4 halves;  ///< x: map_size - 2 border; y: border; z: slope a texel; w: depth at the light
+        glm::vec4 position;  ///< position of the light; w: depth per world unit, 1 / range, or reversed -1 / range
+        glm::vec4 halves;    ///< x: map_size - 2 border; y: border; z: 2 / (range x); w: depth at the light
     };
     static constexpr uniform_field fields[]{{"position", false}, {"halves", false}};
     static constexpr map_grid grid{2, 1};
@@ -26140,7 +26304,7 @@ struct paraboloid_maps {
         for (const int map : {0, 1})
             rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
     }
-    /// @throws std::invalid_argument  map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
         const double inner = light.map_size - 2 * light.border;
@@ -26179,7 +26343,8 @@ struct set_up_for<dual_paraboloid_light<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/tetrahedron_map.hpp
-// Four maps around a point light in one square: fewer views than a cube, and texels of less even size.
+// Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
+// vary less in size.
 //
 //     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
 //     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
@@ -26187,20 +26352,21 @@ struct set_up_for<dual_paraboloid_light<T>> {
 
 namespace umbrage {
 
+/// Setup of a tetrahedron's four views.
 struct tetrahedron_map {
     tetrahedron_light<double> light;
 
     template <real T>
     explicit tetrahedron_map(const tetrahedron_light<T>& l)
         : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
-        static_cast<void>(make_tetrahedron_light(light));  // refuses what cannot be
+        static_cast<void>(make_tetrahedron_light(light));  // checks the light
     }
 
     struct uniforms {
-        glm::vec4 position;   ///< of the light; w: half the map's size
-        glm::mat4 to_texels;  ///< from a face's axes, as tetrahedron_face_point has them, to face 0's triangle, texels
-                              ///< from the map's middle
-        glm::mat4 planes;     ///< plane_matrix of that
+        glm::vec4 position;   ///< position of the light; w: half the map's size, texels
+        glm::mat4 to_texels;  ///< matrix from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
+                              ///< relative to the map's center
+        glm::mat4 planes;     ///< plane_matrix of to_texels
     };
     static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
     static constexpr map_grid grid{};
@@ -26225,11 +26391,12 @@ struct tetrahedron_map {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
         const glm::dmat4 projection = make_tetrahedron_light(light)[0].projection;
         const double half = 0.5 * light.map_size, scale = half - 3.0 * light.border, base = light.border - half;
-        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // of the face's normal
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // of view z, in front of a face
+        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // components of the face's normal
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
         glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
         if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
-        const double side = scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), of sqrt(6) w
+        const double side =
+            scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), the divisor being sqrt(6) w
         glm::dmat4 m(0);
         m[0][0] = side;
         m[1] = {0.0, base * up, depth.x * up, up};
@@ -26276,27 +26443,29 @@ struct set_up_for<tetrahedron_light<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/warped_maps.hpp
-// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four: a map each, the one that the distance along
-// the camera's axis names, and near its end a blend with the next.
+// Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four, with one map per cascade. The distance along
+// the camera's axis chooses a receiver's map. Near that map's end the next one blends in.
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
 //     umbrage::shadow sun(umbrage::warped_maps(cascades, fit.camera, fit.overlap), fit.map_size, filter);
 //
-// Each map has a matrix of its own: it is bent in its own way. A map holds what casts shadows into its own part of the
-// view and not all that it shows, so that no point takes another part's map, as points of cascaded_maps may.
+// Each map has its own matrix, as each warp differs. A map holds only the casters of its own part of the view. So a
+// point never takes the map of another part, unlike in cascaded_maps.
 
 namespace umbrage {
 
+/// Setup of warped cascades.
 struct warped_maps {
     std::vector<warped_cascade<double>> cascades;
-    glm::dvec3 position, axis;  ///< of the camera; the axis has length 1
-    double fade;
+    glm::dvec3 position, axis;  ///< position of the camera, and its forward axis of length 1
+    double fade;                ///< fraction of each cascade that blends into the next, 0 to 1
 
-    /// @param camera   that the cascades were made for; distances are along its axis
-    /// @param share    of each cascade over which the next one takes over, 0 .. 1: cascade_fit::overlap or less; after
-    ///                 the last, full light
-    /// @throws std::invalid_argument  a camera's direction of zero or not finite, share out of range
+    /// @param all      cascades from near to far
+    /// @param camera   camera that the cascades were made for. Distances are along its axis
+    /// @param share    fraction of each cascade over which the next one takes over, 0 to 1: cascade_fit::overlap or
+    ///                 less. The last cascade fades to light
+    /// @throws std::invalid_argument  a camera direction of zero or not finite; a share out of range
     template <real T, std::size_t Count>
     warped_maps(const std::array<warped_cascade<T>, Count>& all, const frustum<T>& camera, T share = T(0))
         : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(share) {
@@ -26309,11 +26478,11 @@ struct warped_maps {
     }
 
     struct uniforms {
-        glm::mat4 to_texels[4];  ///< texture_matrix of each
-        glm::mat4 planes[4];     ///< plane_matrix of these
-        glm::mat4 fades;         ///< columns: scale and offset of each one's cascade_fade
-        glm::vec4 ahead;         ///< distance along the camera's axis: of a point, and of the origin
-        glm::vec4 ends;          ///< of the first three; w: the last one's number
+        glm::mat4 to_texels[4];  ///< texture_matrix of each map
+        glm::mat4 planes[4];     ///< plane_matrix of each
+        glm::mat4 fades;         ///< one column per map: scale and offset for cascade_fade
+        glm::vec4 ahead;         ///< distance along the camera's axis: dot(ahead.xyz, world) + ahead.w
+        glm::vec4 ends;          ///< xyz: ends of the first three cascades; w: number of the last one
     };
     static constexpr uniform_field fields[]{{"to_texels_0"}, {"to_texels_1"},  {"to_texels_2"}, {"to_texels_3"},
                                             {"planes_0"},    {"planes_1"},     {"planes_2"},    {"planes_3"},

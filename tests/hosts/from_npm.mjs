@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From an empty folder to a picture, as the package's README says it: packed, installed beside a host, bundled, opened.
+// From an empty folder to a picture, as the package's page of engines says it: packed, installed beside a host, bundled, opened.
 //     node from_npm.mjs PACKAGE NODE_MODULES FOLDER HOST...      for example playcanvas@2.23.3
 //
 // NODE_MODULES has playwright-core and esbuild. Prints what a page weighs without the addon and with it. Exit
@@ -14,7 +14,7 @@ import { gzipSync } from 'node:zlib';
 const [umbrage, node_modules, folder, ...hosts] = process.argv.slice(2).map((argument, i) => (i < 3 ? resolve(argument) : argument));
 const required = createRequire(join(node_modules, 'x.js')), { chromium } = required('playwright-core'), { build } = required('esbuild');
 mkdirSync(folder, { recursive: true });
-const readme = readFileSync(join(umbrage, 'README.md'), 'utf8');
+const readme = readFileSync(join(umbrage, 'npm/README.md'), 'utf8');
 const run = (program, ...args) => execFileSync(program, args, { encoding: 'utf8', maxBuffer: 1 << 24 });
 const [{ filename, size }] = JSON.parse(run('npm', 'pack', umbrage, '--json', '--silent', '--pack-destination', folder));
 const titles = { three: 'three.js', '@babylonjs/core': 'Babylon.js', playcanvas: 'PlayCanvas' };

@@ -1534,6 +1534,28 @@ float umbrage_receiver_ps14(float depth) {
 }
 ` };
 
+export const fixed_ps14 = { language, name: "fixed_ps14", summary: "number in a register of the Radeon 8500",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
+float umbrage_fixed_ps14(float v) {
+    float within = v < 7.999755859375 ? v : 7.999755859375;
+    float steps = (within > -8.0 ? within : -8.0) * 4096.0;
+    float below = floor(steps);
+    return (steps - below < 0.5 ? below : below + 1.0) * 0.000244140625;
+}
+` };
+
+export const decode_fixed_ps14 = { language, name: "decode_fixed_ps14", summary: "r / 8 + g in the Radeon 8500's fixed point",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [fixed_ps14], text: `
+// umbrage_decode_fixed_ps14: x / 2040 in steps of 1 / 4096 from the channels of an 11-bit code, as sampled
+//   compare with umbrage_fixed_ps14(umbrage_receiver_ps14(depth)); 1.0 is not the far plane on this scale
+float umbrage_decode_fixed_ps14(float2 c) {
+    return floor(umbrage_fixed_ps14(c.x) * 512.0) * 0.000244140625 + umbrage_fixed_ps14(c.y);
+}
+` };
+
 export const inside_map = { language, name: "inside_map", summary: "true if a texel lies inside the map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4203,8 +4225,8 @@ export const diffuse_ambient = { language, name: "diffuse_ambient", summary: "di
     needs: [], text: `
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    precise float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+float3 umbrage_diffuse_ambient(float3 albedo, float3 ambient, float n_dot_l, float visibility) {
+    precise float3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 ` };

@@ -1536,6 +1536,28 @@ inline float umbrage_receiver_ps14(float depth) {
 }
 ` };
 
+const fixed_ps14 = { language, name: "fixed_ps14", summary: "number in a register of the Radeon 8500",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
+inline float umbrage_fixed_ps14(float v) {
+    float within = v < 7.999755859375 ? v : 7.999755859375;
+    float steps = (within > -8.0 ? within : -8.0) * 4096.0;
+    float below = metal::floor(steps);
+    return (steps - below < 0.5 ? below : below + 1.0) * 0.000244140625;
+}
+` };
+
+const decode_fixed_ps14 = { language, name: "decode_fixed_ps14", summary: "r / 8 + g in the Radeon 8500's fixed point",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [fixed_ps14], text: `
+// umbrage_decode_fixed_ps14: x / 2040 in steps of 1 / 4096 from the channels of an 11-bit code, as sampled
+//   compare with umbrage_fixed_ps14(umbrage_receiver_ps14(depth)); 1.0 is not the far plane on this scale
+inline float umbrage_decode_fixed_ps14(float2 c) {
+    return metal::floor(umbrage_fixed_ps14(c.x) * 512.0) * 0.000244140625 + umbrage_fixed_ps14(c.y);
+}
+` };
+
 const inside_map = { language, name: "inside_map", summary: "true if a texel lies inside the map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4217,8 +4239,8 @@ const diffuse_ambient = { language, name: "diffuse_ambient", summary: "diffuse p
     needs: [], text: `
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-inline float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+inline float3 umbrage_diffuse_ambient(float3 albedo, float3 ambient, float n_dot_l, float visibility) {
+    float3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 ` };
@@ -4435,6 +4457,8 @@ module.exports = {
     receiver_rg16,
     decode_ps14,
     receiver_ps14,
+    fixed_ps14,
+    decode_fixed_ps14,
     inside_map,
     fetch_bordered,
     fetch_depth,

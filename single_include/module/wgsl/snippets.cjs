@@ -1533,6 +1533,28 @@ fn umbrage_receiver_ps14(depth: f32) -> f32 {
 }
 ` };
 
+const fixed_ps14 = { language, name: "fixed_ps14", summary: "number in a register of the Radeon 8500",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
+fn umbrage_fixed_ps14(v: f32) -> f32 {
+    let within: f32 = select(7.999755859375, v, v < 7.999755859375);
+    let steps: f32 = select(-8.0, within, within > -8.0) * 4096.0;
+    let below: f32 = floor(steps);
+    return select(below + 1.0, below, steps - below < 0.5) * 0.000244140625;
+}
+` };
+
+const decode_fixed_ps14 = { language, name: "decode_fixed_ps14", summary: "r / 8 + g in the Radeon 8500's fixed point",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: true,
+    needs: [fixed_ps14], text: `
+// umbrage_decode_fixed_ps14: x / 2040 in steps of 1 / 4096 from the channels of an 11-bit code, as sampled
+//   compare with umbrage_fixed_ps14(umbrage_receiver_ps14(depth)); 1.0 is not the far plane on this scale
+fn umbrage_decode_fixed_ps14(c: vec2f) -> f32 {
+    return floor(umbrage_fixed_ps14(c.x) * 512.0) * 0.000244140625 + umbrage_fixed_ps14(c.y);
+}
+` };
+
 const inside_map = { language, name: "inside_map", summary: "true if a texel lies inside the map",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4202,8 +4224,8 @@ const diffuse_ambient = { language, name: "diffuse_ambient", summary: "diffuse p
     needs: [], text: `
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
-    let light: f32 = visibility * n_dot_l * (1.0 - ambient) + ambient;
+fn umbrage_diffuse_ambient(albedo: vec3f, ambient: vec3f, n_dot_l: f32, visibility: f32) -> vec3f {
+    let light: vec3f = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * select(ambient, light, n_dot_l > 0.0);  // max gives NaN for a signalling NaN on Mesa
 }
 ` };
@@ -4418,6 +4440,8 @@ module.exports = {
     receiver_rg16,
     decode_ps14,
     receiver_ps14,
+    fixed_ps14,
+    decode_fixed_ps14,
     inside_map,
     fetch_bordered,
     fetch_depth,

@@ -9,8 +9,8 @@
 #define UMBRAGE_HAS_DIFFUSE_AMBIENT
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    precise float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+float3 umbrage_diffuse_ambient(float3 albedo, float3 ambient, float n_dot_l, float visibility) {
+    precise float3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
 }
 #endif

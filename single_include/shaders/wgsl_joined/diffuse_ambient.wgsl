@@ -8,7 +8,7 @@
 
 // umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
 //   for n_dot_l <= 0.0 and NaN: albedo * ambient
-fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
-    let light: f32 = visibility * n_dot_l * (1.0 - ambient) + ambient;
+fn umbrage_diffuse_ambient(albedo: vec3f, ambient: vec3f, n_dot_l: f32, visibility: f32) -> vec3f {
+    let light: vec3f = visibility * n_dot_l * (1.0 - ambient) + ambient;
     return albedo * select(ambient, light, n_dot_l > 0.0);  // max gives NaN for a signalling NaN on Mesa
 }
