@@ -25524,6 +25524,13 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
+/// Refuses uniforms that are infinite or NaN in float.
+inline void require_finite_uniforms(std::span<const float> uniforms) {
+    for (const float number : uniforms)
+        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
+                number, "Tiny near planes and huge coordinates overflow.");
+}
+
 /// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
 void set_direction(auto& encoding, depth_direction direction) {
     if constexpr (requires { encoding.edge; })
@@ -25662,10 +25669,15 @@ public:
     /// Uniform block for the shader of in_shader.hpp.
     /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
     ///                make the light in double
+    /// @throws std::invalid_argument  uniforms that would be infinite or NaN in float
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        return {set_up_.make_uniforms(map_size_, frame.origin),
-                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
-                                          detail::bends_of<SetUp>())};
+        const uniforms_type all{set_up_.make_uniforms(map_size_, frame.origin),
+                                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
+                                                          detail::bends_of<SetUp>())};
+        std::array<float, sizeof all / sizeof(float)> numbers;
+        std::memcpy(numbers.data(), &all, sizeof all);
+        detail::require_finite_uniforms(numbers);
+        return all;
     }
 
 private:

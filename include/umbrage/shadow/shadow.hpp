@@ -13,7 +13,10 @@
 // biased, and the filter on bordered(map).
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstring>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -24,6 +27,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/scalar.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/plane_visibility.hpp>
@@ -59,6 +63,13 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
             "The filter reaches " + printed(reach) + " texels to each side.");
+}
+
+/// Refuses uniforms that are infinite or NaN in float.
+inline void require_finite_uniforms(std::span<const float> uniforms) {
+    for (const float number : uniforms)
+        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
+                number, "Tiny near planes and huge coordinates overflow.");
 }
 
 /// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
@@ -199,10 +210,15 @@ public:
     /// Uniform block for the shader of in_shader.hpp.
     /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
     ///                make the light in double
+    /// @throws std::invalid_argument  uniforms that would be infinite or NaN in float
     [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        return {set_up_.make_uniforms(map_size_, frame.origin),
-                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
-                                          detail::bends_of<SetUp>())};
+        const uniforms_type all{set_up_.make_uniforms(map_size_, frame.origin),
+                                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
+                                                          detail::bends_of<SetUp>())};
+        std::array<float, sizeof all / sizeof(float)> numbers;
+        std::memcpy(numbers.data(), &all, sizeof all);
+        detail::require_finite_uniforms(numbers);
+        return all;
     }
 
 private:

@@ -258,6 +258,13 @@ TEST_CASE("shadow: bad input") {
     CHECK(refused([&] {
               (void)s(image<float>({64, 64}), {0, 0, 0}, up);
           }) == "umbrage::shadow: map.size must be the shadow's size(), 64 x 32; got 64 x 64");
+    const point_light<float> grazed{.z_near = 1e-40f, .z_far = 3, .map_size = 64, .border = 2, .clip = cpu_clip_space};
+    CHECK(
+        refused([&] {
+            (void)shadow(grazed, {64, 64}, filters::hard{});
+        }) ==
+        "umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; got -inf. Tiny "
+        "near planes and huge coordinates overflow.");
     image<float> other({32, 32});
     CHECK(refused([&] { s.draw(other, mesh); }).starts_with("umbrage::shadow::draw: depths.size must be"));
     const image<glm::vec3> points({4, 4});
