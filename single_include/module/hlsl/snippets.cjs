@@ -1540,7 +1540,7 @@ const fixed_ps14 = { language, name: "fixed_ps14", summary: "number in a registe
 // umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
 float umbrage_fixed_ps14(float v) {
     // not v < 8.0 ? v : ...: Mesa turns it into min, and softpipe's min gives NaN
-    float within = v > -8.0 && v < 7.999755859375 ? v : (v <= -8.0 ? -8.0 : 7.999755859375);
+    float within = v > -8.0 && v < 7.999755859375 ? v : (v < 0.0 ? -8.0 : 7.999755859375);
     float steps = within * 4096.0;
     float below = floor(steps);
     return (steps - below < 0.5 ? below : below + 1.0) * 0.000244140625;

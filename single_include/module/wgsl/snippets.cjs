@@ -1539,7 +1539,7 @@ const fixed_ps14 = { language, name: "fixed_ps14", summary: "number in a registe
 // umbrage_fixed_ps14: nearest multiple of 1 / 4096 from -8.0 to 8.0 - 1 / 4096; NaN becomes the last of them
 fn umbrage_fixed_ps14(v: f32) -> f32 {
     // not v < 8.0 ? v : ...: Mesa turns it into min, and softpipe's min gives NaN
-    let within: f32 = select(select(7.999755859375, -8.0, v <= -8.0), v, v > -8.0 && v < 7.999755859375);
+    let within: f32 = select(select(7.999755859375, -8.0, v < 0.0), v, v > -8.0 && v < 7.999755859375);
     let steps: f32 = within * 4096.0;
     let below: f32 = floor(steps);
     return select(below + 1.0, below, steps - below < 0.5) * 0.000244140625;
