@@ -83,8 +83,7 @@ void draw_maps(const auto& shadow, GLuint unit, GLsizei vertices) {
     glClearColor(far_plane.r, far_plane.g, far_plane.b, 1), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     int number = 0;
     for (const auto& light : shadow.set_up().lights()) {
-        glViewport(number % 2 * tile.x, number / 2 * tile.y, tile.x, tile.y),
-            ++number;  // tile of an atlas with two columns
+        glViewport(number % 2 * tile.x, number / 2 * tile.y, tile.x, tile.y), ++number;  // an atlas with two columns
         draw(depth_pass, glm::mat4(light.projection * light.view), vertices);
     }
 }
