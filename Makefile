@@ -15,6 +15,7 @@
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
+#     make fuzz SECONDS=60   random input against models, under sanitizers, that long for each target
 #     make release       what a release attaches, with SHA256SUMS: build/release
 #     make release-check makes it twice, by two compilers at two places, and compares the bytes
 #
@@ -76,7 +77,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme release release-check compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -212,6 +213,22 @@ bench-shaders:
 	$(call install,$(build_packages) $(node_packages) glslang-tools libvulkan-dev mesa-vulkan-drivers)
 	cmake -S tests/bench/shaders -B build/bench-shaders -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-shaders --target table
+
+# What it finds lies in build/fuzz/NAME-crash-*: minimize it, put it into tests/fuzz/corpus/NAME, mend.
+SECONDS := 60
+fuzz_targets := depth_pass encodings fits shadow texts visibility
+fuzz:
+	$(call install,$(unit_packages) clang-14)
+	@mkdir -p build
+	@cmake -G Ninja -S . -B build/fuzz -D CMAKE_CXX_COMPILER=clang++-14 -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON \
+	    -D UMBRAGE_TESTS_LEFT_OUT=. > build/fuzz.log || { cat build/fuzz.log; exit 1; }
+	cmake --build build/fuzz --target $(addprefix fuzz_,$(fuzz_targets))
+	@cd build/fuzz && status=0; for target in $(fuzz_targets); do \
+	    echo "== $$target"; mkdir -p found/$$target; \
+	    tests/fuzz/fuzz_$$target -max_total_time=$(SECONDS) -max_len=600 -artifact_prefix=$$target- -print_final_stats=1 \
+	        found/$$target $(CURDIR)/tests/fuzz/corpus/$$target 2>&1 | grep -E "^fuzz: |ERROR|SUMMARY|number_of_executed_units"; \
+	    ls $$target-* > /dev/null 2>&1 && status=1; \
+	done; exit $$status
 
 release:
 	$(call install,$(unit_packages) $(node_packages))

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Bytes of a fuzzer as numbers, and how a target reports what is wrong. libFuzzer finds what aborts.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/clip_space.hpp>
+
+namespace fuzz {
+
+/// Aborts unless a model holds.
+inline void must(bool holds, const char* model) {
+    if (holds) return;
+    std::fprintf(stderr, "fuzz: %s\n", model);
+    std::abort();
+}
+
+/// Reads numbers from the front of the bytes; zeros follow the last.
+class input {
+public:
+    input(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
+
+    [[nodiscard]] std::uint32_t bits() {
+        std::uint32_t value = 0;
+        const std::size_t taken = size_ < sizeof value ? size_ : sizeof value;
+        std::memcpy(&value, bytes_, taken);
+        bytes_ += taken, size_ -= taken;
+        return value;
+    }
+    [[nodiscard]] int within(int low, int high) {
+        return low + static_cast<int>(bits() % (static_cast<std::uint32_t>(high - low) + 1u));
+    }
+    [[nodiscard]] bool chance(int one_in) { return within(1, one_in) == 1; }
+    /// A float in the range; one time in eight any float there is, NaN and infinities too.
+    [[nodiscard]] float number(float low, float high) {
+        const std::uint32_t kind = bits();
+        if (kind % 8 != 0) return low + (high - low) * (static_cast<float>(kind >> 8) / 16777216.0f);
+        static constexpr std::array<float, 8> awkward{0.0f,
+                                                      -0.0f,
+                                                      1.0f,
+                                                      std::numeric_limits<float>::infinity(),
+                                                      -std::numeric_limits<float>::infinity(),
+                                                      std::numeric_limits<float>::quiet_NaN(),
+                                                      std::numeric_limits<float>::max(),
+                                                      std::numeric_limits<float>::denorm_min()};
+        if (kind % 16 == 0) return awkward[(kind >> 4) % 8];
+        return std::bit_cast<float>(bits());
+    }
+    /// A float in the range.
+    [[nodiscard]] float tame(float low, float high) {
+        return low + (high - low) * (static_cast<float>(bits() >> 8) / 16777216.0f);
+    }
+    [[nodiscard]] glm::vec2 vec2(float low, float high) { return {number(low, high), number(low, high)}; }
+    [[nodiscard]] glm::vec3 vec3(float low, float high) {
+        return {number(low, high), number(low, high), number(low, high)};
+    }
+    [[nodiscard]] glm::vec3 tame_vec3(float low, float high) {
+        return {tame(low, high), tame(low, high), tame(low, high)};
+    }
+    /// Conventions of an API.
+    [[nodiscard]] umbrage::clip_space clip() {
+        using namespace umbrage;
+        static constexpr std::array all{cpu_clip_space,   opengl_clip_space, direct3d_clip_space, vulkan_clip_space,
+                                        unity_clip_space, godot_clip_space,  unreal_clip_space};
+        return all[bits() % all.size()];
+    }
+
+private:
+    const std::uint8_t* bytes_;
+    std::size_t size_;
+};
+
+/// Calls what may refuse its arguments: a clear message is an answer, anything else is not.
+template <class Use>
+void answered(const Use& use) {
+    try {
+        use();
+    } catch (const std::invalid_argument& error) {
+        const std::string_view message = error.what();
+        must(message.starts_with("umbrage::") && message.find("; got ") != message.npos, error.what());
+    }
+}
+
+}  // namespace fuzz
