@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fits of lights: every receiver lies in the map, every caster that a receiver's ray meets lies behind the near plane.
+// Fits of lights: a directional fit holds its receivers, cascades are finite, and a spot fit answers or refuses.
 #include <array>
 #include <cmath>
 
@@ -13,8 +13,6 @@
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
-#include <umbrage/light/warp/light_space_perspective.hpp>
-#include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "input.hpp"
 

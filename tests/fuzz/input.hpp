@@ -14,7 +14,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/clip_space.hpp>
@@ -63,12 +62,8 @@ public:
     [[nodiscard]] float tame(float low, float high) {
         return low + (high - low) * (static_cast<float>(bits() >> 8) / 16777216.0f);
     }
-    [[nodiscard]] glm::vec2 vec2(float low, float high) { return {number(low, high), number(low, high)}; }
     [[nodiscard]] glm::vec3 vec3(float low, float high) {
         return {number(low, high), number(low, high), number(low, high)};
-    }
-    [[nodiscard]] glm::vec3 tame_vec3(float low, float high) {
-        return {tame(low, high), tame(low, high), tame(low, high)};
     }
     /// Conventions of an API.
     [[nodiscard]] umbrage::clip_space clip() {

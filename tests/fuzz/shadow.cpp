@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A shadow of any light: visibilities lie within 0 and 1, images have the bits of points, uniforms are finite, and a
-// point before all casters is lit.
+// A shadow of any light: visibilities lie within 0 and 1, images have the bits of points, uniforms are finite, and an
+// empty map casts no shadow.
 #include <array>
 #include <vector>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Visibility of whole images: each receiver has the bits that the filter gives it alone, and lies within 0 and 1.
+#include <type_traits>
+
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
@@ -47,10 +49,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     image<float> depths(map_size);
     for (float& d : depths.texels()) d = in.tame(0, 1);
     const auto direction = in.chance(2) ? depth_direction::forward : depth_direction::reversed;
-    int chosen = in.within(0, 63);
-    filters::all::for_each([&](auto filter) {
-        if constexpr (detail::point_filter<decltype(filter)>) {
-            if (chosen-- != 0) return;
+    const auto for_each_filter = [](const auto& use) {
+        filters::all::for_each([&](const auto& filter) {
+            if constexpr (detail::point_filter<std::decay_t<decltype(filter)>>) use(filter);
+        });
+    };
+    int count = 0;
+    for_each_filter([&](const auto&) { ++count; });
+    int chosen = in.within(0, count - 1);
+    for_each_filter([&](auto filter) {
+        if (chosen-- == 0) {
             filter.is_lit.direction = direction;
             fuzz::answered([&] { compare(in, filter, depth32f{.direction = direction}, depths); });
             fuzz::answered([&] { compare(in, filter, rg<11>{.direction = direction}, depths); });

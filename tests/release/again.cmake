@@ -1,22 +1,16 @@
 # SPDX-License-Identifier: MIT
 #
-# Makes a release twice, in two copies of the sources under other paths, by two compilers, in two locales and time zones.
-# Fails where a byte differs.
+# Makes a release twice, in two folders, by two compilers, in two locales and time zones. Fails where a byte differs.
 #
 #     cmake -D UMBRAGE=source-folder -D CXX=g++ -D OTHER_CXX=clang++-14 -D WORK=folder -P again.cmake
 cmake_minimum_required(VERSION 3.21)
 get_filename_component(WORK ${WORK} ABSOLUTE)
-file(REMOVE_RECURSE ${WORK})
 
-function(release copy compiler locale zone)
-    set(folder "${WORK}/${copy}")
-    foreach(part CMakeLists.txt LICENSE include single_include tests/package tests/release)
-        get_filename_component(parent "${folder}/${part}" DIRECTORY)
-        file(COPY ${UMBRAGE}/${part} DESTINATION ${parent})
-    endforeach()
-    execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=${locale} TZ=${zone} ${CMAKE_COMMAND} -D UMBRAGE=${folder} -D CXX=${compiler}
-                            -D OUT=${folder}/out -P ${folder}/tests/release/release.cmake COMMAND_ERROR_IS_FATAL ANY)
-    file(READ ${folder}/out/SHA256SUMS sums)
+function(release folder compiler locale zone)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=${locale} TZ=${zone} ${CMAKE_COMMAND} -D UMBRAGE=${UMBRAGE}
+                            -D CXX=${compiler} -D OUT=${WORK}/${folder} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/release.cmake
+                    COMMAND_ERROR_IS_FATAL ANY)
+    file(READ "${WORK}/${folder}/SHA256SUMS" sums)
     set(sums "${sums}" PARENT_SCOPE)
 endfunction()
 
