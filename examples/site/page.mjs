@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The frame of every page: head, navigation, main, footer. Links are relative, so that the site works under any path.
+import { escape } from './context.mjs';
+
+const sections = [
+    ['proof/', 'Proof'],
+    ['snippets/', 'Snippets'],
+    ['reference/', 'Reference'],
+    ['museum.html', 'Museum'],
+];
+
+/// The way from the page at `path` to the root of the site: './', '../', '../../' ...
+export const way_up = path => '../'.repeat(path.split('/').length - 1) || './';
+
+/// @param path         of the file in the site, such as "reference/filter/index.html"
+/// @param title        of the page, without the project's name
+/// @param description  one sentence, for search engines
+/// @param body         HTML of the main part
+/// @param scripts      modules to load, relative to the root of the site
+/// @return             the HTML of the whole page
+export function page({ path, title, description, body, scripts = [] }) {
+    const up = way_up(path);
+    const links = sections.map(([to, name]) => {
+        const here = path.startsWith(to) ? ' aria-current="page"' : '';
+        return `<li><a href="${up}${to}"${here}>${name}</a></li>`;
+    });
+    return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="description" content="${escape(description)}">
+<meta name="color-scheme" content="light dark">
+<title>${escape(title)} · umbrage</title>
+<link rel="icon" href="${up}icon.svg">
+<link rel="stylesheet" href="${up}style.css">
+${scripts.map(script => `<script type="module" src="${up}${script}"></script>`).join('\n')}
+</head>
+<body data-root="${up}">
+<a class="skip" href="#main">Skip to the content</a>
+<header class="top">
+<a class="mark" href="${up}">umbrage</a>
+<nav aria-label="Main"><ul>${links.join('')}</ul></nav>
+</header>
+<main id="main">
+${body}
+</main>
+<footer class="foot">
+<p>umbrage, a C++20 library of shadow mapping functions with shader twins. MIT license.</p>
+<p><a href="${up}troubleshooting.html">Troubleshooting</a> · <a href="${up}index-by-name.html">Find by name</a> ·
+<a href="${up}changelog.html">Changes</a></p>
+</footer>
+</body>
+</html>
+`;
+}
