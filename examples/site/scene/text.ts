@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Shows the text of the shadow, with a tab for each language and a button that copies it.
+import { snippets } from 'umbrage';
+
+import { highlight, type Language } from '../highlight';
+import { asked_of } from './light';
+import { lines_of } from './lines';
+import type { State } from './state';
+
+export class Text {
+    private language: Language = 'glsl';
+    private shown = '';
+    private text = '';
+
+    constructor(private readonly place: HTMLElement, private readonly state: () => State) {
+        for (const tab of place.querySelectorAll<HTMLInputElement>('input[name=language]'))
+            tab.onchange = () => { this.language = tab.value as Language; this.show(); };
+        const copy = place.querySelector('button')!;
+        copy.onclick = async () => {
+            const done = await navigator.clipboard.writeText(this.text).then(() => true, () => false);
+            copy.textContent = done ? 'Copied' : 'Not allowed: select the text';
+            setTimeout(() => { copy.textContent = 'Copy'; }, 1500);
+        };
+    }
+
+    show() {
+        const asked = asked_of(this.state()), key = this.language + JSON.stringify(asked);
+        if (key === this.shown) return;
+        this.shown = key;
+        const turns = snippets[asked.filter]!.filter!.arguments.some(argument => argument.name === 'rotation');
+        void lines_of(asked, this.language, turns).then(({ text, call }) => {
+            if (key !== this.shown) return;
+            this.text = text;
+            this.place.querySelector('pre code')!.innerHTML = highlight(text, this.language);
+            const said = this.place.querySelector('.call')!;
+            said.textContent = call;
+            this.place.querySelector('.count')!.textContent = `${text.split('\n').length - 1} lines`;
+        });
+    }
+}

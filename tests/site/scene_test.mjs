@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+//
+// The live scene: the GPU's picture equals C++'s, controls and address change both, files are drawn or refused in words.
+import { mkdtempSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+import { visit } from './visit.mjs';
+
+/** Waits for C++'s answer to what the page shows. */
+const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.receivers, null, { timeout: 120_000 });
+const forget = page => page.evaluate(() => { delete document.querySelector('#picture').dataset.receivers; });
+const seen = page => page.evaluate(() => {
+    const { different, receivers } = document.querySelector('#picture').dataset;
+    return { different: Number(different), receivers: Number(receivers), picture: document.querySelector('#picture').toDataURL(),
+        lines: document.querySelector('#lines pre').textContent };
+});
+const said = page => page.textContent('#said');
+
+const cube = `${[0, 1, 2, 3, 4, 5, 6, 7].map(n => `v ${n & 1} ${n >> 1 & 1} ${n >> 2}`).join('\n')}
+f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n`;
+
+/** A binary glTF of a JSON text and one buffer. */
+function glb(json, data = Buffer.alloc(0)) {
+    const chunk = (kind, bytes, fill) => {
+        const padded = Buffer.concat([bytes, Buffer.alloc((4 - bytes.length % 4) % 4, fill)]), head = Buffer.alloc(8);
+        head.writeUInt32LE(padded.length, 0);
+        head.writeUInt32LE(kind, 4);
+        return Buffer.concat([head, padded]);
+    };
+    const chunks = [chunk(0x4e4f534a, Buffer.from(JSON.stringify(json)), ' ')], head = Buffer.alloc(12);
+    if (data.length) chunks.push(chunk(0x004e4942, data, 0));
+    head.writeUInt32LE(0x46546c67, 0);
+    head.writeUInt32LE(2, 4);
+    head.writeUInt32LE(12 + chunks.reduce((sum, c) => sum + c.length, 0), 8);
+    return Buffer.concat([head, ...chunks]);
+}
+/** A glTF of three vertices and as many indices as asked for. */
+function triangles(indices) {
+    const data = Buffer.alloc(36 + 2 * indices);
+    [0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((v, i) => data.writeFloatLE(v, 4 * i));
+    for (let i = 0; i < indices; ++i) data.writeUInt16LE(i % 3, 36 + 2 * i);
+    return glb({ asset: { version: '2.0' }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }], buffers: [{ byteLength: data.length }],
+        bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 36 }, { buffer: 0, byteOffset: 36, byteLength: 2 * indices }],
+        accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] },
+            { bufferView: 1, componentType: 5123, count: indices, type: 'SCALAR' }] }, data);
+}
+
+// files too large to be sent through the driver
+const folder = mkdtempSync(join(tmpdir(), 'umbrage_')), large = join(folder, 'large.obj'), many = join(folder, 'many.glb');
+writeFileSync(large, '');
+truncateSync(large, 201e6);  // all holes
+writeFileSync(many, triangles(15_000_003));
+process.on('exit', () => rmSync(folder, { recursive: true }));
+const refused = [
+    [{ name: 'empty.obj', mimeType: '', buffer: Buffer.alloc(0) }, 'is empty'],
+    [{ name: 'words.obj', mimeType: '', buffer: Buffer.from('hello\n') }, 'has no faces'],
+    [{ name: 'infinite.obj', mimeType: '', buffer: Buffer.from(cube.replace('v 1 1 1', 'v 1 1e999 1')) }, 'line 8: "1e999" is not a finite number'],
+    [{ name: 'missing.obj', mimeType: '', buffer: Buffer.from(`${cube}f 1 2 9\n`) }, 'there is no vertex "9"'],
+    [{ name: 'flat.obj', mimeType: '', buffer: Buffer.from('v 1 1 1\nf 1 1 1\n') }, 'has no extent'],
+    [{ name: 'picture.png', mimeType: '', buffer: Buffer.from('x') }, 'neither OBJ nor glTF'],
+    [{ name: 'broken.glb', mimeType: '', buffer: Buffer.from('glTF????') }, 'is not a glTF file that can be read'],
+    [{ name: 'draco.glb', mimeType: '', buffer: glb({ asset: { version: '2.0' }, extensionsRequired: ['KHR_draco_mesh_compression'] }) }, 'compressed by Draco'],
+    [{ name: 'outside.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify({ asset: { version: '2.0' }, buffers: [{ uri: 'a.bin', byteLength: 1 }] })) },
+        'keeps its vertices in a.bin'],
+    [many, 'more than 5 million triangles'],
+    [large, 'has 201 MB'],
+];
+
+await visit(async ({ open, check, picture, axe }) => {
+    const page = await open('?pitch=30', { width: 390 });
+    await answer(page);
+    const first = await seen(page);
+    check(first.receivers > 1e5 && first.different === 0, `${first.different} of ${first.receivers} pixels differ`);
+    check(first.lines.includes('umbrage_tent3'), 'the lines are those of the default filter');
+
+    // a filter changes picture, lines and address; the address brings all of it back
+    await forget(page);
+    await page.selectOption('#set-filter', 'hard');
+    await answer(page);
+    const hard = await seen(page);
+    check(hard.different === 0 && hard.picture !== first.picture, 'another filter makes another picture');
+    check(hard.lines.includes('umbrage_hard') && !hard.lines.includes('tent3'), 'and other lines');
+    await page.waitForURL(/filter=hard/);
+    await page.reload();
+    await answer(page);
+    const again = await seen(page);
+    check(again.picture === hard.picture && again.lines === hard.lines, 'the address restores the picture');
+
+    // languages and copying
+    await page.check('input[value=wgsl]');
+    await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('fn umbrage_sun('));
+    await page.click('#lines button');
+    check(await page.evaluate(() => navigator.clipboard.readText()) === await page.textContent('#lines pre'), 'copy copies the text');
+
+    // the divider, and views
+    const at = () => page.locator('#divided span').last().evaluate(span => span.getBoundingClientRect().left);
+    const middle = await at();
+    await page.locator('#divider').press('PageUp');
+    check(await at() > middle, 'the divider moves');
+    for (const view of ['difference', 'texels', 'map']) {
+        const before = (await seen(page)).picture;
+        await page.check(`input[value=${view}]`);
+        await page.waitForFunction(old => document.querySelector('#picture').toDataURL() !== old, before);
+    }
+    await page.check('input[value=both]');
+
+    // keys turn camera and light
+    await page.focus('#picture');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.waitForURL(url => url.search.includes('yaw=') && url.search.includes('azimuth='));
+
+    // files
+    for (const [file, words] of refused) {
+        await page.setInputFiles('#file', file);
+        await page.waitForFunction(part => document.querySelector('#said').textContent.includes(part), words, { timeout: 60_000 })
+            .catch(async () => check(false, `${file.name ?? file}: the page says "${await said(page)}", not "${words}"`));
+        check(await page.inputValue('#set-scene') === 'garden', `${file.name ?? file}: the scene stays`);
+    }
+    for (const file of [{ name: 'cube.obj', mimeType: '', buffer: Buffer.from(cube) }, { name: 'one.glb', mimeType: '', buffer: triangles(3) }]) {
+        await forget(page);
+        await page.setInputFiles('#file', file);
+        await answer(page);
+        const drawn = await seen(page);
+        check(drawn.different === 0 && await page.inputValue('#set-scene') === 'dropped', `${file.name} is drawn: ${await said(page)}`);
+    }
+
+    // a lost context comes back
+    await forget(page);
+    await page.evaluate(() => {
+        const lost = document.querySelector('#picture').getContext('webgl2').getExtension('WEBGL_lose_context');
+        lost.loseContext();
+        setTimeout(() => lost.restoreContext(), 200);
+    });
+    await page.waitForFunction(() => document.querySelector('#said').textContent.includes('took the graphics away'));
+    await answer(page);
+    check((await seen(page)).different === 0 && await said(page) === '', 'the scene comes back');
+
+    // what the address or the browser lacks is said
+    const wrong = await open('?filter=blurry&azimuth=x', { width: 390 });
+    await answer(wrong);
+    check((await said(wrong)).includes('filter=blurry, azimuth=x'), 'a wrong address is said');
+    const without = await open('', { before: () => { HTMLCanvasElement.prototype.getContext = () => null; } });
+    await without.waitForFunction(() => document.querySelector('#said').textContent.includes('no WebGL 2'));
+    check(await without.isVisible('.instead'), 'without WebGL 2 there is a picture all the same');
+
+    for (const [width, dark] of [[1280, false], [390, true]]) {
+        const shown = await open('', { width, dark });
+        await answer(shown);
+        const room = await shown.evaluate(() => document.documentElement.scrollWidth);
+        check(room <= width, `the scene's page is ${room} pixels wide in a window of ${width}`);
+        await picture(shown, `scene_${width}${dark ? '_dark' : ''}`);
+        await axe(shown);
+    }
+});
