@@ -13,6 +13,9 @@ const sections = [
 /// The way from the page at `path` to the root of the site: './', '../', '../../' ...
 export const way_up = path => '../'.repeat(path.split('/').length - 1) || './';
 
+/// Where the site is published, from the environment: "https://.../"; unset, pages name no address.
+const published = process.env.SITE_URL?.replace(/\/*$/, '/');
+
 /// @param path         of the file in the site, such as "reference/filter/index.html"
 /// @param title        of the page, without the project's name
 /// @param description  one sentence, for search engines
@@ -33,6 +36,7 @@ export function page({ path, title, description, body, scripts = [] }) {
 <meta name="description" content="${escape(description)}">
 <meta name="color-scheme" content="light dark">
 <title>${escape(title)} · umbrage</title>
+${published ? `<link rel="canonical" href="${escape(published + path.replace(/index\.html$/, ''))}">` : ''}
 <link rel="icon" href="${up}icon.svg">
 <link rel="stylesheet" href="${up}style.css">
 ${scripts.map(script => `<script type="module" src="${up}${script}"></script>`).join('\n')}

@@ -61,7 +61,8 @@ check.onmessage = ({ data }: MessageEvent<Answer | { error: string }>) => {
     else {
         picture?.set_answer(data.visibility, data.places);
         answered = drawn;
-        const { receivers, different } = data;
+        const { receivers, different, milliseconds } = data;
+        element('time').textContent = `C++ took ${milliseconds.toFixed(0)} ms`;
         verdict.textContent = `${different.toLocaleString('en')} of ${receivers.toLocaleString('en')} pixels differ between your GPU and C++`;
         verdict.className = different ? 'amber' : 'good';
         Object.assign(canvas.dataset, { different, receivers });
@@ -88,11 +89,10 @@ function draw() {
         canvas.width = Math.round(clientWidth * scale);
         canvas.height = Math.round(clientHeight * scale);
         try {
-            const begin = performance.now();
             picture.draw(state, scene, canvas.width, canvas.height);
             ++drawn;
             show();
-            element('time').textContent = `${(performance.now() - begin).toFixed(1)} ms to issue`;
+            element('time').textContent = '';
         } catch (error) {
             return say(error instanceof Error ? error.message : String(error));
         }
