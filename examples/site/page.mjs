@@ -14,7 +14,7 @@ const sections = [
 export const way_up = path => '../'.repeat(path.split('/').length - 1) || './';
 
 /// Where the site is published, from the environment: "https://.../"; unset, pages name no address.
-const published = process.env.SITE_URL?.replace(/\/*$/, '/');
+const published = process.env.SITE_URL && process.env.SITE_URL.replace(/\/*$/, '/');
 
 /// @param path         of the file in the site, such as "reference/filter/index.html"
 /// @param title        of the page, without the project's name
