@@ -2,9 +2,15 @@
 //
 //     museum                   the tests: every old formula fails, ours do not, and MUSEUM.md says so
 //     museum --page MUSEUM.md  writes the page anew
+//     museum --draw FOLDER     draws each test: FOLDER/1_then.pgm, FOLDER/1_ours.pgm ...
+//
+// A pixel of a drawing is 0 where all inputs are right, else 1 to 255: brighter for larger errors, up to the worst of the
+// old formula.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -64,6 +70,33 @@ std::string page() {
     return out;
 }
 
+/// Draws a score: at most 128 rows, 256 columns, and no more cells than inputs.
+bool draw(score (*way)(), long inputs, double worst, const std::string& path) {
+    const long columns = std::min({256L, inputs, static_cast<long>(std::ceil(std::sqrt(2.0 * double(inputs))))});
+    const long rows = std::clamp(inputs / columns, 1L, 128L);
+    drawing all{inputs, columns, rows, std::vector<double>(static_cast<std::size_t>(columns * rows))};
+    score::drawn = &all;
+    static_cast<void>(way());
+    score::drawn = nullptr;
+    std::ofstream file(path, std::ios::binary);
+    file << "P5\n" << columns << ' ' << rows << "\n255\n";
+    for (const double error : all.errors) {
+        const double share = std::isinf(error) ? 1.0 : error / (std::isinf(worst) ? 1.0 : worst);
+        file << static_cast<char>(error > 0 ? 1 + static_cast<int>(254 * std::min(share, 1.0)) : 0);
+    }
+    return bool(file);
+}
+bool draw_all(const std::string& folder) {
+    int n = 0;
+    bool drawn = true;
+    for (const hung& e : exhibits()) {
+        const std::string path = folder + "/" + std::to_string(++n);
+        drawn = drawn && draw(e.what->old_way, e.old_way.tried, e.old_way.worst, path + "_then.pgm") &&
+                draw(e.what->our_way, e.our_way.tried, e.old_way.worst, path + "_ours.pgm");
+    }
+    return drawn;
+}
+
 }  // namespace
 
 TEST_CASE("museum: every old formula fails, and ours does not") {
@@ -86,5 +119,6 @@ TEST_CASE("museum: MUSEUM.md is what the museum prints") {
 
 int main(int argc, char** argv) {
     if (argc == 3 && std::string_view(argv[1]) == "--page") return (std::ofstream(argv[2]) << page()) ? 0 : 1;
+    if (argc == 3 && std::string_view(argv[1]) == "--draw") return draw_all(argv[2]) ? 0 : 1;
     return doctest::Context(argc, argv).run();
 }

@@ -5,18 +5,38 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include <glm/gtc/type_precision.hpp>
 #include <umbrage/core/unorm.hpp>
 
+/// Drawing of a score: a cell for each run of inputs, in the order in which they are tried, or for each square of them
+/// where they are n x n. It holds the worst wrong error there, or 0.
+struct drawing {
+    long inputs = 0, columns = 0, rows = 0;
+    std::vector<double> errors;
+
+    void add(long input, double error) {
+        const long side = std::lround(std::sqrt(double(inputs)));
+        const long at = side * side == inputs && side >= columns
+                            ? input / side * rows / side * columns + input % side * columns / side
+                            : input * columns * rows / inputs;
+        double& cell = errors[static_cast<std::size_t>(at)];
+        cell = error > cell ? error : cell;
+    }
+};
+
 struct score {
     long wrong = 0, tried = 0;
     double worst = 0.0;
+    inline static drawing* drawn = nullptr;  ///< drawing that the next score also fills, if any
 
     /// One input: its error, and what is still allowed. NaN is wrong, and infinitely so.
     void add(double error, double allowed) {
         error = std::isnan(error) ? HUGE_VAL : std::abs(error);
+        if (drawn && error > allowed) drawn->add(tried, error);
         ++tried;
         wrong += error > allowed;
         worst = error > worst ? error : worst;
