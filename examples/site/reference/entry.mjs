@@ -54,10 +54,12 @@ function parts(item, to) {
 }
 
 function members(item, header, to) {
-    const shown = (item.members ?? []).filter(each => each.kind !== 'friend');
+    const text_of = each => declaration(header, each.line, each.kind).replace(/UMBRAGE_(INLINE|STRICT_MATH) /g, '');
+    const shown = (item.members ?? []).filter(each => each.kind !== 'friend' && !/= delete;?$/.test(text_of(each))
+        && !(each.brief === '' && ['name', 'snippet'].includes(each.name)));
     if (shown.length === 0) return '';
     const rows = shown.map(each => {
-        const text = declaration(header, each.line, each.kind).replace(/UMBRAGE_(INLINE|STRICT_MATH) /g, '');
+        const text = text_of(each);
         const code = text.split('\n').length > 6 ? `${text.split('\n').slice(0, 5).join('\n')}\n...` : text;
         const words = [each.brief, ...each.paragraphs.map(part => part.text ?? ''), ...each.param.map(p => `${p.name}: ${p.text}.`)];
         return `<tr><td><code>${escape(code).replace(/\n/g, '<br>')}</code></td><td>${prose(words.filter(w => w).join(' '), to)}</td></tr>`;

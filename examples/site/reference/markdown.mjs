@@ -13,9 +13,11 @@ export const anchor = heading => heading.toLowerCase().replace(/[`*]/g, '').repl
 /// A Markdown file as {title, description, body, headings}; copies the pictures that it shows.
 /// @param path      of the file in the repository
 /// @param addresses of the repository's files
-export function render(context, path, addresses) {
+/// @param entry     a public name to the address of its entry, or undefined
+export function render(context, path, addresses, entry) {
     const { Marked } = context.load('marked');
-    const from = page_of(path), headings = [];
+    const from = page_of(path), headings = [], mentioned = new Set();
+    let inside_link = false;
     const target = to => {
         if (/^\w+:/.test(to)) return to;
         const [file, hash = ''] = to.split('#');
@@ -29,8 +31,18 @@ export function render(context, path, addresses) {
             return `<h${depth} id="${anchor(text)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
         },
         link({ href, tokens }) {
-            const inner = this.parser.parseInline(tokens), to = target(href);
+            const to = target(href);
+            inside_link = to !== null;
+            const inner = this.parser.parseInline(tokens);
+            inside_link = false;
             return to ? `<a href="${escape(to)}">${inner}</a>` : inner;
+        },
+        codespan({ text }) {  // the first mention of each name leads to its entry
+            const name = /^(?:(?:umbrage|glsl|filters|prefilters)::)*([a-z]\w*)(?:<\w+>)?(?:\(\))?$/.exec(text)?.[1];
+            const to = name && !inside_link && !mentioned.has(name) && entry(name);
+            if (!to) return `<code>${escape(text)}</code>`;
+            mentioned.add(name);
+            return `<a href="${link(from, to)}"><code>${escape(text)}</code></a>`;
         },
         image({ href, text }) {
             const file = posix.normalize(posix.join(posix.dirname(path), href)), to = addresses.of(file);

@@ -32,8 +32,9 @@ export async function model(context) {
     for (const each of [...all].sort((a, b) => weight(b) - weight(a))) places.set(each.name, each);
     const markdown = execFileSync('git', ['ls-files', '*.md'], { cwd: context.root, encoding: 'utf8' }).trim().split('\n');
     const addresses = new Addresses(context.root, headers);
+    const entry_of = name => places.has(name) ? `${header_page(places.get(name).place)}#${name}` : undefined;
     return { headers, by_place, entries: all, places, texts, addresses,
-        pages: markdown.map(path => ({ ...render(context, path, addresses), source: path })),
+        pages: markdown.map(path => ({ ...render(context, path, addresses, entry_of), source: path })),
         uses: { exhibits: exhibits(context.read('MUSEUM.md')), programs: programs(context.root, new Set(all.flatMap(each => [each.name, ...each.snippets]))) } };
 }
 

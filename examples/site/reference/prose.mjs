@@ -9,12 +9,15 @@ export function prose(text, to) {
     return text.split(/`([^`]*)`/).map((part, at) => {
         if (at % 2 === 1) return `<code>${linked(part, to)}</code>`;
         return part.split(/(\b[\w/]+\.hpp\b|\b[a-z]\w*_\w+\b)/).map((word, k) => {
-            if (k % 2 === 0) return escape(word);
+            if (k % 2 === 0) return raised(escape(word));
             const address = to(word);
             return address ? `<a href="${address}"><code>${word}</code></a>` : word.includes('_') ? `<code>${word}</code>` : word;
         }).join('');
     }).join('');
 }
+
+/// Powers that stand in a sentence: 2^-24, (2r+1)^2.
+const raised = html => html.replace(/(?<=[\w)])\^(-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
 
 function linked(code, to) {
     const address = /^[\w/.]+$/.test(code) ? to(code) : null;
