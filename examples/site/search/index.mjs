@@ -2,7 +2,7 @@
 //
 // What the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
 import { header_page } from '../reference/links.mjs';
-import { plain } from '../reference/markdown.mjs';
+import { anchor, plain } from '../reference/markdown.mjs';
 
 /// Kinds of what is found, as box.ts shows them. An item is [title, kind, address, words].
 const kinds = { known: 0, shader: 1, name: 2, heading: 3 };
@@ -10,7 +10,7 @@ const kinds = { known: 0, shader: 1, name: 2, heading: 3 };
 export function search_index(context) {
     const { entries, pages, places, texts } = context.model;
     const entry_address = name => `${header_page(places.get(name).place)}#${name}`;
-    const known = context.known = known_names(context.read('INDEX.md'), name => places.has(name));
+    const known = known_names(context);
     return [
         ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address ?? entry_address(here[0]), here.join(', ')]),
         ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [name, kinds.shader, `snippets/?snippet=${name}`, summary]),
@@ -19,15 +19,31 @@ export function search_index(context) {
         ...pages.flatMap(page => page.headings.filter(each => each.depth < 4).map(each =>
             [each.text, kinds.heading, `${page.path.replace(/index\.html$/, '')}${each.depth > 1 ? `#${each.anchor}` : ''}`,
                 each.depth > 1 ? page.title : page.description])),
+        ...pages.flatMap(page => situations(page, context.read(page.source)).map(({ title, words, above }) =>
+            [title, kinds.heading, `${page.path.replace(/index\.html$/, '')}#${above}`, `${words}. ${page.title}`])),
     ];
 }
 
-/// The rows of INDEX.md: names people use, and the names here that they stand for, or the page's address.
-export function known_names(text, is_name) {
-    return Array.from(text.matchAll(/^\| (.+?) \| (.*)\[(.+?)\]\((.+?)\).*\|$/gm), ([, names, before, words, target]) => {
-        const here = Array.from(`${before}${words}`.matchAll(/`(\w+)/g), match => match[1]);
-        const found = here.filter(is_name);
+/// The rows of INDEX.md: names people use, and the names here that they stand for, or the address of a page.
+export function known_names(context) {
+    const { addresses, places } = context.model;
+    return Array.from(context.read('INDEX.md').matchAll(/^\| (.+?) \| \[(.+?)\]\((.+?)\) \|$/gm), ([, names, words, target]) => {
+        const here = Array.from(words.matchAll(/`(\w+)/g), match => match[1]), [file, anchor] = target.split('#');
         return { names: plain(names).split(', '), here: here.length ? here : [plain(words)],
-            address: found.length ? undefined : target.replace(/^TROUBLESHOOTING\.md/, 'troubleshooting.html') };
+            address: places.has(here[0]) ? undefined : addresses.of(file) + (anchor ? `#${anchor}` : '') };
     });
+}
+
+/// Rows of tables in which a reader looks for a situation: first cell, second cell, and the heading above.
+function situations(page, text) {
+    const found = [];
+    let above = page.headings[0]?.anchor, rows = false;
+    for (const line of text.split('\n')) {
+        if (line.startsWith('#')) above = anchor(line.replace(/^#+ /, ''));
+        const cells = line.startsWith('| ') ? line.slice(2).split(' | ') : [];
+        if (cells.length === 0) rows = rows && line.startsWith('|-');
+        else if (/^(your situation|situation|you want|I want|you have|what you see|message or picture|engine|task)$/.test(cells[0])) rows = true;
+        else if (rows && !cells[0].startsWith('-')) found.push({ title: plain(cells[0]), words: plain(cells[1] ?? '').replace(/ \|$/, ''), above });
+    }
+    return found;
 }
