@@ -64,6 +64,7 @@ template <real T>
     return {edge, depth};
 }
 
+/// Sizes that a bias is measured with, at a point of a map.
 template <real T>
 struct light_measures {
     glm::vec<2, T> units{T(0)};  ///< as from make_light_units, for a w of 1 at every point. x is the longest edge of

@@ -28,6 +28,7 @@
 
 namespace umbrage {
 
+/// Matrices of a light, and the clip space that they lead to.
 template <real T>
 struct light_space {
     glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)

@@ -27,6 +27,7 @@
 
 namespace umbrage {
 
+/// Largest width of a kernel, in texels.
 inline constexpr int max_window = 15;
 
 /// Row of kernel weights, the same along both axes. Make it with make_window_row.

@@ -60,8 +60,11 @@ template <class Fetch>
 
 namespace glsl {
 
+/// Name of the snippet of blur_row<Taps>.
 template <int Taps>
 inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
+/// GLSL text of blur_row<taps>.
+/// @param taps   3, 5 or 7
 [[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(

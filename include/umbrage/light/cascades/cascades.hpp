@@ -39,6 +39,7 @@ struct cascade {
     T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
 };
 
+/// Camera, light and scene that cascades are fitted to.
 template <real T = float>
 struct cascade_fit {
     frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far

@@ -35,6 +35,7 @@
 
 namespace umbrage {
 
+/// Point light with the four triangular maps of a tetrahedron.
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};

@@ -49,6 +49,7 @@ enum class light_image {
     none       ///< image among the receivers or too close to them, or no perspective: another map
 };
 
+/// Perspective shadow map (PSM), and how the camera sees its light.
 template <real T>
 struct perspective_light : warped_light<T> {
     light_image seen_as = light_image::none;  ///< none: the light has another map
