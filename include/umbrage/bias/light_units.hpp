@@ -96,6 +96,7 @@ template <real T>
 
 /// Length in texels across the light, converted to world units.
 ///
+/// @param texels  length in the map, in texels
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate
 /// @return        world units, 2^-64 to 2^64
@@ -110,6 +111,7 @@ template <real T>
 
 /// Length in world units along the light, converted to depth z/w.
 ///
+/// @param world   length along the light, world units
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate, > 0
 /// @return        depth, 0 to 1

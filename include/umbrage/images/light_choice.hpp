@@ -54,6 +54,7 @@ struct light_choice {
 /// @param lights   one or more, of any kinds
 /// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
 ///                 skipped
+/// @param terms    camera's matrix, size of the map, and the margin
 /// @param before   index of the present light: light_choice::kept
 /// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
 ///                                is not finite

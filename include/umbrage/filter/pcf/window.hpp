@@ -74,6 +74,7 @@ struct window_row {
 }
 
 /// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param row       from make_window_row, or one of windows.hpp
 /// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
 /// @param weights   receives row.touched() of them
 /// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
