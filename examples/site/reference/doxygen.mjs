@@ -91,7 +91,7 @@ const lists = { param: 'param', templateparam: 'tparam', exception: 'throws' };
 function add_list(doc, list) {
     for (const each of children(list, 'parameteritem'))
         doc[lists[list.getAttribute('kind')]].push({
-            name: children(each, 'parameternamelist').map(text_of).join(', '),
+            name: children(child(each, 'parameternamelist'), 'parametername').map(text_of).join(', '),
             text: text_of(child(each, 'parameterdescription')),
         });
 }

@@ -14,11 +14,19 @@ export function entry_html(context, entry, header, texts, uses, to) {
     const name = escape(entry.name);
     return `<section class="entry" id="${name}">
 <h2><a href="#${name}">${name}</a>${badge}</h2>
-${entry.items.filter(item => !is_text(item)).map(item => item_html(context, item, header, to.name)).join('\n')}
+${described(context, entry, header, texts, to)}
 ${shader_html(context, entry, texts, to)}${uses_html(entry, uses, to)}</section>`;
 }
 
-const is_text = item => item.scope === 'umbrage::glsl' && item.kind === 'variable' && /\bsnippet\b/.test(item.type);
+/// The C++ declarations with their docstrings; of a shader function without a C++ version, what it does.
+function described(context, entry, header, texts, to) {
+    const items = entry.items.filter(item => !is_text(item));
+    if (items.length > 0) return items.map(item => item_html(context, item, header, to.name)).join('\n');
+    const { summary } = texts.glsl.snippets[entry.snippets[0]];
+    return `<p>${prose(summary[0].toUpperCase() + summary.slice(1), to.name)}. A shader function alone.</p>`;
+}
+
+const is_text = item => item.scope === 'umbrage::glsl' && item.kind === 'variable' && /\bsnippet$/.test(item.type);
 
 function item_html(context, item, header, to) {
     const text = declaration(header, item.line, item.kind).replace(/UMBRAGE_(INLINE|STRICT_MATH) /g, '');

@@ -19,6 +19,7 @@ export class Addresses {
     of(path) {
         path = path.replace(/\/$/, '');
         if (path in named) return named[path];
+        if (path.startsWith('.github/')) return null;
         if (path.endsWith('.md')) return page_of(path);
         if (/^single_include\/shaders(\/\w+)?$/.test(path)) return 'snippets/index.html';
         const place = /^include\/umbrage\/(.*\.hpp)$/.exec(path)?.[1];

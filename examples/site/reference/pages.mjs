@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The reference: a page a header, a page a folder, the repository's own pages, and the sources that they link to.
-import { execFileSync } from 'node:child_process';
-import { dirname } from 'node:path';
+import { readdirSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 import { escape } from '../context.mjs';
@@ -10,7 +10,7 @@ import { page } from '../page.mjs';
 import { documented } from './doxygen.mjs';
 import { entries } from './entries.mjs';
 import { entry_html } from './entry.mjs';
-import { public_headers } from './headers.mjs';
+import { files_below, public_headers } from './headers.mjs';
 import { Addresses, header_page, link } from './links.mjs';
 import { render } from './markdown.mjs';
 import { prose } from './prose.mjs';
@@ -30,13 +30,18 @@ export async function model(context) {
     const all = [...by_place.values()].flat();
     const places = new Map();
     for (const each of [...all].sort((a, b) => weight(b) - weight(a))) places.set(each.name, each);
-    const markdown = execFileSync('git', ['ls-files', '*.md'], { cwd: context.root, encoding: 'utf8' }).trim().split('\n');
+    const markdown = markdown_files(context.root);
     const addresses = new Addresses(context.root, headers);
     const entry_of = name => places.has(name) ? `${header_page(places.get(name).place)}#${name}` : undefined;
     return { headers, by_place, entries: all, places, texts, addresses,
         pages: markdown.map(path => ({ ...render(context, path, addresses, entry_of), source: path })),
         uses: { exhibits: exhibits(context.read('MUSEUM.md')), programs: programs(context.root, new Set(all.flatMap(each => [each.name, ...each.snippets]))) } };
 }
+
+/// The repository's Markdown, in its root and in the folders that it consists of.
+const markdown_files = root => [...readdirSync(root).filter(name => name.endsWith('.md')),
+    ...['include', 'examples', 'tests', 'single_include'].flatMap(folder =>
+        files_below(join(root, folder), '.md').map(file => relative(root, file)))].sort();
 
 /// Of two entries of one name, links lead to the function of the primitives.
 const weight = entry => (entry.items.some(item => item.scope === 'umbrage') ? 0 : 2) + (/^(images|shadow|shader)\//.test(entry.place) ? 1 : 0);

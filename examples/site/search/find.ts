@@ -27,14 +27,14 @@ export function asked(query: string): string[] {
 /// How well one asked word fits: whole words before beginnings, those before insides; 0 for not at all.
 function fit(word: string, words: readonly string[]): number {
     if (words.includes(word)) return 3;
-    if (words.some(each => each.startsWith(word) || (each.length > 3 && word.startsWith(each)))) return 2;
+    if (words.some(each => each.startsWith(word) || (each.length > 3 && word.startsWith(each) && word.length < each.length + 4))) return 2;
     return word.length > 2 && words.some(each => each.includes(word)) ? 1 : 0;
 }
 
 const of_kind = [3, 2, 1.5, 1];
 
 function score([title, kind, , more]: Item, query: string, wanted: readonly string[]): number {
-    const names = title.toLowerCase().split(', '), in_title = words_of(title), in_more = words_of(more);
+    const names = title.split(', ').map(name => asked(name).join(' ')), in_title = words_of(title), in_more = words_of(more);
     let sum = 0, matched = 0;
     for (const word of wanted) {
         const best = Math.max(fit(word, in_title) * 2, fit(word, in_more));
@@ -49,7 +49,7 @@ function score([title, kind, , more]: Item, query: string, wanted: readonly stri
 
 /// The items that fit best, at most `count`. Those that have all words come before those that have some.
 export function find(items: readonly Item[], query: string, count = 12): Item[] {
-    const wanted = asked(query), whole = query.trim().toLowerCase();
+    const wanted = asked(query), whole = wanted.join(' ');
     if (wanted.length === 0) return [];
     const scored = items.map(item => ({ item, score: score(item, whole, wanted) })).filter(each => each.score > 0);
     scored.sort((a, b) => b.score - a.score);

@@ -11,11 +11,12 @@ export function search_index(context) {
     const { entries, pages, places, texts } = context.model;
     const entry_address = name => `${header_page(places.get(name).place)}#${name}`;
     const known = known_names(context);
+    const also = name => known.filter(({ here }) => here.includes(name)).map(({ names }) => `. ${names.join(', ')}`).join('');
     return [
-        ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address ?? entry_address(here[0]), here.join(', ')]),
-        ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [name, kinds.shader, `snippets/?snippet=${name}`, summary]),
+        ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address, here.join(', ')]),
+        ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [name, kinds.shader, `snippets/?snippet=${name}`, summary + also(name)]),
         ...entries.filter(each => places.get(each.name) === each).map(each =>
-            [each.name, kinds.name, entry_address(each.name), each.items.find(item => item.brief)?.brief ?? '']),
+            [each.name, kinds.name, entry_address(each.name), (each.items.find(item => item.brief)?.brief ?? '') + also(each.name)]),
         ...pages.flatMap(page => page.headings.filter(each => each.depth < 4).map(each =>
             [each.text, kinds.heading, `${page.path.replace(/index\.html$/, '')}${each.depth > 1 ? `#${each.anchor}` : ''}`,
                 each.depth > 1 ? page.title : page.description])),
@@ -26,11 +27,11 @@ export function search_index(context) {
 
 /// The rows of INDEX.md: names people use, and the names here that they stand for, or the address of a page.
 export function known_names(context) {
-    const { addresses, places } = context.model;
+    const { addresses } = context.model;
     return Array.from(context.read('INDEX.md').matchAll(/^\| (.+?) \| \[(.+?)\]\((.+?)\) \|$/gm), ([, names, words, target]) => {
         const here = Array.from(words.matchAll(/`(\w+)/g), match => match[1]), [file, anchor] = target.split('#');
         return { names: plain(names).split(', '), here: here.length ? here : [plain(words)],
-            address: places.has(here[0]) ? undefined : addresses.of(file) + (anchor ? `#${anchor}` : '') };
+            address: addresses.of(file).replace(/index\.html$/, '') + (anchor ? `#${anchor}` : '') };
     });
 }
 

@@ -9,8 +9,8 @@ import { new_item, parse, print, properties, type Language, type Pass, type Stat
 
 const root = document.body.dataset['root'] ?? './';
 const by_id = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
-const facts = JSON.parse(by_id('facts').textContent ?? '{}') as Record<string, Fact & { summary: string }>;
-const items: Found[] = Object.entries(facts).map(([name, { summary, also }]) => [name, 1, '', `${summary} ${also}`]);
+const facts = JSON.parse(by_id('facts').textContent ?? '{}') as Record<string, Fact & { summary: string; about: string }>;
+const items: Found[] = Object.entries(facts).map(([name, { summary, also, about }]) => [name, 1, '', `${summary} ${also} ${about}`]);
 const endings: Record<Language, string> = { glsl: 'glsl', hlsl: 'hlsl', wgsl: 'wgsl', msl: 'metal' };
 
 const search = by_id<HTMLInputElement>('search'), list = by_id('list'), tabs = by_id('tabs'), notice = by_id('notice');
@@ -40,8 +40,18 @@ async function show(): Promise<void> {
     by_id('name').textContent = snippet.name;
     by_id('summary').textContent = snippet.summary;
     show_facts(by_id('fact_list'), snippet, facts[item.snippet], root);
-    for (const row of list.querySelectorAll('button')) row.setAttribute('aria-pressed', String(row.dataset['name'] === item.snippet));
+    mark_list(item.snippet);
     by_id('detail').classList.remove('loading');
+}
+
+/// Marks the function in the list, and scrolls the list alone to it.
+function mark_list(name: string): void {
+    for (const row of list.querySelectorAll('button')) {
+        const here = row.dataset['name'] === name;
+        row.setAttribute('aria-pressed', String(here));
+        if (here && (row.offsetTop < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight))
+            list.scrollTop = row.offsetTop - list.clientHeight / 3;
+    }
 }
 
 function show_controls(from: Package): void {
@@ -99,11 +109,11 @@ function show_list(): void {
         button.type = 'button';
         button.dataset['name'] = name;
         button.append(name, words);
-        button.setAttribute('aria-pressed', String(state.items[current]!.snippet === name));
         words.textContent = facts[name]!.summary;
         row.append(button);
         return row;
     }));
+    mark_list(state.items[current]!.snippet);
     by_id('count').textContent = names.length === 0 ? 'No function has these words.' : `${names.length} functions`;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The snippets' page. The functions' facts are in it; the texts come with the language that is chosen.
+import { dirname } from 'node:path';
+
 import { escape } from '../context.mjs';
 import { page } from '../page.mjs';
 import { header_page } from '../reference/links.mjs';
@@ -31,12 +33,16 @@ export async function pages(context) {
 
 /// Of each function: its summary, names people use, the address of its entry, its cost.
 function facts(context) {
-    const { entries, texts } = context.model, costs = read_costs(context), known = known_names(context), all = {};
+    const { entries, places, texts } = context.model, costs = read_costs(context), known = known_names(context), all = {};
+    // What names no shader function, such as CSM, finds those of its folder.
+    const is_of_room = (here, entry) => here.every(name => !places.get(name)?.snippets.length)
+        && here.some(name => places.has(name) && dirname(places.get(name).place) === dirname(entry.place));
     for (const { name, summary } of Object.values(texts.glsl.snippets)) {
         const entry = entries.find(each => each.snippets.includes(name));
         const also = known.filter(({ here }) => here.includes(name) || here.includes(entry.name)).flatMap(({ names }) => names);
+        const about = known.filter(({ here }) => is_of_room(here, entry)).flatMap(({ names }) => names);
         const [instructions = 0, cycles = 0] = costs.get(name) ?? [];
-        all[name] = { summary, also: also.join(', '), entry: `${header_page(entry.place)}#${entry.name}`, instructions, cycles,
+        all[name] = { summary, also: also.join(', '), about: about.join(' '), entry: `${header_page(entry.place)}#${entry.name}`, instructions, cycles,
             nothing: costs.get('nothing')?.[0] ?? 0 };
     }
     return all;
@@ -52,7 +58,6 @@ const radios = (name, choices) => Object.entries(choices).map(([value, words]) =
 const body = all => `
 <h1>Snippets</h1>
 <p class="lead">A shadow function for your shader, with all that it needs. Coordinates are in texels. Visibility is 1 when lit.</p>
-<p id="notice" class="notice" role="status" hidden></p>
 <noscript><p>This page composes texts by script. Plain files are in the repository's folder <code>single_include/shaders</code>.</p></noscript>
 <div class="snippets">
 <div class="chooser">
@@ -61,6 +66,7 @@ const body = all => `
 <ul id="list" aria-label="Functions"></ul>
 </div>
 <div id="detail" class="loading">
+<p id="notice" class="notice" role="status" hidden></p>
 <h2 id="name"></h2>
 <p id="summary"></p>
 <div id="controls">
@@ -73,7 +79,7 @@ const body = all => `
 <label class="field">name <input id="map_name" size="8" pattern="[A-Za-z0-9]+(_[A-Za-z0-9]+)*" placeholder="none" spellcheck="false"></label>
 ${Object.entries(properties).map(([key, [label, choices]]) => `<label class="field">${label} <select id="${key}">${options(choices)}</select></label>`).join('\n')}
 </fieldset>
-<div class="bar"><button type="button" class="main" id="copy">Copy</button><button type="button" id="download">Download</button>
+<div class="bar actions"><button type="button" class="main" id="copy">Copy</button><button type="button" id="download">Download</button>
 <button type="button" id="link">Copy link</button><span class="faint" id="size"></span></div>
 <pre tabindex="0" id="text"><code id="code"></code></pre>
 <dl class="parts" id="fact_list"></dl>

@@ -115,6 +115,7 @@ constexpr void require_given(clip_space clip, const char* function, const char* 
 }  // namespace detail
 
 /// Depth of the far plane, the value to clear a map to.
+/// @exactness   A: 1, or 0 where depth is reversed
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }

@@ -41,6 +41,7 @@ template <real T, class Compare = less_equal>
 /// Stored depth of a texel, by the fetch callable that filters take.
 /// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
 /// @param texel   texel index, integers
+/// @exactness     A: the fetched value
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
@@ -70,6 +71,8 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 /// Visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), the four texels of one gather.
+/// Parameters as for lit.
+/// @exactness   A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
