@@ -18,7 +18,7 @@ const alias = Object.fromEntries(['', '/hlsl', '/msl', '/wgsl', '/values'].map(e
 
 export async function make_context({ out, node_modules, work }) {
     const load = createRequire(join(node_modules, 'x.js'));
-    for (const needed of ['esbuild', 'marked', 'prismjs'])
+    for (const needed of ['esbuild', 'marked', 'prismjs', '@xmldom/xmldom'])
         if (!existsSync(join(node_modules, needed))) throw new Error(`The site needs ${needed} from npm, in ${node_modules}`);
     const prism = load('prismjs');
     for (const language of ['c', 'cpp', 'glsl', 'hlsl', 'wgsl', 'bash', 'cmake', 'typescript'])

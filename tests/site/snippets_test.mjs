@@ -3,7 +3,8 @@
 // The snippets' page: finds by names people use, composes what the npm package does, copies, downloads, keeps its state in
 // the address, and says so where an address is wrong.
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { createRequire } from 'node:module';
+import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 import { visit } from './visit.mjs';
@@ -78,11 +79,20 @@ await visit(async ({ open, check, picture, axe }) => {
     await page.click('label:has(input[value=depth])');
     await page.waitForFunction(() => document.getElementById('code').textContent.includes('umbrage_write_map_2('));
 
-    // Wrong addresses and maps that cannot be.
+    // Wrong addresses and maps that cannot be: all are told, some are seen.
+    const { parse, print, choices } = await state_module();
+    const is_snippet = name => name in glsl.snippets, told_of = query => parse(query, is_snippet).problems.join(' ');
     for (const [query, told] of [['?snippet=gone', 'No function is called "gone"'], ['?language=cobol', 'No language is called "cobol"'],
         ['?version=7', 'No version of GLSL is called "7"'], ['?snippet=hard&texture=sponge', '"sponge" is no choice of "texture"'],
-        ['?snippet=hard&map=a__b', 'single underscores'], ['?toString=1', 'does not know'], ['?pass=x', 'No pass is called'],
-        ['?snippet=pcf_2x2&texture=cube&gather=yes', 'map.gather must be false'], ['?version=100&snippet=hard&texture=array', 'version must be one that has']]) {
+        ['?snippet=hard&map=a__b', 'single underscores'], ['?toString=1', 'does not know'], ['?pass=x', 'No pass is called'], ['?texture=array', 'does not know']])
+        check(told_of(query).includes(told), `${query}: ${told_of(query)}`);
+    for (const [key, values] of Object.entries(choices))
+        for (const value of values) {
+            const { state, problems } = parse(`?snippet=hard&map=a&${key}=${value}`, is_snippet);
+            check(problems.length === 0 && parse(print(state), is_snippet).state.items[0][key] === value, `${key}=${value} is lost`);
+        }
+    for (const [query, told] of [['?snippet=gone', 'No function is called "gone"'], ['?snippet=pcf_2x2&texture=cube&gather=yes', 'map.gather must be false'],
+        ['?version=100&snippet=hard&texture=array', 'version must be one that has']]) {
         const wrong = await open(`snippets/${query}`);
         await ready(wrong);
         check((await wrong.locator('#notice').textContent()).includes(told), `${query}: ${await wrong.locator('#notice').textContent()}`);
@@ -97,21 +107,21 @@ await visit(async ({ open, check, picture, axe }) => {
     const list = await facts.locator('#fact_list').textContent();
     for (const part of ['tier A', 'in_filter_domain', "a compiler's estimate", 'instructions', 'bilinear PCF'])
         check(list.includes(part), `the facts lack ${part}: ${list}`);
-    const choices = await facts.evaluate(() => ['texture', 'stored', 'direction', 'outside', 'gather'].map(id =>
-        [id, Array.from(document.getElementById(id).options, option => option.value)]));
-    for (const [id, values] of choices)
-        for (const value of values.slice(1)) {
-            const page = await open(`snippets/?snippet=hard&${id}=${value}`);
-            await ready(page);
-            check(!(await page.locator('#notice').textContent()).includes('no choice'), `${id}=${value} is no choice of state.ts`);
-            await page.context().close();
-        }
-    for (const width of [1280, 390])
-        for (const dark of [false, true]) {
-            const page = await open('snippets/?snippet=pcf_2x2&map=sun&snippet=disc16&map=spot', { width, dark });
-            await ready(page);
-            check(await page.evaluate(() => document.documentElement.scrollWidth) <= width, `the page is wider than ${width}`);
-            await picture(page, `snippets_${width}${dark ? '_dark' : ''}`);
-            await axe(page);
-        }
+    for (const [id, values] of Object.entries(choices))
+        check(JSON.stringify(values) === JSON.stringify(await facts.locator(`#${id} option`).evaluateAll(all => all.map(each => each.value))),
+            `the page has other choices of ${id} than state.ts`);
+    for (const [width, dark] of [[1280, false], [390, true]]) {
+        const page = await open('snippets/?snippet=pcf_2x2&map=sun&snippet=disc16&map=spot', { width, dark });
+        await ready(page);
+        check(await page.evaluate(() => document.documentElement.scrollWidth) <= width, `the page is wider than ${width}`);
+        await picture(page, `snippets_${width}${dark ? '_dark' : ''}`);
+        await axe(page);
+    }
 });
+
+/// state.ts, which needs no browser.
+async function state_module() {
+    const load = createRequire(join(resolve(process.argv[3]), 'x.js')), source = new URL('../../examples/site/snippets/state.ts', import.meta.url);
+    const { code } = load('esbuild').transformSync(readFileSync(source, 'utf8'), { loader: 'ts' });
+    return import(`data:text/javascript,${encodeURIComponent(code)}`);
+}
