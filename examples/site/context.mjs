@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tools that every part of the site is built with: libraries from npm, and files into the site.
+import { spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, resolve } from 'node:path';
@@ -12,14 +13,25 @@ export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 /// Escapes text for HTML, attributes included.
 export const escape = text => text.replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
+/// Where Debian's emscripten finds acorn.
+export const emscripten = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
+
+/// What the site needs and this machine lacks, in words; nothing when all is here.
+export function missing(node_modules) {
+    for (const name of ['esbuild', 'marked', 'prismjs', '@xmldom/xmldom', 'gl-matrix', '@gltf-transform/core'])
+        if (!existsSync(join(node_modules, name))) return `no ${name} in ${node_modules}`;
+    for (const [program, name] of [['cmake', 'CMake'], ['ninja', 'Ninja'], ['doxygen', 'Doxygen'], ['emcc', 'emscripten']])
+        if (spawnSync(program, ['--version'], { env: emscripten }).status !== 0) return `no ${name}`;
+}
+
 /// The npm package as it lies here.
 const alias = Object.fromEntries(['', '/hlsl', '/msl', '/wgsl', '/values'].map(entry =>
     [`umbrage${entry}`, join(root, 'single_include', `${entry.slice(1) || 'umbrage'}.mjs`)]));
 
 export async function make_context({ out, node_modules, work }) {
     const load = createRequire(join(node_modules, 'x.js'));
-    for (const needed of ['esbuild', 'marked', 'prismjs'])
-        if (!existsSync(join(node_modules, needed))) throw new Error(`The site needs ${needed} from npm, in ${node_modules}`);
+    const what = missing(node_modules);
+    if (what) throw new Error(`The site cannot be built: ${what}`);
     const prism = load('prismjs');
     for (const language of ['c', 'cpp', 'glsl', 'hlsl', 'wgsl', 'bash', 'cmake', 'typescript'])
         load(`prismjs/components/prism-${language}`);

@@ -39,13 +39,17 @@ export function page({ path, title, description, body, scripts = [] }) {
 ${published ? `<link rel="canonical" href="${escape(published + path.replace(/index\.html$/, ''))}">` : ''}
 <link rel="icon" href="${up}icon.svg">
 <link rel="stylesheet" href="${up}style.css">
-${scripts.map(script => `<script type="module" src="${up}${script}"></script>`).join('\n')}
+${['search.js', ...scripts].map(script => `<script type="module" src="${up}${script}"></script>`).join('\n')}
 </head>
 <body data-root="${up}">
 <a class="skip" href="#main">Skip to the content</a>
 <header class="top">
 <a class="mark" href="${up}">umbrage</a>
 <nav aria-label="Main"><ul>${links.join('')}</ul></nav>
+<form class="find" role="search" action="${up}index-by-name.html">
+<input type="search" name="q" aria-label="Search the site" placeholder="Search: CSM, acne, pcss ..." autocomplete="off" spellcheck="false">
+<div class="found"><output></output><ul></ul></div>
+</form>
 </header>
 <main id="main">
 ${body}
@@ -53,7 +57,7 @@ ${body}
 <footer class="foot">
 <p>umbrage, a C++20 library of shadow mapping functions with shader twins. MIT license.</p>
 <p><a href="${up}troubleshooting.html">Troubleshooting</a> · <a href="${up}index-by-name.html">Find by name</a> ·
-<a href="${up}changelog.html">Changes</a></p>
+<a href="${up}contributing.html">Contributing</a> · <a href="${up}changelog.html">Changes</a></p>
 </footer>
 </body>
 </html>

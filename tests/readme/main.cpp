@@ -7,6 +7,7 @@
 //     readme --write ROOT             generates the sections again
 //     readme --links ROOT             exit status 1 when a link leads nowhere, or a page is far from README.md
 //     readme --names ROOT LIST        exit status 1 when a public name stands on no page and not in the list
+//     readme --public ROOT            prints each public name behind its header's place
 //     readme --questions ROOT LIST    exit status 1 when a question's answer is more than two clicks from README.md
 //     readme --sample ROOT SEED       a hundred sentences of headers and pages, for a reader to judge
 //     readme --prose ROOT             exit status 1 when a sentence is long, or a word is one of those to avoid
@@ -25,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "headers.hpp"
 #include "names.hpp"
 #include "pages.hpp"
 #include "proof.hpp"
@@ -127,6 +129,11 @@ int main(int argc, char** argv) try {
     if (what == "--check") return check(args[1]);
     if (what == "--links") return report(readme::wrong_links(readme::pages(args[1]), args[1]));
     if (what == "--prose") return report(readme::wrong_prose(readme::pages(args[1])));
+    if (what == "--public") {
+        for (const auto& [place, header] : readme::headers(fs::path(args[1]) / "include/umbrage"))
+            for (const std::string& name : readme::names_in(header)) std::cout << place << ' ' << name << '\n';
+        return 0;
+    }
     if (what == "--names" && args.size() == 3)
         return report(readme::wrong_names(readme::pages(args[1]), fs::path(args[1]) / "include/umbrage", args[2]));
     if (what == "--questions" && args.size() == 3)
@@ -141,7 +148,8 @@ int main(int argc, char** argv) try {
     else if (what == "--proof" && args.size() == 3) prove(args[1], args[2]);
     else
         throw std::runtime_error(
-            "--check, --write, --links or --prose ROOT, --names or --questions ROOT LIST, --sample ROOT SEED, or "
+            "--check, --write, --links, --public or --prose ROOT, --names or --questions ROOT LIST, --sample ROOT "
+            "SEED, or "
             "--proof REPORTS "
             "PROOF.md");
     return 0;

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { emscripten } from '../context.mjs';
 import { page } from '../page.mjs';
 
 const ways = [
@@ -45,15 +46,10 @@ const live = `
 
 /** WebAssembly and scenes, by Debian's emscripten. */
 function make_scene(context) {
-    const work = join(context.work, 'scene'), env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };  // where its acorn is
-    const run = (program, ...given) => execFileSync(program, given, { env, stdio: ['ignore', 'ignore', 'inherit'] });
-    try {
-        run('emcc', '--version');
-    } catch {
-        throw new Error('The site needs emscripten: apt-get install emscripten');
-    }
+    const work = join(context.work, 'scene');
+    const run = (program, ...given) => execFileSync(program, given, { env: emscripten, stdio: ['ignore', 'ignore', 'inherit'] });
     const glm = ['/usr/include', '/usr/local/include'].find(folder => existsSync(join(folder, 'glm/glm.hpp')));
-    if (!glm) throw new Error('The site needs GLM: apt-get install libglm-dev');
+    if (!glm) throw new Error('The site needs GLM in /usr/include or /usr/local/include');
     if (!existsSync(join(work, 'build.ninja')))
         run('emcmake', 'cmake', '-G', 'Ninja', '-S', join(context.root, 'examples/site/scene'), '-B', work, `-DGLM=${glm}`,
             ...process.env.CMAKE_CXX_COMPILER_LAUNCHER ? [`-DCMAKE_CXX_COMPILER_LAUNCHER=${process.env.CMAKE_CXX_COMPILER_LAUNCHER}`] : []);

@@ -71,7 +71,10 @@ template <real T>
 }
 
 /// Smallest depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
-/// @param more   texels to add to the reach, for rasterizer_snap and for coordinates that round
+/// @param slope      change of depth per texel in x and y
+/// @param filter     a filter of filters.hpp, for its reach
+/// @param encoding   an encoding of encodings.hpp, for its error
+/// @param more       texels to add to the reach, for rasterizer_snap and for coordinates that round
 [[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
                                              const known_encoding auto& encoding, float more = 0.0f) {
     const decoding_error both = encoding.error();

@@ -64,6 +64,7 @@ template <real T>
     return {edge, depth};
 }
 
+/// Sizes that a bias is measured with, at a point of a map.
 template <real T>
 struct light_measures {
     glm::vec<2, T> units{T(0)};  ///< as from make_light_units, for a w of 1 at every point. x is the longest edge of
@@ -95,6 +96,7 @@ template <real T>
 
 /// Length in texels across the light, converted to world units.
 ///
+/// @param texels  length in the map, in texels
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate
 /// @return        world units, 2^-64 to 2^64
@@ -109,6 +111,7 @@ template <real T>
 
 /// Length in world units along the light, converted to depth z/w.
 ///
+/// @param world   length along the light, world units
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate, > 0
 /// @return        depth, 0 to 1

@@ -22,7 +22,8 @@
 
 namespace umbrage {
 
-enum class depth_format { unorm16, unorm24, float32 };  ///< format of the depth buffer
+/// Format of the depth buffer.
+enum class depth_format { unorm16, unorm24, float32 };
 
 /// Bias that the rasterizer has to add.
 struct raster_bias {
@@ -34,6 +35,7 @@ struct raster_bias {
     depth_direction direction = depth_direction::forward;
 };
 
+/// Arguments of glPolygonOffset and glPolygonOffsetClamp.
 struct polygon_offset {
     float factor, units;  ///< glPolygonOffset
     float clamp;          ///< glPolygonOffsetClamp

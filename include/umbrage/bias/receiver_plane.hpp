@@ -72,6 +72,7 @@ template <real T>
 
 /// Fetch callable that applies the receiver's plane to every texel.
 /// @param fetch       ivec2 texel -> stored depth
+/// @param slope       change of depth per texel in x and y, from receiver_plane_slope
 /// @param coord       position that the filter is called with, in texels
 /// @param direction   depth direction of the map, which gives its cleared depth
 template <std::invocable<glm::ivec2> Fetch>

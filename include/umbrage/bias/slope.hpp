@@ -71,10 +71,12 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel.
-/// @param normal   surface normal, any length. Zero: the caller has none, and biases in the depth pass
-/// @return         slope as from plane_slope
-/// @edge           zero normal: (0, 0)
-/// @exactness      C, n = 27: S as plane_slope
+/// @param plane_matrix   from make_plane_matrix
+/// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
+/// @param world          point on the surface, world units
+/// @return               slope as from plane_slope
+/// @edge                 zero normal: (0, 0)
+/// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {

@@ -23,9 +23,15 @@ namespace umbrage {
 /// Seen from the light, x points right and y up. `right` looks down -z, `left` looks down +z.
 /// A mesh keeps its winding: a triangle that is clockwise for the light is clockwise in NDC with y up.
 enum class handedness { right, left };
-enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< range of z/w from the near to the far plane
-enum class depth_direction { forward, reversed };                 ///< reversed: depth is larger at the near plane
-enum class texture_origin { bottom, top };                        ///< place of texel (0, 0): at NDC y = -1, or y = +1
+
+/// Range of z/w from the near to the far plane.
+enum class depth_range { unset, zero_to_one, minus_one_to_one };
+
+/// Direction in which depth grows. `reversed`: it is larger at the near plane.
+enum class depth_direction { forward, reversed };
+
+/// Place of texel (0, 0): at NDC y = -1 (`bottom`), or at y = +1 (`top`).
+enum class texture_origin { bottom, top };
 
 /// Value of texels outside the map.
 enum class outside_map {
@@ -56,6 +62,7 @@ inline constexpr clip_space direct3d_clip_space{
 /// Right-handed world with z/w in [0, 1] and the first texel at the top. It fits WebGPU in three.js and glTF viewers.
 /// It also fits right-handed worlds under Direct3D. For a left-handed world in WebGPU or Metal use direct3d_clip_space.
 inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top};
+/// Clip space of Metal, the same as that of WebGPU.
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 /// Left-handed world with y up, reversed depth and the first texel at the top.
@@ -64,6 +71,7 @@ inline constexpr clip_space unity_clip_space{.hand = handedness::left,
                                              .range = depth_range::zero_to_one,
                                              .direction = depth_direction::reversed,
                                              .origin = texture_origin::top};
+/// Clip space of Unity under OpenGL.
 inline constexpr clip_space unity_opengl_clip_space{.hand = handedness::left, .range = depth_range::minus_one_to_one};
 
 /// Unity's clip space, in a world whose up axis is z: pass .up = {0, 0, 1} to the setup functions.
@@ -80,6 +88,7 @@ struct named_clip_space {
     std::string_view name;
     clip_space value;
 };
+/// Clip spaces of the APIs and engines by name.
 inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},
                                                 {"vulkan_clip_space", vulkan_clip_space},
                                                 {"direct3d_clip_space", direct3d_clip_space},
@@ -106,6 +115,7 @@ constexpr void require_given(clip_space clip, const char* function, const char* 
 }  // namespace detail
 
 /// Depth of the far plane, the value to clear a map to.
+/// @exactness   A: 1, or 0 where depth is reversed
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }

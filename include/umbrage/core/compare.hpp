@@ -97,6 +97,7 @@ template <real T, class Compare = less_equal>
 /// Visibility from one comparison.
 /// @param receiver   receiver depth, with the bias already applied
 /// @param stored     depth from the map
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           1 when lit, 0 in shadow
 /// @exactness        A
 template <real T, class Compare = less_equal>

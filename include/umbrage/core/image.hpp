@@ -172,6 +172,7 @@ template <class T>
 
 /// True if a texel lies inside the map.
 /// @param size    size of the map, in texels
+/// @param at      texel index, integers
 /// @exactness     A
 [[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
@@ -218,6 +219,7 @@ struct bordered_texels {
 };
 
 /// Fetch of a map with a border value.
+/// @param map      image or view
 /// @param border   value of texels outside the map; the far plane's, cleared_depth(clip), lights the outside
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {

@@ -58,6 +58,7 @@ template <class Elements>
 }  // namespace detail
 
 /// Clamps to [0, 1].
+/// @param v         any value, NaN included
 /// @param cleared   depth of the far plane: 1, or 0 for reversed depth
 /// @edge        NaN of either sign: cleared. -0: +0
 /// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))

@@ -31,6 +31,7 @@ enum class tier { a, b, c };
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
 enum class version { v100, v110, v120, v130, v150, v300_es, v310_es, v320_es, v330, v430, v450, v460, vulkan };
 
+/// Dialects of GLSL that texts are written in, oldest first.
 inline constexpr std::array versions{version::v100,    version::v110,    version::v120,    version::v130, version::v150,
                                      version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
                                      version::v450,    version::v460,    version::vulkan};

@@ -29,6 +29,8 @@ template <real T>
 
 /// True if a filter compares the receiver. It returns lit without a comparison for coordinates outside texel space and
 /// for depths beyond the far plane.
+/// @param coord    receiver position in the map, in texels
+/// @param receiver receiver depth in [0, 1], with the bias already applied
 /// @param is_lit   the comparison; one without beyond_far_plane has no far plane
 /// @exactness      A
 template <real T, class Compare = less_equal>
@@ -38,6 +40,8 @@ template <real T, class Compare = less_equal>
 
 /// Stored depth of a texel, by the fetch callable that filters take.
 /// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
+/// @param texel   texel index, integers
+/// @exactness     A: the fetched value
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
@@ -55,15 +59,20 @@ template <real T, class Fetch>
 }
 
 /// Visibility from one comparison with a texel.
-/// @param fetch   ivec2 texel -> stored depth
-/// @return        1 when lit, 0 in shadow
-/// @exactness     A
+/// @param fetch      ivec2 texel -> stored depth
+/// @param texel      texel index, integers
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           1 when lit, 0 in shadow
+/// @exactness        A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     return compare(receiver, T(fetch(texel)), is_lit);
 }
 
 /// Visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), the four texels of one gather.
+/// Parameters as for lit.
+/// @exactness   A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
@@ -73,6 +82,7 @@ template <real T, class Fetch, class Compare = less_equal>
 
 /// True if a receiver lies in a prefiltered map or a table. Receivers elsewhere are lit.
 /// @param size      size of the map, in texels
+/// @param coord     receiver position in the map, in texels
 /// @param outside   clamped: always true, and receivers outside use the map's edge
 /// @exactness       A
 template <real T>

@@ -14,13 +14,16 @@
 
 namespace umbrage {
 
-/// Ends and center of a quantization step [x, x + 1) * 2^-Bits: the depth to which a code x decodes. With the upper
-/// edge, no surface shadows itself from quantization alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared
-/// depth 1 then decodes to 1.
+/// Lower end of a quantization step [x, x + 1) 2^-Bits, as the depth to which a code x decodes.
 template <real T>
 inline constexpr T lower_edge = T(0);
+
+/// Center of a quantization step, as the depth to which its code decodes.
 template <real T>
 inline constexpr T center = T(0.5);
+
+/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself from quantization
+/// alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared depth 1 decodes to 1.
 template <real T>
 inline constexpr T upper_edge = T(1);
 

@@ -31,6 +31,8 @@ template <real T>
 }
 
 /// Depth from clip coordinates, z / w.
+/// @param z         third component of the clip position
+/// @param w         fourth component of the clip position
 /// @param cleared   cleared_depth of the clip space: 1, or 0 where depth is reversed
 /// @edge            w <= 0 (not in front of the light) or NaN: cleared, the far plane
 /// @exactness       C, n = 3: one division. S = |z / w|
@@ -123,6 +125,7 @@ template <real T>
 }
 
 /// Orthographic depth, as of a directional light, from the distance along the light's axis.
+/// @param z_view          distance along the axis, world units
 /// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)

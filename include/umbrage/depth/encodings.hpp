@@ -23,6 +23,7 @@
 
 namespace umbrage {
 
+/// List of all encodings.
 using encodings =
     list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
             threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;

@@ -65,6 +65,7 @@ struct unorm_target {
 
     /// Texel that a UNORM store makes of the values.
     /// @param values   as a shader writes them
+    /// @param mode     what the target does between two channels
     template <class Values>
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);

@@ -65,8 +65,10 @@ template <int Bits, real T>
 
 namespace glsl {
 
+/// Name of the snippet of encode_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
+/// GLSL text of encode_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string encode_rg_text() {
     return detail::filled(R"GLSL(
@@ -87,8 +89,10 @@ inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .needs = list<&saturate>,
                                    .source = encode_rg_text<Bits>};
 
+/// Name of the snippet of decode_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
+/// GLSL text of decode_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string decode_rg_text() {
     return detail::filled(R"GLSL(

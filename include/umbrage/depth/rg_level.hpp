@@ -51,8 +51,10 @@ template <int Bits, real T>
 
 namespace glsl {
 
+/// Name of the snippet of level_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name level_rg_name("level_rg$b", {{'b', Bits}});
+/// GLSL text of level_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string level_rg_text() {
     return detail::filled(R"GLSL(
@@ -72,8 +74,10 @@ inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .scaled = true,
                                   .source = level_rg_text<Bits>};
 
+/// Name of the snippet of receiver_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name receiver_rg_name("receiver_rg$b", {{'b', Bits}});
+/// GLSL text of receiver_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string receiver_rg_text() {
     return detail::filled(R"GLSL(

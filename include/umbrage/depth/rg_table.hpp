@@ -36,6 +36,7 @@ template <int Bits, class Texel = glm::u8vec2>
 /// Size of the table as a texture.
 template <int Bits>
 inline constexpr int rg_table_width = Bits <= 11 ? 1 << Bits : 2048;
+/// Size of the table, in texels.
 template <int Bits>
 inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_table_width<Bits>};
 
@@ -54,8 +55,10 @@ template <int Bits, real T, class Fetch>
 
 namespace glsl {
 
+/// Name of the snippet of encode_rg_table<Bits>.
 template <int Bits>
 inline constexpr detail::short_name encode_rg_table_name("encode_rg$b_table", {{'b', Bits}});
+/// GLSL text of encode_rg_table<Bits>.
 template <int Bits>
 [[nodiscard]] std::string encode_rg_table_text() {
     return detail::filled(R"GLSL(

@@ -20,6 +20,7 @@ namespace umbrage {
 /// @param coord      receiver in texels of the shadow map, as passed to the filter
 /// @param receiver   receiver depth, as passed to the filter
 /// @param place      maps a receiver to its bounds, from make_filter_bounds
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           1 where all texels are lit, 0 where none is, else -1: call the filter
 /// @formula          [receiver <= smallest] where it equals [receiver <= largest], else -1; both read
 ///                   at floor((floor(256 coord) + place.x) place.y)

@@ -21,6 +21,7 @@
 
 namespace umbrage::filters {
 
+/// List of the filters that need no size of the light.
 using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
 
 /// Filters that also know the size of the light. Their maps must store z/w.

@@ -32,7 +32,11 @@ namespace umbrage {
 /// Perspective-correct weights of a triangle's vertices at texel centers.
 class triangle_weights {
 public:
-    /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+    /// @param size            size of the image, in texels
+    /// @param mesh            triangles, world units
+    /// @param world_to_clip   projection * view
+    /// @param clip            clip space that the matrix leads to
+    /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),

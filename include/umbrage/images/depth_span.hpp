@@ -37,6 +37,7 @@ struct depth_span {
 
 /// Smallest and largest depth of an image.
 /// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, are skipped
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @exactness        A: selects, never computes
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
@@ -75,6 +76,7 @@ template <class ParallelFor = serial>
 
 /// Range of distances along a camera's axis, from the depths it saw. It is wider by 1/1000, for rounding of the depths.
 /// @param seen             depths in [0, 1] of a perspective camera
+/// @param direction        depth direction of the camera's image
 /// @param z_near, z_far    near and far plane of the camera, 0 < z_near < z_far; z_far may be infinite
 /// @return                 x < y within z_near .. z_far, world units
 /// @edge                   nothing seen: (z_near, z_far)

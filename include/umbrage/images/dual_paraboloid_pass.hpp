@@ -30,6 +30,7 @@ namespace umbrage {
 /// @param mesh       from tessellate: edges between its vertices are drawn as straight lines
 /// @param light      from make_dual_paraboloid_light
 /// @param map        0 or 1
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  as rasterize_depth
 /// @exactness        vertices C: square roots in double. Then as rasterize_depth
 template <class ParallelFor = serial>

@@ -105,6 +105,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
 /// Decodes an image of texels.
 /// @param texels     any texels of the encoding
 /// @param depth      receives the depths: same size, other memory
+/// @param encoding   encoding of the texels, with the depth direction
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>

@@ -20,6 +20,7 @@
 
 namespace umbrage {
 
+/// Bounds of the depths that a filter may read, texel by texel.
 struct filter_bounds {
     image<glm::vec2> bounds;  ///< smallest and largest depth; x is NaN where a texel is, y where all are
     glm::vec2 place;          ///< for bounds_lit

@@ -81,6 +81,7 @@ template <class Reach>
 /// near plane that clamps keeps casters between it and the light.
 /// @param bounds    in the mesh's space
 /// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
+/// @param clip      clip space that the matrix leads to
 /// @param at_near   as for the depth pass
 /// @edge            low above high, or a radius below 0: false, nothing is there. Bounds not finite: true. to_clip not
 ///                  finite: false, nothing is drawn

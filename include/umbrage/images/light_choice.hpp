@@ -35,12 +35,14 @@ struct seen_point {
     glm::dvec3 normal{0, 1, 0};  ///< any length > 0
 };
 
+/// Settings of choose_light.
 struct choice_terms {
     glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
     glm::ivec2 map_size{1};   ///< texels, each >= 1
     double better = 0.1;      ///< share by which another light must be better to replace the present one, 0 .. 1
 };
 
+/// Light to use, and how well each light does.
 struct light_choice {
     std::size_t kept = 0;     ///< index of the light to use
     std::vector<double> p95;  ///< per light: pixels that a texel's longer axis covers at 95 of 100 points, at most.
@@ -52,6 +54,7 @@ struct light_choice {
 /// @param lights   one or more, of any kinds
 /// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
 ///                 skipped
+/// @param terms    camera's matrix, size of the map, and the margin
 /// @param before   index of the present light: light_choice::kept
 /// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
 ///                                is not finite

@@ -37,9 +37,10 @@ enum class cull_mode { none, front, back };
 enum class near_plane { clips, clamps };
 
 /// Matrix with which an instance of a mesh is drawn.
-/// @param model       model to world
-/// @exactness         the product in double, rounded once. Far from the world's origin a float product would lose the
-///                    digits that remain after the camera's or the light's position is subtracted
+/// @param world_to_clip   projection * view
+/// @param model           model to world
+/// @exactness             the product in double, rounded once. Far from the world's origin a float product would lose
+///                        the digits that remain after the camera's or the light's position is subtracted
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));

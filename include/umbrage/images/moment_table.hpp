@@ -36,6 +36,7 @@ struct moment_table {
 ///
 /// @param map         depths; NaN counts as far
 /// @param of          settings. The largest box has n texels within the map
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @return            two halves, each with one column and row more than the map. A texel has the sum of 65535
 ///                    to_optimized_moments(encode_msm), rounded, over all texels before its column and row: modulo 2^16
 ///                    on the left, over 2^16 on the right
@@ -81,6 +82,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without two halves; radius below 0 or above the table's
 template <class ParallelFor = serial>

@@ -40,6 +40,7 @@ struct contrast_stretch {
 
 /// Range of a map's depths, without the texels to which nothing was drawn.
 ///
+/// @param map       depths, any values
 /// @param cleared   texels of this value are skipped, as are NaN and infinities
 /// @param outliers  share of the depths to drop at each end, 0 <= outliers < 1/2
 /// @return          the range
@@ -71,7 +72,10 @@ struct overlay_placement {
 /// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off what does
 /// not fit.
 ///
-/// @param color   color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
+/// @param picture   picture to draw into
+/// @param map       depths, any values
+/// @param place     size of the overlay, and the row order of both images
+/// @param color     color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
 /// @throws std::invalid_argument  negative size
 template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,

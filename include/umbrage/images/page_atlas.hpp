@@ -45,6 +45,8 @@ namespace umbrage {
 
 /// Clears pages and draws them.
 ///
+/// @param atlas   depths, of page_atlas_size
+/// @param size    size of a page, with its gutter
 /// @param root    light of the root, in double, so that a page's matrix rounds only once
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
@@ -62,6 +64,7 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// Writes the finest page of each cell to a table.
+/// @param cache   cache with the pages that are drawn
 /// @param table   image of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the
 ///                root's first. Cells without a page, and cells around the root, are zero
 /// @throws std::invalid_argument  a table of another size

@@ -24,6 +24,7 @@
 
 namespace umbrage {
 
+/// Mesh whose edges are short as seen from a light.
 struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
     std::vector<glm::uvec3> triangles;

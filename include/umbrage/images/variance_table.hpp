@@ -38,6 +38,7 @@ struct variance_table {
 ///
 /// @param map         depths; NaN counts as far
 /// @param of          settings. The largest box has n texels within the map
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @return            one column and row more than the map. A texel has the sums over all texels before its column and
 ///                    row: of codes modulo 2^16 and over 2^16, then the same of their squares
 /// @throws std::invalid_argument  empty map; bits or radius out of range; n 2^bits > 2^24; n (s^2 / 4 + 1) >= 2^32,
@@ -92,6 +93,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without texels; radius below 0 or above the table's
 template <class ParallelFor = serial>

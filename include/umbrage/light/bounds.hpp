@@ -29,11 +29,13 @@
 
 namespace umbrage {
 
+/// Box with sides along the axes of the world.
 template <real T>
 struct bounding_box {
     glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; a flat box is allowed
 };
 
+/// Sphere in world space.
 template <real T>
 struct bounding_sphere {
     glm::vec<3, T> center{T(0)};

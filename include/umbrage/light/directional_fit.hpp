@@ -24,6 +24,7 @@
 
 namespace umbrage {
 
+/// Receivers and casters that a map of a directional light is fitted to.
 template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0

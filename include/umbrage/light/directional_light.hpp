@@ -12,6 +12,7 @@
 
 namespace umbrage {
 
+/// Directional light with a map of a given place and size.
 template <real T = float>
 struct directional_light {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0

@@ -114,6 +114,7 @@ template <real T>
 
 }  // namespace detail
 
+/// Corners of a frustum, in world units.
 using eight_corners = std::array<glm::dvec3, 8>;
 
 namespace detail {
@@ -142,6 +143,7 @@ template <real T>
     return detail::corners_for("corners", f);
 }
 
+/// Matrices of a camera, from which make_frustum takes its frustum.
 template <real T = float>
 struct camera_matrices {
     glm::mat<4, 4, T> view{T(1)};                  ///< world to view space of the camera, or of the head

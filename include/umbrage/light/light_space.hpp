@@ -28,6 +28,7 @@
 
 namespace umbrage {
 
+/// Matrices of a light, and the clip space that they lead to.
 template <real T>
 struct light_space {
     glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)
@@ -189,6 +190,7 @@ template <real T>
 /// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
 /// @param z_near, z_far            distances, world units, 0 < z_near < z_far. With an infinite z_far there is no far
 ///                                 plane: depth nears the far depth with distance, forward or reversed
+/// @param clip                     clip space that the matrix leads to
 /// @throws std::invalid_argument   values outside these ranges; clip unset; a matrix that would not be finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
 template <real T>
@@ -203,6 +205,7 @@ template <real T>
 ///
 /// @param low, high        x and y of the box's corners, world units, low < high
 /// @param z_near, z_far    distances in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param clip             clip space that the matrix leads to
 /// @throws std::invalid_argument   an empty or non-finite box; clip unset; a matrix that would not be finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,

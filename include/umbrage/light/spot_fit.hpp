@@ -23,6 +23,7 @@
 
 namespace umbrage {
 
+/// Receivers and casters that the map of a spot light is fitted to.
 template <real T = float>
 struct spot_fit {
     glm::vec<3, T> position{T(0)};

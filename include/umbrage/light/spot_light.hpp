@@ -18,6 +18,7 @@
 
 namespace umbrage {
 
+/// Spot light with a map over its whole cone.
 template <real T = float>
 struct spot_light {
     glm::vec<3, T> position{T(0)};

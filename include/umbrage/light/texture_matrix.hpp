@@ -31,6 +31,7 @@ namespace umbrage {
 
 /// Matrix from the world to texels and depth, before the division by w.
 ///
+/// @param light      light of the map
 /// @param map_size   map size in texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives UV coordinates
 /// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space; reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
@@ -60,6 +61,8 @@ template <real T>
 ///
 /// The origin may change from frame to frame. A world point keeps its place in a stable map to 1/100 texel while it and
 /// the map are within 10,000 texels of each origin.
+/// @param light    light of the map
+/// @param map_size map size in texels, each >= 1
 /// @param origin   world position near the camera, such as an engine's floating origin
 /// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite in float
 [[nodiscard]] inline glm::mat4 texture_matrix(const light_space<double>& light, glm::ivec2 map_size,
@@ -73,6 +76,7 @@ template <real T>
 }
 
 /// Light in float for points relative to an origin, from a light in double. Use it in the depth pass.
+/// @param light    light in world units
 /// @param origin   world position near the camera, such as an engine's floating origin
 /// @return         light space. A view that is a rotation stays one: large terms cancel in the projection
 /// @throws std::invalid_argument  matrices that would not be finite in float

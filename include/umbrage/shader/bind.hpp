@@ -198,7 +198,9 @@ struct bound {
 };
 
 /// Snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param what   snippet to bind
 /// @param name   letters, digits, single underscores between them; may be empty
+/// @param map    map that it reads
 /// @throws std::invalid_argument   another name; a map that does not support what the snippet needs
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {

@@ -99,6 +99,7 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Reads a map of known depths through the shadow's own filter.
 ///
+/// @param of       the shadow
 /// @param map      calibration_map(of) as the host has it, or a map that was just cleared
 /// @param number   number of the light's map, >= 0
 /// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map

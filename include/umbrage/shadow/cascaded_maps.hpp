@@ -185,6 +185,7 @@ struct cascaded_maps {
 template <real T, std::size_t Count>
 cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
 
+/// Setup of an array of cascades.
 template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {
     using type = cascaded_maps<(Count > 4 ? 2 : 1)>;

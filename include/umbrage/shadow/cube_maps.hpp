@@ -80,6 +80,7 @@ struct cube_maps {
                                                     &glsl::shadow_coordinate, &glsl::receiver_slope, &glsl::cube_tile>;
 };
 
+/// Setup of a point light.
 template <real T>
 struct set_up_for<point_light<T>> {
     using type = cube_maps;

@@ -105,6 +105,7 @@ template <class SetUp>
 ///
 /// The target has the encoding's format, without sRGB and without blending. Clear it to cleared(). A depth texture
 /// needs no such function.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 template <class SetUp, class Filter, class Encoding>
@@ -126,6 +127,7 @@ template <class SetUp, class Filter, class Encoding>
 /// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
 /// number): the light's projection, the vertex, the light's position and the number of the half. They need a
 /// tessellated mesh.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 6; dual paraboloids C

@@ -74,6 +74,7 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Shadow as functions of a shader: umbrage_<name>(world, normal), and its declarations. Filters with a rotated disc
 /// take the position in pixels as a third argument: gl_FragCoord.xy.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
 /// @param slots   bindings, and the type of the texture
 /// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter

@@ -94,6 +94,7 @@ struct paraboloid_maps {
                                                     &glsl::dual_paraboloid_slope, &glsl::cascade_tile>;
 };
 
+/// Setup of a light with paraboloid maps.
 template <real T>
 struct set_up_for<dual_paraboloid_light<T>> {
     using type = paraboloid_maps;

@@ -139,6 +139,8 @@ public:
 
     /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
     /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
+    /// @param mesh     casters, world units
+    /// @param parallel cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
@@ -183,6 +185,7 @@ public:
 
     /// Visibility of an image of receivers.
     /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param map               image of size(), texels of the encoding
     /// @param out               receives visibility, 1 lit; same size as points
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  images of different sizes; a map of another size

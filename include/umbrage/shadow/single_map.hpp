@@ -54,6 +54,7 @@ struct single_map {
         glsl::list<&glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
 };
 
+/// Setup of a light with one map.
 template <real T>
 struct set_up_for<light_space<T>> {
     using type = single_map;

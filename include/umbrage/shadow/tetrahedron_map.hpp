@@ -107,6 +107,7 @@ struct tetrahedron_map {
                    &glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
 };
 
+/// Setup of a light with the map of a tetrahedron.
 template <real T>
 struct set_up_for<tetrahedron_light<T>> {
     using type = tetrahedron_map;

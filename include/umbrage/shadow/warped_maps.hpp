@@ -133,6 +133,7 @@ struct warped_maps {
                    &glsl::cascade_column, &glsl::cascade_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
 };
 
+/// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>
 struct set_up_for<std::array<warped_cascade<T>, Count>> {
     static_assert(

@@ -32,16 +32,17 @@ template <real T>
 
 /// Debug color of a receiver's position in a map.
 ///
-/// @param at       position in the map: x and y in texels, z depth before the bias
-/// @param size     size of the map, in texels
-/// @param bias     bias of the receiver, in depth
-/// @param number   index of the map, an integer from 0 to 65535: a cascade, a face or a page
-/// @return         RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
-///                 Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
-///                 Cyan: beyond the far plane. Blue: in front of the near plane.
-///                 Red: bias at its limit of 1, which removes all shadows
-/// @formula        bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
-/// @exactness      A
+/// @param at          position in the map: x and y in texels, z depth before the bias
+/// @param size        size of the map, in texels
+/// @param bias        bias of the receiver, in depth
+/// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
+/// @param direction   depth direction of the map
+/// @return            RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
+///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                    Cyan: beyond the far plane. Blue: in front of the near plane.
+///                    Red: bias at its limit of 1, which removes all shadows
+/// @formula           bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @exactness         A
 template <real T>
 [[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
                                          depth_direction direction = depth_direction::forward) {

@@ -47,6 +47,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
 /// @param rotation   from disc_rotation
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their depths)
 /// @edge             coord outside texel space or NaN, receiver beyond the far plane, NaN rotation: no blockers. NaN
 ///                   receiver: every point blocks. Depths that are not finite give a sum that is not finite
@@ -72,7 +73,9 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 ///
 /// Without a blocker, found is (0, 0) and the radius is that of a blocker at the near plane. The search needs no more.
 /// @param found      (number of blockers, sum of their depths)
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           in texels, from min_radius / 16 to max_radius / 16. NaN: min_radius / 16
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2

@@ -76,6 +76,7 @@ template <real T>
 
 /// Distance of a depth from the near plane, as a code of 16 bits.
 /// @param depth   in [0, 1]; clamped
+/// @param is_lit  less_equal, or greater_equal for reversed depth
 /// @return        integer, 0 .. 65535; 0 at the near plane, also where depth is reversed
 /// @edge          NaN: 65535, as the far plane
 /// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
@@ -117,6 +118,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
 /// @param radius     in 1/16 texel, an integer, 0 .. 4095
 /// @param rotation   from disc_rotation
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
 /// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane
 /// @exactness        A: a sum below 2^21

@@ -17,6 +17,7 @@
 
 namespace umbrage {
 
+/// Largest radius of a box, in texels.
 inline constexpr int max_box_radius = 8;
 
 /// Number of lit texels in the box around the receiver's texel.

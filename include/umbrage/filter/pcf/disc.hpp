@@ -20,8 +20,10 @@
 
 namespace umbrage {
 
+/// Largest radius of a disc, in texels.
 inline constexpr float max_disc_radius = 4095.0f / 16.0f;
 
+/// Point of a disc, in 1/16 of its radius.
 struct disc_point {
     int x, y;
     [[nodiscard]] operator glm::ivec2() const { return {x, y}; }

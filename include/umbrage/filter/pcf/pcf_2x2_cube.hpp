@@ -26,12 +26,14 @@
 namespace umbrage {
 
 /// Visibility from one comparison with a texel of a cube map. The texel may lie beyond an edge of its face.
-/// @param fetch   returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places them
-/// @param size    edge of a face, in texels
-/// @param texel   (s, t, face), integers
-/// @return        (1 when lit or 0 in shadow, 1)
-/// @edge          beyond a corner, where there is no texel: (0, 0)
-/// @exactness     A
+/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles lie as from cube_tile
+/// @param size       edge of a face, in texels
+/// @param texel      (s, t, face), integers
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           (1 when lit or 0 in shadow, 1)
+/// @edge             beyond a corner, where there is no texel: (0, 0)
+/// @exactness        A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
     const glm::vec<3, T> n = cube_neighbor(texel, size);

@@ -17,20 +17,26 @@
 namespace umbrage {
 
 /// Weighted comparisons around a point, as a linear comparison sampler returns them. Other maps use pcf_2x2.
-/// @param coord   in texels, no NaN. Outside texel space it is clamped
-/// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128: the hardware's weight along each axis is within 1/256 of this one. With b bits
-///                of weight the bound is 2^(1 - b). Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), other
-///                APIs state none
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times
+/// @param coord      in texels, no NaN. Outside texel space it is clamped
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @formula          pcf_2x2 at clamp(coord, -32767, 32767)
+/// @exactness        C, within 1/128: the hardware's weight along each axis is within 1/256 of this one. With b bits
+///                   of weight the bound is 2^(1 - b). Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), other
+///                   APIs state none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
 }
 
 /// lit_filtered at a point in [0, 1] over the map, as a sampler takes it when the map fills its texture.
-/// @param size   size of the map, in texels
-/// @param uv     from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness    C, within 1/128, as lit_filtered
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times
+/// @param size       size of the map, in texels
+/// @param uv         from (0, 0) to (1, 1) over the map, no NaN
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @exactness        C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
     return lit_filtered(fetch, uv * size, receiver, is_lit);

@@ -27,6 +27,7 @@
 
 namespace umbrage {
 
+/// Largest width of a kernel, in texels.
 inline constexpr int max_window = 15;
 
 /// Row of kernel weights, the same along both axes. Make it with make_window_row.
@@ -73,6 +74,7 @@ struct window_row {
 }
 
 /// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param row       from make_window_row, or one of windows.hpp
 /// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
 /// @param weights   receives row.touched() of them
 /// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets

@@ -155,6 +155,8 @@ inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>
 
 }  // namespace detail
 
+/// GLSL text of tent<size>.
+/// @param size   2, 3 or 7
 [[nodiscard]] inline std::string tent_text(int size) {
     if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
     if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
@@ -168,6 +170,8 @@ inline constexpr snippet tent{
     .needs = detail::window_needs<Size>,
     .source = {tent_text, Size}};
 
+/// GLSL text of binomial<size>.
+/// @param size   5 or 7
 [[nodiscard]] inline std::string binomial_text(int size) {
     return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
                      : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
@@ -179,6 +183,8 @@ inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .needs = detail::window_needs<Size>,
                                   .source = {binomial_text, Size}};
 
+/// GLSL text of castano<size>.
+/// @param size   5 or 7
 [[nodiscard]] inline std::string castano_text(int size) {
     return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
                                            "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
@@ -193,6 +199,7 @@ inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .needs = detail::window_needs<Size>,
                                  .source = {castano_text, Size}};
 
+/// GLSL text of castano_dyadic<5>.
 template <int Size>
 [[nodiscard]] std::string castano_dyadic_text() {
     return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
@@ -204,6 +211,7 @@ inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                                         .needs = detail::window_needs<Size>,
                                         .source = castano_dyadic_text<Size>};
 
+/// GLSL text of quadratic_b_spline.
 [[nodiscard]] inline std::string quadratic_b_spline_text() {
     return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
                             "floor(s * s * (1.0 / 32.0))");

@@ -21,6 +21,7 @@
 namespace umbrage {
 
 /// Depth that grows with the distance from the light, in either depth direction of the map. Prefiltered maps store it.
+/// @param depth     depth in [0, 1]
 /// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
@@ -53,6 +54,7 @@ template <real T>
 }
 
 /// Visibility above a threshold, stretched to [0, 1]. Removes light bleeding, but makes shadow edges darker and harder.
+/// @param visibility  in [0, 1]
 /// @param amount      visibility that becomes 0, in [0, 1]; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
 /// @exactness         C, n = 5: a division. S = (visibility + amount) (1 + amount) / (1 - amount)^2

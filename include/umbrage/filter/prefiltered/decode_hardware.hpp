@@ -50,6 +50,7 @@ template <real T>
 /// @param receiver       receiver depth, with the bias already applied
 /// @param min_variance   1e-7 or more
 /// @param amount         as for reduce_light_bleeding, 0 to 1/2
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
 /// @edge                 NaN receiver, or |receiver| >= 2^20: 0
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
 ///                       d = to_forward_depth(receiver)
@@ -70,6 +71,7 @@ template <real T>
 /// @param exponent    same as for the texels, at most 55
 /// @param deviation   as for decode_evsm2, 0.005 or more
 /// @param amount      as for reduce_light_bleeding, 0 to 0.3
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @edge              NaN receiver, or |receiver| >= 2^20: 0
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
 ///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)

@@ -36,6 +36,7 @@ template <real T>
 /// Texel of an exponential shadow map.
 /// @param depth      in [0, 1]; clamped
 /// @param exponent   0 to 63
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @edge             NaN: 2^exponent, as the far plane and a cleared texel
 /// @formula          exponential_warp(to_forward_depth)
 /// @exactness        B, n = 36
@@ -47,6 +48,8 @@ template <real T>
 /// Visibility from a mean of texels of an exponential shadow map.
 /// @param m          mean of texels
 /// @param receiver   receiver depth, with the bias already applied
+/// @param exponent   same as for the texels
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility in [0, 1], before reduce_light_bleeding: at least the lit fraction, minus 2^-20 (1e-6)
 /// @edge             NaN m or receiver: 0. Receiver nearer than 0: as lit as at 0
 /// @formula          min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)

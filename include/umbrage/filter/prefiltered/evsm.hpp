@@ -24,6 +24,7 @@ namespace umbrage {
 /// Texel of two components: a power of depth and its square.
 /// @param depth      in [0, 1]; clamped
 /// @param exponent   0 to 55
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @edge             NaN: as the far plane and a cleared texel
 /// @formula          (w, w^2), w = exponential_warp(to_forward_depth)
 /// @exactness        B, n = 73
@@ -36,6 +37,7 @@ template <real T>
 /// Texel of four components: a growing and a falling power of depth, and their squares.
 /// @param depth       in [0, 1]; clamped
 /// @param exponents   exponents of the growing and the falling power, 0 to 55
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @edge              NaN: as the far plane and a cleared texel
 /// @formula           (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness         B, n = 73
@@ -64,6 +66,7 @@ template <real T>
 /// @param exponent   same as for the texels
 /// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it: a minimum
 ///                   deviation of depth times 2 ln(2) exponent
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge             NaN receiver: 0
 /// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
@@ -83,6 +86,7 @@ template <real T>
 /// @param receiver    receiver depth in [0, 1], with the bias already applied; clamped
 /// @param exponents   same as for the texels
 /// @param deviations  minimum standard deviations, relative to the receiver's powers, from make_evsm
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @return            visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge              NaN receiver: 0
 /// @formula           the smaller of decode_evsm2's results for the two powers

@@ -66,6 +66,7 @@ template <real T>
 /// @param b         mean of texels
 /// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and rounding. At most decode_msm's
 ///                  result, except for rounding
 /// @edge            receiver at the near end: 1. NaN receiver: 0. Moments of fewer than three depths, or NaN: as

@@ -4,9 +4,8 @@
 //
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
-// In a shader, bind the snippet to the map of moments. It reads texels one by one and weights them in steps of 1/256,
-// so any float texture will do. Where the sampler can filter the texture, or reads from its mip chain, call the decoder
-// instead: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
+// In a shader, bind the snippet to the map of moments. It weights texels in steps of 1/256: any float texture will do.
+// Where the sampler filters, umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6) takes the hardware's weights.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -57,11 +56,13 @@ template <real T, class Fetch, class Decode>
 }  // namespace detail
 
 /// Visibility from a blurred map of encode_vsm's texels.
-/// @param fetch      returns a texel, from glm::ivec2: bordered(map), which is lit outside, clamped(map) or your own
-/// @param coord      receiver position, in texels: (0.5, 0.5) is the first center. Outside texel space or NaN: lit
-/// @param receiver   receiver depth, with the bias already applied. Beyond the far plane: lit. NaN: in shadow
-/// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
+/// @param fetch          returns a texel, from glm::ivec2: bordered(map), which is lit outside, or clamped(map)
+/// @param coord          receiver position, in texels: (0.5, 0.5) is the first center. Outside texel space or NaN: lit
+/// @param receiver       receiver depth, with the bias already applied. Beyond the far plane: lit. NaN: in shadow
+/// @param min_variance   as for decode_vsm
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
+/// @formula              decode_vsm of fetch_bilinear
+/// @exactness            C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
 template <real T, class Fetch>
 [[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,

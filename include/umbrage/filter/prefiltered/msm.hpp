@@ -5,8 +5,7 @@
 //     glm::vec4 texel = umbrage::encode_msm(depth);
 //     float visibility = umbrage::decode_msm(blurred, receiver, umbrage::msm_bias_32);
 //
-// Four 16-bit channels store optimized moments (Peters and Klein's 16-bit transform), which use each channel's full
-// range:
+// Four 16-bit channels store optimized moments (Peters and Klein's 16-bit transform), which use all of each channel:
 //
 //     glm::vec4 held = umbrage::to_optimized_moments(texel);
 //     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
@@ -134,6 +133,7 @@ template <real T>
 }
 
 /// Moments with the bias applied, as moment_atoms takes them.
+/// @param b         moments of depths, or their mean
 /// @param bias      msm_bias_32, msm_bias_16
 /// @formula         b + ((0, bias.y, 0, bias.y) - b) bias.x
 /// @exactness       B, n = 3
@@ -146,6 +146,7 @@ template <real T>
 /// @param b         mean of texels
 /// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32, msm_bias_16
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and the error below
 /// @edge            NaN receiver: 0. Moments of fewer than three depths, or NaN: 1 where the receiver is no farther
 ///                  than their mean, else 0. Numbers that are not moments: 0 to 1, decided by rounding near poles

@@ -166,6 +166,7 @@ struct msm_hausdorff {
     }
 };
 
+/// List of the filters of prefiltered maps.
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters

@@ -31,6 +31,7 @@ namespace detail {
 /// Mean of texels in a row, with the weights of a row of Pascal's triangle.
 /// @param fetch     returns a texel, float or vector, from glm::ivec2. Called Taps times, also for texels outside the
 ///                  map
+/// @param texel     index of the central texel, integers
 /// @param step      (1, 0) along x, (0, 1) along y
 /// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
 ///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
@@ -47,6 +48,7 @@ template <int Taps, class Fetch>
 }
 
 /// Mean of the 2x2 texels behind one texel of the next mip level.
+/// @param fetch     returns a texel, float or vector, from glm::ivec2. Called 4 times
 /// @param texel     index in the next level. Where a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
 /// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
@@ -60,8 +62,11 @@ template <class Fetch>
 
 namespace glsl {
 
+/// Name of the snippet of blur_row<Taps>.
 template <int Taps>
 inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
+/// GLSL text of blur_row<taps>.
+/// @param taps   3, 5 or 7
 [[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(

@@ -41,6 +41,7 @@ template <real T>
 /// @param receiver       receiver depth, with the bias already applied
 /// @param min_variance   >= 0; 1e-6 for 32-bit floats. It covers the variance that slopes and rounding add. Without it,
 ///                       surfaces shadow themselves
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
 /// @return               visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge                 NaN receiver: 0
 /// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)

@@ -42,6 +42,7 @@ struct page {
 
 /// Page of a level that holds a point.
 /// @param coord   position, 1 to 2 across the root, without 2
+/// @param level   a page's side is the root's over 2^level
 template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
     const double across = std::ldexp(1.0, level);

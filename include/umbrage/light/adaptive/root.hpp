@@ -24,6 +24,7 @@
 
 namespace umbrage {
 
+/// Square of a directional light that virtual shadow map pages divide.
 template <real T = float>
 struct page_root {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0

@@ -63,6 +63,8 @@ template <real T>
 }
 
 /// Blend of two cascades' visibilities.
+/// @param nearer    visibility in the pixel's cascade
+/// @param farther   visibility in the next cascade
 /// @param weight    weight of the farther cascade, 0 to 1
 /// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
 /// @exactness       B, n = 3; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256

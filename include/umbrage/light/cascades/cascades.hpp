@@ -39,6 +39,7 @@ struct cascade {
     T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
 };
 
+/// Camera, light and scene that cascades are fitted to.
 template <real T = float>
 struct cascade_fit {
     frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far
@@ -141,9 +142,8 @@ template <std::size_t Count, real T, class Light>
 /// Each map covers the sphere around its slice, whose size does not depend on the view, and moves by integer texels.
 /// Depth spans the scene and is scaled alike in all cascades, so a constant bias is equal in world units. In the depth
 /// pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100 texel.
-///
+/// @param fit      camera, light and scene
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
-/// @return         cascades from near to far
 /// @accuracy       offsets are integers up to 2^23 texels from the world's origin. A world point keeps its place in its
 ///                 texel, exactly if it is farther from the origin than the map is wide. Else its coordinate rounds, in
 ///                 float by 2^-14 texel (6e-5) on maps of 1024, which may change a filter's weights by 1/256
@@ -171,7 +171,6 @@ template <std::size_t Count, real T>
 }
 
 /// Cascades of the highest resolution: each map covers the part of the scene inside its slice.
-///
 /// A slice that misses the scene gets a map of the whole slice. Texels change size and place as the camera moves, so
 /// edges shimmer. The margin is fit.margin or more.
 /// Parameters, result and errors are those of make_stable_cascades.
@@ -260,9 +259,10 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 }  // namespace detail
 
 /// Uniforms of up to four cascades, for cascade_column and cascade_by_projection. Warped cascades: see warped.hpp.
-/// @param fade   fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
-///               cascade_fit::overlap must be at least as large
-/// @return       uniforms. With fewer than four cascades, no point falls into the missing ones by depth or projection
+/// @param cascades   from make_stable_cascades or make_tight_cascades
+/// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
+///                   cascade_fit::overlap must be at least as large
+/// @return           uniforms. With fewer than four cascades, no point falls into a missing one by depth or projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
 requires(Count >= 1 && Count <= 4)

@@ -51,6 +51,7 @@ template <real T>
 }
 
 /// One of four columns.
+/// @param columns  scales or offsets of the cascades, one a column
 /// @param number   index of the column, 0 to 3
 /// @edge           above 3: the last column
 /// @exactness      A
@@ -72,9 +73,10 @@ template <real T>
 }
 
 /// True if a filter at a coordinate stays inside the map, between the near and the far plane.
-/// @param size    size of the map, in texels
-/// @param reach   filter radius, in texels
-/// @exactness     B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
+/// @param coordinate   position in the cascade's map: texels, texels, depth
+/// @param size         size of the map, in texels
+/// @param reach        filter radius, in texels
+/// @exactness          B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };

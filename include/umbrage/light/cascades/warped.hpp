@@ -83,6 +83,7 @@ struct warped_cascade_uniforms {
 };
 
 /// Uniforms of warped cascades.
+/// @param cascades   from make_warped_cascades
 /// @param map_size   size of each map, texels
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large

@@ -35,6 +35,7 @@
 
 namespace umbrage {
 
+/// Point light with two paraboloid maps.
 template <real T = float>
 struct dual_paraboloid_light {
     glm::vec<3, T> position{T(0)};

@@ -23,6 +23,7 @@
 
 namespace umbrage {
 
+/// Point light with the six maps of a cube.
 template <real T = float>
 struct point_light {
     glm::vec<3, T> position{T(0)};

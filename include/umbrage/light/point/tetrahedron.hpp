@@ -47,6 +47,7 @@ template <real T>
 
 /// Direction in a face's own axes.
 /// @param face   0 to 3
+/// @param d      direction from the light, any length
 /// @return       (aside, up, away), see tetrahedron_plane
 /// @exactness    A: selects
 template <real T>
@@ -89,6 +90,7 @@ template <real T>
 
 /// Vector from face 0's part of the map, rotated to another face's part by quarter turns.
 /// @param face   0 to 3
+/// @param v      vector in face 0's part of the map
 /// @exactness    A: selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_turned(int face, glm::vec<2, T> v) {

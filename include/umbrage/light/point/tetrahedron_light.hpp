@@ -35,6 +35,7 @@
 
 namespace umbrage {
 
+/// Point light with the four triangular maps of a tetrahedron.
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};
@@ -79,6 +80,7 @@ template <real T>
 ///
 /// The first texel is at (0, 0) in every clip space. The projection is a mirror if clip is either left-handed or has
 /// its first row at the top, but not both.
+/// @param light   position, range and map size
 /// @param tiles   any four triangles, in texels. For lookups use the texture_matrix of faces[tetrahedron_face(...)]
 /// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order; clip unset; matrices
 ///                                that would not be finite

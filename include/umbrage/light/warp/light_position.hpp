@@ -22,6 +22,7 @@
 
 namespace umbrage {
 
+/// Position of a point light or spot light whose map is warped.
 template <real T = float>
 struct light_position {
     glm::vec<3, T> position{T(0)};

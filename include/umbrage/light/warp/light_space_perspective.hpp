@@ -121,6 +121,7 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
+/// @param fit        camera, light, receivers and casters
 /// @param distance   distance n from the warp's center to the nearest receivers, > 0, in world units along the
 ///                   camera's view
 ///                   across the light. Smaller values give more texels to close receivers. Infinity gives no warp.

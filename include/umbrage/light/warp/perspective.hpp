@@ -49,6 +49,7 @@ enum class light_image {
     none       ///< image among the receivers or too close to them, or no perspective: another map
 };
 
+/// Perspective shadow map (PSM), and how the camera sees its light.
 template <real T>
 struct perspective_light : warped_light<T> {
     light_image seen_as = light_image::none;  ///< none: the light has another map
@@ -218,6 +219,7 @@ template <real T, class Instead>
 /// The map changes without a jump while camera and light move, and between the kinds of image too. It blends into
 /// fit_light_space_perspective while the visible receivers fill 120 to 150 degrees around the light's image.
 ///
+/// @param fit     camera, light, receivers and casters
 /// @param slide   distance to move the camera back for the warp, world units, > 0: the smallest distance to receivers.
 ///                Smaller values give more of the map to close receivers
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
@@ -240,6 +242,8 @@ template <real T = float>
 /// source, and behind it a sink.
 ///
 /// @param fit    its direction is the light's axis
+/// @param from   position of the light, and its near plane
+/// @param slide  as for a directional light
 /// @return       warped light. If the light stands among the visible receivers: light_image::none, and the view along
 ///               its axis without a warp
 /// @edge         receivers without points: a map of the space right in front of the light

@@ -140,6 +140,8 @@ template <real T = float>
 
 /// Map of a point light in which a plane lies as the camera sees it.
 /// @param fit   its direction is the light's axis
+/// @param plane as for a directional light
+/// @param from  position of the light, and its near plane
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near; z_near not above 0;
 ///                                errors of fit_plane_optimal above
 template <real T>

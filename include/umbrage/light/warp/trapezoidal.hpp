@@ -24,6 +24,7 @@ namespace umbrage {
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
+/// @param fit     camera, light, receivers and casters
 /// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
 /// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
 ///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump

@@ -40,6 +40,7 @@
 
 namespace umbrage {
 
+/// Camera, receivers and casters that a warped map is fitted to.
 template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< camera that the map is for
@@ -52,6 +53,7 @@ struct warp_fit {
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
+/// Light whose map is warped towards the camera.
 template <real T>
 struct warped_light {
     light_space<T> light;  ///< light for the depth pass and texture_matrix; the smallest w of the receivers is 1

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// An entry of the reference as HTML: a name's declarations, the parts of their docstrings, and its shader text.
+import { escape } from '../context.mjs';
+import { declaration } from './headers.mjs';
+import { formula, prose } from './prose.mjs';
+
+const tier_words = { A: 'the same bits everywhere', B: 'the same bits where sums keep their order', C: 'within a bound' };
+
+/// @param to   {name: address of a name's entry, page: address of a page of the site}, both relative to this page
+export function entry_html(context, entry, header, texts, uses, to) {
+    const badge = entry.tier
+        ? ` <a class="tier ${entry.tier.toLowerCase()}" href="${to.page('tests/index.html')}" title="${tier_words[entry.tier]}">tier ${entry.tier}</a>` : '';
+    const name = escape(entry.name);
+    return `<section class="entry" id="${name}">
+<h2><a href="#${name}">${name}</a>${badge}</h2>
+${described(context, entry, header, texts, to)}
+${shader_html(context, entry, texts, to)}${uses_html(entry, uses, to)}</section>`;
+}
+
+/// The C++ declarations with their docstrings; of a shader function without a C++ version, what it does.
+function described(context, entry, header, texts, to) {
+    const items = entry.items.filter(item => !is_text(item));
+    if (items.length > 0) return items.map(item => item_html(context, item, header, to.name)).join('\n');
+    const { summary } = texts.glsl.snippets[entry.snippets[0]];
+    return `<p>${prose(summary[0].toUpperCase() + summary.slice(1), to.name)}. A shader function alone.</p>`;
+}
+
+const is_text = item => item.scope === 'umbrage::glsl' && item.kind === 'variable' && /\bsnippet$/.test(item.type);
+
+function item_html(context, item, header, to) {
+    const text = declaration(header, item.line, item.kind).replace(/UMBRAGE_(INLINE|STRICT_MATH) /g, '');
+    const where = item.scope === 'umbrage' ? '' : ` <span class="faint">in namespace <code>${item.scope}</code></span>`;
+    const brief = item.brief ? `<p>${prose(item.brief, to)}${where}</p>` : where && `<p>${where}</p>`;
+    return `${brief}
+<pre tabindex="0"><code>${context.highlight(text, 'cpp')}</code></pre>
+${item.paragraphs.map(part => paragraph(part, to)).join('')}${parts(item, to)}${members(item, header, to)}`;
+}
+
+function paragraph(part, to) {
+    if (part.kind === 'code') return `<pre tabindex="0"><code>${escape(part.text.trim())}</code></pre>`;
+    if (part.kind === 'text') return `<p>${prose(part.text, to)}</p>`;
+    const list = part.kind === 'orderedlist' ? 'ol' : 'ul';
+    return `<${list}>${part.items.map(each => `<li>${prose(each, to)}</li>`).join('')}</${list}>`;
+}
+
+/// The parts of a docstring, in the order of its template, as a list of terms.
+function parts(item, to) {
+    const rows = [];
+    const add = (term, html) => rows.push(`<dt>${term}</dt><dd>${html}</dd>`);
+    const { tags } = item;
+    for (const { name, text } of [...item.tparam, ...item.param]) add(`<code>${escape(name)}</code>`, prose(text, to));
+    for (const text of tags.return ?? []) add('returns', prose(text, to));
+    for (const text of tags.edge ?? []) add('edge cases', prose(text, to));
+    for (const { name, text } of item.throws) add('errors', `<code>${escape(name)}</code>: ${prose(text, to)}`);
+    for (const text of tags.formula ?? []) add('formula', `<span class="formula">${formula(text, to)}</span>`);
+    for (const text of tags.accuracy ?? []) add('accuracy', prose(text, to));
+    for (const text of tags.exactness ?? []) add('exactness', prose(text, to));
+    for (const text of tags.detaches ?? []) add('detaches', prose(text, to));
+    for (const text of tags.cite ?? []) add('paper', `<cite>${escape(text)}</cite>`);
+    return rows.length ? `<dl class="parts">${rows.join('')}</dl>\n` : '';
+}
+
+function members(item, header, to) {
+    const text_of = each => declaration(header, each.line, each.kind).replace(/UMBRAGE_(INLINE|STRICT_MATH) /g, '');
+    const shown = (item.members ?? []).filter(each => each.kind !== 'friend' && !/= delete;?$/.test(text_of(each))
+        && !(each.brief === '' && ['name', 'snippet'].includes(each.name)));
+    if (shown.length === 0) return '';
+    const rows = shown.map(each => {
+        const text = text_of(each);
+        const code = text.split('\n').length > 6 ? `${text.split('\n').slice(0, 5).join('\n')}\n...` : text;
+        const words = [each.brief, ...each.paragraphs.map(part => part.text ?? ''), ...each.param.map(p => `${p.name}: ${p.text}.`)];
+        return `<tr><td><code>${escape(code).replace(/\n/g, '<br>')}</code></td><td>${prose(words.filter(w => w).join(' '), to)}</td></tr>`;
+    });
+    return `<div class="scroll" tabindex="0" role="region" aria-label="Members of ${escape(item.name)}">
+<table class="members"><thead><tr><th>member</th><th>what it is</th></tr></thead><tbody>${rows.join('')}</tbody></table></div>\n`;
+}
+
+/// The function in four languages, each behind its name; of a family the second, which is neither smallest nor largest.
+function shader_html(context, entry, texts, to) {
+    if (entry.snippets.length === 0) return '';
+    const shown = entry.snippets[entry.snippets.length > 1 ? 1 : 0];
+    const page = (name, language = '') => `${to.page('snippets/index.html')}?snippet=${name}${language && `&amp;language=${language}`}`;
+    const family = entry.snippets.length === 1 ? '' : `<p class="family">Also ${
+        entry.snippets.filter(name => name !== shown).map(name => `<a href="${page(name)}"><code>${name}</code></a>`).join(', ')}.</p>`;
+    const languages = Object.entries(texts).filter(([, { snippets }]) => snippets[shown]).map(([id, { label, snippets }]) =>
+        `<details name="${shown}"><summary>${label}</summary><pre tabindex="0"><code>${
+            context.highlight(snippets[shown].text.trim(), id)}</code></pre></details>`);
+    return `<div class="shader"><h3>In a shader: <code>umbrage_${shown}</code></h3>
+<p><a href="${page(shown)}">Copy it with all that it needs</a>, for your map, in your language.</p>${family}
+${languages.join('\n')}</div>\n`;
+}
+
+function uses_html(entry, uses, to) {
+    const names = [entry.name, ...entry.snippets];
+    const museum = new Map(names.flatMap(name => uses.exhibits.get(name) ?? []).map(each => [each.to, each.title]));
+    const programs = [...new Set(names.flatMap(name => uses.programs.get(name) ?? []))].slice(0, 6);
+    const list = (title, links) => links.length ? `<p class="uses">${title}: ${links.join(', ')}</p>\n` : '';
+    return list('Exhibits', [...museum].map(([address, title]) => `<a href="${to.page(address)}">${escape(title)}</a>`))
+        + list('Programs', programs.map(path => `<a href="${to.source(path)}">${escape(path.replace('examples/', ''))}</a>`));
+}

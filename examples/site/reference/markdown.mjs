@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// Markdown of the repository as pages: anchors as GitHub's, links to where the site has the file, pictures with their sizes.
+import { readFileSync } from 'node:fs';
+import { posix } from 'node:path';
+
+import { escape } from '../context.mjs';
+import { link, page_of } from './links.mjs';
+
+/// A heading as the anchor that links lead to.
+export const anchor = heading => heading.toLowerCase().replace(/[`*]/g, '').replace(/[^\w\- ]/g, '').replace(/ /g, '-');
+
+/// A Markdown file as {title, description, body, headings}; copies the pictures that it shows.
+/// @param path      of the file in the repository
+/// @param addresses of the repository's files
+/// @param entry     a public name to the address of its entry, or undefined
+export function render(context, path, addresses, entry) {
+    const { Marked } = context.load('marked');
+    const from = page_of(path), headings = [], mentioned = new Set();
+    let inside_link = false;
+    const target = to => {
+        if (/^\w+:/.test(to)) return to;
+        const [file, hash = ''] = to.split('#');
+        if (file === '') return to;
+        const address = addresses.of(posix.normalize(posix.join(posix.dirname(path), file)));
+        return address && link(from, address) + (hash && `#${hash}`);
+    };
+    const renderer = {
+        heading({ tokens, depth, text }) {
+            headings.push({ depth, text: plain(text), anchor: anchor(text) });
+            return `<h${depth} id="${anchor(text)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
+        },
+        link({ href, tokens }) {
+            const to = target(href);
+            inside_link = to !== null;
+            const inner = this.parser.parseInline(tokens);
+            inside_link = false;
+            return to ? `<a href="${escape(to)}">${inner}</a>` : inner;
+        },
+        codespan({ text }) {  // the first mention of each name leads to its entry
+            const name = /^(?:(?:umbrage|glsl|filters|prefilters)::)*([a-z]\w*)(?:<\w+>)?(?:\(\))?$/.exec(text)?.[1];
+            const to = name && !inside_link && !mentioned.has(name) && entry(name);
+            if (!to) return `<code>${escape(text)}</code>`;
+            mentioned.add(name);
+            return `<a href="${link(from, to)}"><code>${escape(text)}</code></a>`;
+        },
+        image({ href, text }) {
+            const file = posix.normalize(posix.join(posix.dirname(path), href)), to = addresses.of(file);
+            if (!context.written.includes(to)) context.copy(file, to);
+            const { width, height } = size_of_png(posix.join(context.root, file));
+            return `<img src="${link(from, to)}" alt="${escape(text)}" width="${width}" height="${height}" loading="lazy">`;
+        },
+        code({ text, lang }) {
+            const language = (lang ?? '').split(' ')[0];
+            return `<pre tabindex="0"><code>${context.highlight(text, language)}</code></pre>\n`;
+        },
+        table(token) {
+            const html = this.constructor.prototype.table.call(this, token);
+            return `<div class="scroll" tabindex="0" role="region" aria-label="Table">${html}</div>\n`;
+        },
+    };
+    const text = context.read(path).replace(/^<!--.*?-->\n/gms, '');
+    const body = new Marked({ renderer }).parse(text);
+    const first = text.split('\n\n').find(block => /^[A-Z*]/.test(block)) ?? '';
+    return { path: from, title: headings[0]?.text ?? path, description: plain(first).slice(0, 200), body, headings };
+}
+
+export const plain = text => text.replace(/\[([^\]]*)\]\([^)]*\)/g, '$1').replace(/[`*]/g, '').replace(/\s+/g, ' ').trim();
+
+function size_of_png(file) {
+    const bytes = readFileSync(file);
+    return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// What is known of a function: its promise, what it needs, what it costs, and where it is described.
+import type { Snippet } from './compose';
+
+/// Of each function, written into the page: names people use, address of its entry, instructions and cycles on RDNA2.
+export interface Fact { also: string; entry: string; instructions: number; cycles: number; nothing: number }
+
+/// A promise in words.
+export function promise({ exactness, operations, within, as_written }: Snippet): string {
+    if (exactness === 'a') return 'The same bits as C++, on every GPU with 32-bit floats, in any order of its sums.';
+    const bound = within > 0 ? `within 1/${Math.round(1 / within)} of C++` : `within ${operations} × 2⁻²³ × S of the exact result`;
+    if (exactness === 'b') return `The same bits as C++ where the order of its sums is kept; elsewhere ${bound}.`;
+    return `${bound[0]!.toUpperCase()}${bound.slice(1)}${as_written ? ', in the order that is written' : ''}.`;
+}
+
+function element(name: string, text: string, to?: string): HTMLElement {
+    const made = document.createElement(name);
+    if (to === undefined) made.textContent = text;
+    else {
+        const link = document.createElement('a');
+        link.href = to;
+        link.textContent = text;
+        made.append(link);
+    }
+    return made;
+}
+
+/// Fills a list of terms with the facts of a function.
+export function show_facts(list: HTMLElement, snippet: Snippet, fact: Fact | undefined, root: string): void {
+    const rows: Node[] = [];
+    const add = (term: string, ...what: (Node | string)[]): void => {
+        const description = document.createElement('dd');
+        description.append(...what);
+        rows.push(element('dt', term), description);
+    };
+    const tier = element('span', `tier ${snippet.exactness.toUpperCase()}`);
+    tier.className = `tier ${snippet.exactness}`;
+    add('promise', tier, ' ', promise(snippet));
+    if (fact?.also) add('also called', fact.also);
+    if (snippet.needs.length > 0)
+        add('needs', ...snippet.needs.flatMap(need => [element('code', need.name, `?snippet=${need.name}`), ' ']));
+    if (fact && fact.instructions > 0)
+        add('cost on RDNA2', `${fact.instructions} instructions, ${fact.cycles} cycles of throughput: a compiler's estimate `
+            + `(Mesa, without the hardware) of a whole fragment shader, of which ${fact.nothing} instructions are an empty one's.`);
+    if (snippet.lowest !== '100') add('lowest GLSL', `${snippet.lowest}, 130`);
+    if (fact) add('in C++', element('span', 'signature, edge cases, formula', root + fact.entry));
+    list.replaceChildren(...rows);
+}
