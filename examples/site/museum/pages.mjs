@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// The museum's page: MUSEUM.md with a drawing of each exhibit's test, then and ours, and what depth and filters look like.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { page } from '../page.mjs';
+import { curves } from './curves.mjs';
+
+/// Further pictures of the repository, each with what it shows.
+const rooms = [
+    ['Depth in few bits', [['quantization', 'Depth of 8 bits a texel makes steps on slopes. More bits cure it.']]],
+    ['Filters on one edge', [['filters', 'One edge of a shadow under nine filters.'],
+        ['hardening', 'Contact hardening beside rays: sharp where the mast stands, soft on the wall.']]],
+    ['Biases', [['biases', 'Six ways to keep a surface from shadowing itself.']]],
+    ['Troubles, and their cures', [['acne', 'Shadow acne.'], ['detached', 'Peter-panning: the shadow leaves its caster.'],
+        ['aliasing', 'Stair steps of a map with too few texels.'], ['shimmer', 'Shimmering: edges crawl while the camera moves.'],
+        ['leak', 'Light bleeding of variance shadow maps.'], ['seams', 'Seams between cascades.'],
+        ['thin', 'Thin casters, lost between texels.'], ['contact', 'A gap where caster and receiver touch.']]],
+];
+
+const right = [24, 66, 54], slightly = [236, 190, 92], wrong = [222, 62, 44];
+
+/// A drawing of tests/proof/museum as a PNG in color.
+function colored(context, file) {
+    const { PNG } = context.load('pngjs'), bytes = readFileSync(file);
+    const [, width, height] = /^P5\n(\d+) (\d+)\n255\n/.exec(bytes.subarray(0, 32).toString('latin1')), cells = bytes.subarray(-width * height);
+    const png = new PNG({ width: Number(width), height: Number(height), colorType: 2 });
+    cells.forEach((cell, i) => {
+        const color = cell === 0 ? right : slightly.map((c, channel) => Math.round(c + (wrong[channel] - c) * cell / 255));
+        png.data.set([...color, 255], 4 * i);
+    });
+    return PNG.sync.write(png, { colorType: 2 });
+}
+
+const figure = (number, title) => `<figure class="exhibit">
+<div class="pair"><img src="pictures/museum/${number}_then.png" alt="The old formula's test of exhibit ${number}" loading="lazy">
+<img src="pictures/museum/${number}_ours.png" alt="The same test of umbrage" loading="lazy"><span>then</span><span>umbrage</span></div>
+<input type="range" min="0" max="1" step="0.01" value="0.5" aria-label="Divider between the old formula and umbrage: ${title}">
+</figure>
+`;
+
+export async function pages(context) {
+    const drawn = join(context.work, 'museum');
+    mkdirSync(drawn, { recursive: true });
+    execFileSync(context.museum, ['--draw', drawn]);
+    const { title, description, body } = context.model.pages.find(each => each.source === 'MUSEUM.md');
+    let exhibits = 0;
+    const with_figures = body.replace(/<h2 id="[^"]*">(\d+)\. (.*?)<\/h2>\n/g, (heading, number, name) => {
+        ++exhibits;
+        for (const side of ['then', 'ours']) context.write(`pictures/museum/${number}_${side}.png`, colored(context, join(drawn, `${number}_${side}.pgm`)));
+        return heading + figure(number, name.replace(/<[^>]*>/g, ''));
+    });
+    if (exhibits < 20) throw new Error(`MUSEUM.md shows ${exhibits} exhibits`);
+    const pictures = rooms.map(([name, shown]) => `<h2 id="${name.toLowerCase().replace(/\W+/g, '-')}">${name}</h2>\n` + shown.map(([file, words]) => {
+        const path = `.media/${file}.png`, head = readFileSync(join(context.root, path)).subarray(16, 24);
+        if (!context.written.includes(`pictures/${file}.png`)) context.copy(path, `pictures/${file}.png`);
+        return `<figure><img src="pictures/${file}.png" width="${head.readUInt32BE(0)}" height="${head.readUInt32BE(4)}" alt="${words}" loading="lazy">
+<figcaption>${words}</figcaption></figure>`;
+    }).join('\n'));
+    await context.bundle('museum/divide.ts', 'museum.js');
+    const how = `<p class="legend">Each drawing is the test itself: a point is a run of the inputs tried. <span class="right">Dark</span> is right,
+<span class="wrong">bright</span> is wrong, redder for larger errors. Left of the divider is the old formula, right of it umbrage.</p>`;
+    return [{ path: 'museum.html', html: page({ path: 'museum.html', title, description, scripts: ['museum.js'],
+        body: `<div class="prose museum">${with_figures.replace(/(<h2 id="1)/, `${how}\n$1`)}
+<h2 id="error-over-depth">Error of every encoding over depth</h2>
+${curves(readFileSync(join(drawn, 'encodings.tsv'), 'utf8'))}
+${pictures.join('\n')}</div>` }) }];
+}
