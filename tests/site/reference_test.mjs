@@ -6,9 +6,9 @@
 //     node reference_test.mjs SITE NODE_MODULES SOURCES WORK README_TOOL
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 
-const [site, node_modules, sources, work, tool] = process.argv.slice(2);
+const [site, node_modules, sources, work, tool] = process.argv.slice(2).map(path => resolve(path));
 if (!existsSync(join(site, 'reference/index.html'))) {
     console.log('SKIPPED: the site was not built');
     process.exit(77);
@@ -24,13 +24,13 @@ const check = (good, what) => { if (!good) failed.push(what); };
 
 /// Names without an entry, among lines "place name".
 function without_entry(lines, page_of) {
-    return lines.map(line => line.split(' ')).filter(([place]) => all.headers.has(place))
-        .filter(([place, name]) => !page_of(place).includes(`<section class="entry" id="${name}">`));
+    return lines.map(line => line.split(' ')).filter(([place, name]) => !page_of(place).includes(`<section class="entry" id="${name}">`));
 }
 
 const pages = new Map();
 function built(place) {
-    if (!pages.has(place)) pages.set(place, readFileSync(join(site, header_page(place)), 'utf8'));
+    const file = join(site, header_page(place));
+    if (!pages.has(place)) pages.set(place, existsSync(file) ? readFileSync(file, 'utf8') : '');
     return pages.get(place);
 }
 const lines = execFileSync(tool, ['--public', root], { encoding: 'utf8' }).trim().split('\n');

@@ -49,11 +49,18 @@ function item(node, scope) {
     return {
         name: text_of(child(node, 'name')).replace(/ ?<.*/, ''), scope, kind: node.getAttribute('kind'),
         place: location?.getAttribute('file') ?? '', line: Number(location?.getAttribute('line')),
-        type: text_of(child(node, 'type')), initializer: text_of(child(node, 'initializer')),
+        type: text_of(child(node, 'type')),
         arguments: children(node, 'param').map(each => text_of(child(each, 'declname'))).filter(name => name !== ''),
         values: children(node, 'enumvalue').map(each => text_of(child(each, 'name'))),
-        ...docstring(node),
+        ...described(node),
     };
+}
+
+/// The docstring's parts; of a snippet without one its summary, as a sentence.
+function described(node) {
+    const doc = docstring(node), summary = /\.summary = "([^"]*)"/.exec(text_of(child(node, 'initializer')))?.[1];
+    if (doc.brief === '' && summary) doc.brief = `${summary[0].toUpperCase()}${summary.slice(1)}.`;
+    return doc;
 }
 
 /// The parts of a docstring: a brief sentence, paragraphs, lists of parameters, and texts by their tags.

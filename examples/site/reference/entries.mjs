@@ -2,7 +2,7 @@
 //
 // What the reference has an entry for: each public name of a header once, with its overloads, its value and its snippets.
 
-/// Entries by header, in the headers' order. An entry: {name, place, items, snippets, tier}.
+/// Entries by header, in the headers' order; headers of details alone have none. An entry: {name, place, items, snippets, tier}.
 export function entries(headers, items, snippets) {
     const by_place = new Map([...headers.keys()].map(place => [place, []]));
     const public_items = items.filter(each => headers.has(each.place) && !each.scope.includes('detail')
@@ -15,7 +15,7 @@ export function entries(headers, items, snippets) {
     }
     add_snippets(by_place, public_items, snippets);
     for (const entry of [...by_place.values()].flat()) entry.tier = tier_of(entry);
-    return by_place;
+    return new Map([...by_place].filter(([, here]) => here.length > 0));
 }
 
 const is_nested = (item, items) => items.some(each => each.members && `${each.scope}::${each.name}` === item.scope);

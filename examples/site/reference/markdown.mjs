@@ -40,9 +40,9 @@ export function render(context, path, addresses, entry) {
         codespan({ text }) {  // the first mention of each name leads to its entry
             const name = /^(?:(?:umbrage|glsl|filters|prefilters)::)*([a-z]\w*)(?:<\w+>)?(?:\(\))?$/.exec(text)?.[1];
             const to = name && !inside_link && !mentioned.has(name) && entry(name);
-            if (!to) return `<code>${escape(text)}</code>`;
+            if (!to) return `<code>${breakable(text)}</code>`;
             mentioned.add(name);
-            return `<a href="${link(from, to)}"><code>${escape(text)}</code></a>`;
+            return `<a href="${link(from, to)}"><code>${breakable(text)}</code></a>`;
         },
         image({ href, text }) {
             const file = posix.normalize(posix.join(posix.dirname(path), href)), to = addresses.of(file);
@@ -64,6 +64,9 @@ export function render(context, path, addresses, entry) {
     const first = text.split('\n\n').find(block => /^[A-Z*]/.test(block)) ?? '';
     return { path: from, title: headings[0]?.text ?? path, description: plain(first).slice(0, 200), body, headings };
 }
+
+/// An identifier that may go on in another line behind an underscore.
+const breakable = code => escape(code).replace(/_(?=\w)/g, '_<wbr>');
 
 export const plain = text => text.replace(/\[([^\]]*)\]\([^)]*\)/g, '$1').replace(/[`*]/g, '').replace(/\s+/g, ' ').trim();
 

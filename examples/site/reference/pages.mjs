@@ -10,7 +10,7 @@ import { page } from '../page.mjs';
 import { documented } from './doxygen.mjs';
 import { entries } from './entries.mjs';
 import { entry_html } from './entry.mjs';
-import { files_below, public_headers } from './headers.mjs';
+import { files_below, read_headers } from './headers.mjs';
 import { Addresses, header_page, link } from './links.mjs';
 import { render } from './markdown.mjs';
 import { prose } from './prose.mjs';
@@ -25,8 +25,9 @@ export async function model(context) {
         const { snippets } = await import(pathToFileURL(`${context.root}/single_include/${file}.mjs`));
         texts[id] = { label, snippets };
     }
-    const headers = public_headers(context.root);
-    const by_place = entries(headers, documented(context), texts.glsl.snippets);
+    const all_headers = read_headers(context.root);
+    const by_place = entries(all_headers, documented(context), texts.glsl.snippets);
+    const headers = new Map([...all_headers].filter(([place]) => by_place.has(place)));
     const all = [...by_place.values()].flat();
     const places = new Map();
     for (const each of [...all].sort((a, b) => weight(b) - weight(a))) places.set(each.name, each);
@@ -86,7 +87,7 @@ ${here.map(each => entry_html(context, each, header, all.texts, all.uses, to)).j
 function way(all, path, place) {
     const parts = place.split('/').slice(0, -1);
     const links = parts.map((part, at) => `<a href="${link(path, `reference/${parts.slice(0, at + 1).join('/')}/index.html`)}">${part}</a>`);
-    return `<nav class="way" aria-label="Way to this page"><a href="${link(path, 'reference/index.html')}">Reference</a> / ${links.join(' / ')}</nav>`;
+    return `<nav class="way" aria-label="Way to this page">${[`<a href="${link(path, 'reference/index.html')}">Reference</a>`, ...links].join(' / ')}</nav>`;
 }
 
 const framed = (path, title, description, body) => ({ path, html: page({ path, title, description: description.slice(0, 200), body }) });

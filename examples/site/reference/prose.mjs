@@ -17,7 +17,7 @@ export function prose(text, to) {
 }
 
 /// Powers that stand in a sentence: 2^-24, (2r+1)^2.
-const raised = html => html.replace(/(?<=[\w)])\^(-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
+const raised = html => html.replace(/(?<=[\w)])\^(-?\([^()]*\)|-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
 
 function linked(code, to) {
     const address = /^[\w/.]+$/.test(code) ? to(code) : null;
@@ -26,9 +26,9 @@ function linked(code, to) {
 
 const signs = { '<=': '≤', '>=': '≥', '->': '→', ' - ': ' − ', ' x ': ' × ', ' . ': ' · ', ' * ': ' · ', 'sqrt(': '√(' };
 const token = new RegExp([
-    '(?<code>`[^`]*`)', '\\^(?<power>\\([^()]*\\)|-?\\w+)', '\\b(?<base>[A-Za-z])_(?<index>\\([^()]*\\)|\\w)(?!\\w)',
+    '(?<code>`[^`]*`)', '\\^(?<power>-?\\([^()]*\\)|-?\\w+)', '\\b(?<base>[A-Za-z])_(?<index>\\([^()]*\\)|\\w)(?!\\w)',
     '(?<name>\\b[a-z]\\w*_\\w+\\b)', '(?<!\')\\b(?<letter>[A-Za-z])(?<digit>\\d?)\\b(?!\'|(?<=\\b[Aa]) [a-z]{2})',
-    '(?<sign><=|>=|->| - | x | \\. | \\* |\\bsqrt\\()', '(?<minus>(?<=^|[\\s(,|])-(?=[\\w(]))',
+    '(?<sign><=|>=|->| - |(?<=\\b(?:[a-z]|normal)) x (?=(?:[a-z]|direction)\\b)| \\. | \\* |\\bsqrt\\()', '(?<minus>(?<=^|[\\s(,|])-(?=[\\w(]))',
 ].join('|'), 'g');
 
 /// A formula in ASCII as HTML: powers raised, indices lowered, single letters in italics, signs in place of their spelling.
