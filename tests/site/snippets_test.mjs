@@ -107,6 +107,10 @@ await visit(async ({ open, check, picture, axe }) => {
     const list = await facts.locator('#fact_list').textContent();
     for (const part of ['tier A', 'in_filter_domain', "a compiler's estimate", 'instructions', 'bilinear PCF'])
         check(list.includes(part), `the facts lack ${part}: ${list}`);
+    check(!list.includes('this text'), 'a text has another tier than its only function');
+    const both = await open('snippets/?snippet=chebyshev&snippet=pcf_2x2');
+    await ready(both);
+    check((await both.locator('#fact_list').textContent()).includes('this texttier C'), 'the tier of a text with chebyshev is not C');
     for (const [id, values] of Object.entries(choices))
         check(JSON.stringify(values) === JSON.stringify(await facts.locator(`#${id} option`).evaluateAll(all => all.map(each => each.value))),
             `the page has other choices of ${id} than state.ts`);

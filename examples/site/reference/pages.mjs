@@ -97,8 +97,9 @@ const folder_of = path => /^reference\/(?:(.*)\/)?index\.html$/.exec(path);
 function markdown_html(all, each) {
     const folder = folder_of(each.path);
     const more = folder ? headers_of(all, each.path, folder[1] ?? '') : '';
+    const top = folder?.[1] === undefined && folder ? '<p class="way">Reference: the rooms below, then <a href="#headers">all headers and names</a></p>' : '';
     return framed(each.path, each.title, each.description,
-        `${folder?.[1] ? way(all, each.path, `${folder[1]}/`.replace(/[^/]*\/$/, '')) : ''}<div class="prose">${each.body}</div>${more}`);
+        `${top}${folder?.[1] ? way(all, each.path, `${folder[1]}/`.replace(/[^/]*\/$/, '')) : ''}<div class="prose">${each.body}</div>${more}`);
 }
 
 const folders_of = all => new Set([...all.headers.keys()].flatMap(place => {

@@ -36,10 +36,10 @@ async function show(): Promise<void> {
     const item = state.items[current]!, snippet = from.snippets[item.snippet]!;
     show_controls(from);
     show_tabs();
-    show_text(from);
+    const tier = show_text(from);
     by_id('name').textContent = snippet.name;
     by_id('summary').textContent = snippet.summary;
-    show_facts(by_id('fact_list'), snippet, facts[item.snippet], root);
+    show_facts(by_id('fact_list'), snippet, tier, facts[item.snippet], root);
     mark_list(item.snippet);
     by_id('detail').classList.remove('loading');
 }
@@ -86,20 +86,22 @@ function show_tabs(): void {
     tabs.replaceChildren(...shown_tabs);
 }
 
-/// The text, or for maps that cannot be, why not, beside the text of plain ones.
-function show_text(from: Package): void {
+/// The text, or for maps that cannot be, why not, beside the text of plain ones. Returns the text's tier.
+function show_text(from: Package): string {
     const told = [...problems];
+    let tier: string;
     try {
-        shown = compose(from, state).text;
+        ({ text: shown, tier } = compose(from, state));
     } catch (error) {
         told.push(`${(error as Error).message.replace(/^umbrage: \w+: /, '')}. The text is that of plain 2D maps.`);
         const plain = state.items.map(({ snippet }, at) => new_item(snippet, at > 0 ? `map_${at + 1}` : ''));
-        shown = compose(from, { ...state, version: 'any', items: plain }).text;
+        ({ text: shown, tier } = compose(from, { ...state, version: 'any', items: plain }));
     }
     code.innerHTML = highlight(shown, state.language);
     by_id('size').textContent = `${shown.split('\n').length - 1} lines, ${(new TextEncoder().encode(shown).length / 1024).toFixed(1)} KiB`;
     notice.textContent = told.join(' ');
     notice.hidden = told.length === 0;
+    return tier;
 }
 
 function show_list(): void {

@@ -26,17 +26,24 @@ function element(name: string, text: string, to?: string): HTMLElement {
     return made;
 }
 
+function tier_badge(tier: string): HTMLElement {
+    const made = element('span', `tier ${tier.toUpperCase()}`);
+    made.className = `tier ${tier}`;
+    return made;
+}
+
 /// Fills a list of terms with the facts of a function.
-export function show_facts(list: HTMLElement, snippet: Snippet, fact: Fact | undefined, root: string): void {
+/// @param text_tier   of the whole text, with the maps that were chosen
+export function show_facts(list: HTMLElement, snippet: Snippet, text_tier: string, fact: Fact | undefined, root: string): void {
     const rows: Node[] = [];
     const add = (term: string, ...what: (Node | string)[]): void => {
         const description = document.createElement('dd');
         description.append(...what);
         rows.push(element('dt', term), description);
     };
-    const tier = element('span', `tier ${snippet.exactness.toUpperCase()}`);
-    tier.className = `tier ${snippet.exactness}`;
-    add('promise', tier, ' ', promise(snippet));
+    add('promise', tier_badge(snippet.exactness), ' ', promise(snippet));
+    if (text_tier !== snippet.exactness)
+        add('this text', tier_badge(text_tier), ' with the functions and maps that you chose. Its head has the bounds.');
     if (fact?.also) add('also called', fact.also);
     if (snippet.needs.length > 0)
         add('needs', ...snippet.needs.flatMap(need => [element('code', need.name, `?snippet=${need.name}`), ' ']));
