@@ -16,7 +16,9 @@ const languages = { glsl: ['umbrage', 'GLSL'], hlsl: ['hlsl', 'HLSL'], wgsl: ['w
 
 /// headers, by_place: headers with public names, and their entries. places: the entry that a name leads to.
 /// texts: the npm package's snippets by language. pages: the repository's Markdown. uses: exhibits, programs by name.
-export async function model(context) {
+export const model = context => (context.model ??= read(context));
+
+async function read(context) {
     const texts = {};
     for (const [id, [file, label]] of Object.entries(languages)) {
         const { snippets } = await import(pathToFileURL(`${context.root}/single_include/${file}.mjs`));

@@ -10,7 +10,7 @@ import { model } from './model.mjs';
 import { prose } from './prose.mjs';
 
 export async function pages(context) {
-    const all = (context.model ??= await model(context));
+    const all = await model(context);
     const have = new Set(all.pages.map(each => each.path));
     const others = folders_of(all.headers).filter(folder => !have.has(folder_page(folder)));
     return [

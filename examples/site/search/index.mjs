@@ -3,14 +3,15 @@
 // What the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
+import { model } from '../reference/model.mjs';
 
 /// Kinds of what is found, as box.ts shows them. An item is [title, kind, address, words].
 const kinds = { known: 0, shader: 1, name: 2, heading: 3 };
 
-export function search_index(context) {
-    const { entries, pages, places, texts } = context.model;
+export async function search_index(context) {
+    const { addresses, entries, pages, places, texts } = await model(context);
     const entry_address = name => `${header_page(places.get(name).place)}#${name}`;
-    const known = known_names(context);
+    const known = known_names(context, addresses);
     const with_others = (words, name) => {
         const also = known.filter(({ here }) => here.includes(name)).flatMap(({ names }) => names);
         return also.length ? `${words.replace(/\.$/, '')}. Also called ${also.join(', ')}` : words;
@@ -53,8 +54,7 @@ export function search_index(context) {
 }
 
 /// The rows of INDEX.md: names people use, and the names here that they stand for, or the address of a page.
-export function known_names(context) {
-    const { addresses } = context.model;
+export function known_names(context, addresses) {
     return Array.from(
         context.read('INDEX.md').matchAll(/^\| (.+?) \| \[(.+?)\]\((.+?)\) \|$/gm),
         ([, names, words, target]) => {

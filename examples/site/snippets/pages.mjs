@@ -6,6 +6,7 @@ import { dirname } from 'node:path';
 import { escape } from '../context.mjs';
 import { page } from '../page.mjs';
 import { header_page } from '../reference/links.mjs';
+import { model } from '../reference/model.mjs';
 import { known_names } from '../search/index.mjs';
 
 /// Choices in the order of state.ts, in a reader's words. tests/site/snippets_test.mjs holds that they are the same.
@@ -57,7 +58,7 @@ export async function pages(context) {
                 path,
                 title: 'Snippets',
                 scripts: ['snippets/app.js'],
-                body: body(facts(context)),
+                body: body(await facts(context)),
                 description: 'Shadow mapping functions for your shader, in GLSL, HLSL, WGSL and Metal.',
             }),
         },
@@ -65,11 +66,9 @@ export async function pages(context) {
 }
 
 /// Of each function: its summary, names people use, the address of its entry, its cost.
-function facts(context) {
-    const { entries, places, texts } = context.model,
-        costs = read_costs(context),
-        known = known_names(context),
-        all = {};
+async function facts(context) {
+    const { entries, places, texts, addresses } = await model(context);
+    const costs = read_costs(context), known = known_names(context, addresses), all = {};
     // What names no shader function, such as CSM, finds those of its folder.
     const is_of_room = (here, entry) =>
         here.every(name => !places.get(name)?.snippets.length) &&
