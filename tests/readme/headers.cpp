@@ -49,9 +49,9 @@ std::string without_detail(const std::string& header) {
     std::string users;
     bool inside = false;
     for (std::string line; std::getline(in, line);) {
-        inside = inside || line.starts_with("namespace detail {");
+        inside = inside || (line.starts_with("namespace ") && line.ends_with("detail {"));
         if (!inside) users += line + '\n';
-        inside = inside && line != "}  // namespace detail";
+        inside = inside && !(line.starts_with("}  // namespace ") && line.ends_with("detail"));
     }
     return users;
 }

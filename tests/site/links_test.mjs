@@ -14,16 +14,26 @@ if (!existsSync(join(site, 'index.html'))) {
     process.exit(77);
 }
 const failed = [];
-const check = (good, what) => { if (!good) failed.push(what); };
-const files = readdirSync(site, { recursive: true }).map(name => join(site, name)).filter(name => statSync(name).isFile());
-const pages = new Map(files.filter(name => name.endsWith('.html')).map(name => [name, read_page(readFileSync(name, 'utf8'))]));
+const check = (good, what) => {
+    if (!good) failed.push(what);
+};
+const files = readdirSync(site, { recursive: true })
+    .map(name => join(site, name))
+    .filter(name => statSync(name).isFile());
+const pages = new Map(
+    files.filter(name => name.endsWith('.html')).map(name => [name, read_page(readFileSync(name, 'utf8'))]),
+);
 
 /// What a page links to, loads, and can be linked at. Scripts and code are no part of it.
 function read_page(text) {
     const html = text.replace(/<script type="application\/json"[^]*?<\/script>/g, '');
-    const all = (pattern, from = html) => Array.from(from.matchAll(pattern), match => match[1].replace(/&amp;/g, '&').replace(/&#39;/g, "'"));
-    return { links: all(/<a\b[^>]*\shref="([^"]*)"/g), loads: all(/<(?:link|script|img|source|iframe)\b[^>]*\s(?:href|src)="([^"]*)"/g),
-        ids: all(/\sid="([^"]*)"/g) };
+    const all = (pattern, from = html) =>
+        Array.from(from.matchAll(pattern), match => match[1].replace(/&amp;/g, '&').replace(/&#39;/g, "'"));
+    return {
+        links: all(/<a\b[^>]*\shref="([^"]*)"/g),
+        loads: all(/<(?:link|script|img|source|iframe)\b[^>]*\s(?:href|src)="([^"]*)"/g),
+        ids: all(/\sid="([^"]*)"/g),
+    };
 }
 
 /// Why a link of a page is dead, or nothing.
@@ -33,7 +43,8 @@ function dead(page, to) {
     let target = path.replace(/\?.*/, '') === '' ? page : join(dirname(page), path.replace(/\?.*/, ''));
     if (existsSync(target) && statSync(target).isDirectory()) target = join(target, 'index.html');
     if (relative(site, target).startsWith('..') || !existsSync(target)) return 'leads nowhere';
-    if (fragment && pages.has(target) && !pages.get(target).ids.includes(decodeURIComponent(fragment))) return 'has no such fragment';
+    if (fragment && pages.has(target) && !pages.get(target).ids.includes(decodeURIComponent(fragment)))
+        return 'has no such fragment';
     return '';
 }
 
@@ -55,10 +66,15 @@ for (const each of JSON.parse(readFileSync(join(site, 'search.json'), 'utf8'))) 
     check(why === '', `the search finds ${each[0]} at ${each[2]}, which ${why}`);
 }
 const front = join(site, 'index.html');
-check(dead(front, 'reference/gone.html') !== '' && dead(front, 'museum.html#gone') !== '' && dead(front, '../x') !== '', 'a dead link is not seen');
+check(
+    dead(front, 'reference/gone.html') !== '' && dead(front, 'museum.html#gone') !== '' && dead(front, '../x') !== '',
+    'a dead link is not seen',
+);
 
-const compressed = file => brotliCompressSync(readFileSync(file), { params: { [constants.BROTLI_PARAM_QUALITY]: 5 } }).length;
-let size = 0, largest = ['', 0];
+const compressed = file =>
+    brotliCompressSync(readFileSync(file), { params: { [constants.BROTLI_PARAM_QUALITY]: 5 } }).length;
+let size = 0,
+    largest = ['', 0];
 for (const file of files) {
     const bytes = compressed(file);
     size += bytes;
@@ -68,5 +84,7 @@ check(size < 8e6, `the site is ${size} bytes, compressed`);
 check(largest[1] < 32e3, `${largest[0]} is ${largest[1]} bytes, compressed`);
 
 for (const what of failed) console.log(`FAILED: ${what}`);
-console.log(`${pages.size} pages, ${links} links; ${(size / 1e6).toFixed(2)} MB compressed, largest page of the reference ${largest.join(' ')}`);
+console.log(
+    `${pages.size} pages, ${links} links; ${(size / 1e6).toFixed(2)} MB compressed, largest in reference: ${largest}`,
+);
 process.exitCode = failed.length ? 1 : 0;

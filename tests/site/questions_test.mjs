@@ -5,8 +5,10 @@ import { readFileSync } from 'node:fs';
 
 import { visit } from './visit.mjs';
 
-const questions = readFileSync(new URL('questions.txt', import.meta.url), 'utf8').split('\n')
-    .filter(line => line !== '' && !line.startsWith('#')).map(line => line.split('|').map(part => part.trim()));
+const questions = readFileSync(new URL('questions.txt', import.meta.url), 'utf8')
+    .split('\n')
+    .filter(line => line !== '' && !line.startsWith('#'))
+    .map(line => line.split('|').map(part => part.trim()));
 
 await visit(async ({ open, check, picture, axe }) => {
     check(questions.length >= 10, 'few questions');
@@ -23,9 +25,14 @@ await visit(async ({ open, check, picture, axe }) => {
             await page.waitForURL(url => url.pathname !== '/' || url.search !== '');
         }
         const text = page.locator('main').getByText(answer).first();
-        await text.waitFor({ timeout: 5000 }).catch(() => check(false, `${question} No answer at ${page.url()}: ${answer}`));
+        await text
+            .waitFor({ timeout: 5000 })
+            .catch(() => check(false, `${question} No answer at ${page.url()}: ${answer}`));
         const target = new URL(page.url()).hash.slice(1);
-        check(target === '' || await page.evaluate(id => document.getElementById(id) !== null, target), `${question} ${page.url()}`);
+        check(
+            target === '' || (await page.evaluate(id => document.getElementById(id) !== null, target)),
+            `${question} ${page.url()}`,
+        );
         await page.context().close();
     }
 
@@ -37,9 +44,12 @@ await visit(async ({ open, check, picture, axe }) => {
     await axe(page);
     await page.keyboard.press('ArrowDown');
     await page.keyboard.press('ArrowDown');
-    check(await page.evaluate(() => document.activeElement === document.querySelectorAll('.found a')[1]), 'arrows walk through what was found');
+    check(
+        await page.evaluate(() => document.activeElement === document.querySelectorAll('.found a')[1]),
+        'arrows walk through what was found',
+    );
     await page.keyboard.press('Escape');
-    check(!await page.locator('.find.open').count(), 'Escape closes what was found');
+    check(!(await page.locator('.find.open').count()), 'Escape closes what was found');
     await page.fill('.find input', 'zzqx');
     await page.waitForFunction(() => document.querySelector('.found output').textContent.startsWith('Nothing'));
 });

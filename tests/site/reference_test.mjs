@@ -6,31 +6,35 @@
 //     node reference_test.mjs SITE NODE_MODULES SOURCES WORK README_TOOL
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 
-const [site, node_modules, sources, work, tool] = process.argv.slice(2);
+const [site, node_modules, sources, work, tool] = process.argv.slice(2).map(path => resolve(path));
 if (!existsSync(join(site, 'reference/index.html'))) {
     console.log('SKIPPED: the site was not built');
     process.exit(77);
 }
 const { make_context, root } = await import(join(sources, 'context.mjs'));
-const { model } = await import(join(sources, 'reference/pages.mjs'));
+const { model } = await import(join(sources, 'reference/model.mjs'));
 const { missing_parts } = await import(join(sources, 'reference/complete.mjs'));
 const { header_page } = await import(join(sources, 'reference/links.mjs'));
 
 const all = await model(await make_context({ out: join(work, 'unused'), node_modules, work }));
 const failed = [];
-const check = (good, what) => { if (!good) failed.push(what); };
+const check = (good, what) => {
+    if (!good) failed.push(what);
+};
 
 /// Names without an entry, among lines "place name".
 function without_entry(lines, page_of) {
-    return lines.map(line => line.split(' ')).filter(([place]) => all.headers.has(place))
+    return lines
+        .map(line => line.split(' '))
         .filter(([place, name]) => !page_of(place).includes(`<section class="entry" id="${name}">`));
 }
 
 const pages = new Map();
 function built(place) {
-    if (!pages.has(place)) pages.set(place, readFileSync(join(site, header_page(place)), 'utf8'));
+    const file = join(site, header_page(place));
+    if (!pages.has(place)) pages.set(place, existsSync(file) ? readFileSync(file, 'utf8') : '');
     return pages.get(place);
 }
 const lines = execFileSync(tool, ['--public', root], { encoding: 'utf8' }).trim().split('\n');
@@ -39,14 +43,28 @@ for (const [place, name] of without_entry(lines, built)) check(false, `${header_
 for (const entry of all.entries) for (const wrong of missing_parts(entry, all.texts.glsl.snippets)) check(false, wrong);
 
 // What it would say of faults.
-check(without_entry(['filter/pcf/box.hpp box', 'filter/pcf/box.hpp box_count'],
-    place => built(place).replace('id="box"', '')).length === 1, 'a missing entry is not seen');
-const box = all.entries.find(each => each.name === 'box_count'), faulty = change =>
-    missing_parts({ ...box, items: box.items.map(item => item.kind === 'function' ? { ...item, ...change } : item) }, all.texts.glsl.snippets);
+check(
+    without_entry(['filter/pcf/box.hpp box', 'filter/pcf/box.hpp box_count'], place =>
+        built(place).replace('id="box"', ''),
+    ).length === 1,
+    'a missing entry is not seen',
+);
+const box = all.entries.find(each => each.name === 'box_count'),
+    faulty = change =>
+        missing_parts(
+            { ...box, items: box.items.map(item => (item.kind === 'function' ? { ...item, ...change } : item)) },
+            all.texts.glsl.snippets,
+        );
 check(faulty({ param: box.items[0].param.slice(1) }).length === 1, 'a parameter without a description is not seen');
-check(faulty({ param: [...box.items[0].param, { name: 'gone', text: '' }] }).length === 1, 'a description without a parameter is not seen');
+check(
+    faulty({ param: [...box.items[0].param, { name: 'gone', text: '' }] }).length === 1,
+    'a description without a parameter is not seen',
+);
 check(missing_parts({ ...box, tier: null }, all.texts.glsl.snippets).length === 1, 'a missing tier is not seen');
-check(missing_parts({ ...box, snippets: [], items: [{ ...box.items[0], brief: '' }] }, {}).length === 1, 'a missing sentence is not seen');
+check(
+    missing_parts({ ...box, snippets: [], items: [{ ...box.items[0], brief: '' }] }, {}).length === 1,
+    'a missing sentence is not seen',
+);
 
 for (const what of failed) console.log(`FAILED: ${what}`);
 console.log(`${lines.length} public names, ${all.entries.length} entries of ${all.headers.size} headers`);

@@ -6,6 +6,7 @@ import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { page } from '../page.mjs';
+import { model } from '../reference/model.mjs';
 import { curves } from './curves.mjs';
 
 /// Further pictures of the repository, each with what it shows.
@@ -45,7 +46,7 @@ export async function pages(context) {
     const drawn = join(context.work, 'museum');
     mkdirSync(drawn, { recursive: true });
     execFileSync(context.museum, ['--draw', drawn]);
-    const { title, description, body } = context.model.pages.find(each => each.source === 'MUSEUM.md');
+    const { title, description, body } = (await model(context)).pages.find(each => each.source === 'MUSEUM.md');
     let exhibits = 0;
     const with_figures = body.replace(/<h2 id="[^"]*">(\d+)\. (.*?)<\/h2>\n/g, (heading, number, name) => {
         ++exhibits;

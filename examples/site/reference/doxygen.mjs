@@ -15,8 +15,10 @@ export function documented(context) {
         const document = new DOMParser().parseFromString(readFileSync(join(xml, file), 'utf8'), 'text/xml');
         const compound = child(document.documentElement, 'compounddef');
         const scope = text_of(child(compound, 'compoundname'));
-        const members = children(compound, 'sectiondef').flatMap(section => children(section, 'memberdef'))
-            .filter(member => member.getAttribute('prot') !== 'private').map(member => item(member, scope));
+        const members = children(compound, 'sectiondef')
+            .flatMap(section => children(section, 'memberdef'))
+            .filter(member => member.getAttribute('prot') !== 'private')
+            .map(member => item(member, scope));
         if (file.startsWith('namespace')) items.push(...members);
         else items.push({ ...item(compound, ''), ...named(scope), members });
     }
@@ -28,7 +30,8 @@ function run_doxygen(root, work) {
     mkdirSync(work, { recursive: true });
     const settings = readFileSync(new URL('Doxyfile', import.meta.url), 'utf8');
     execFileSync('doxygen', ['-'], {
-        cwd: root, input: `${settings}\nOUTPUT_DIRECTORY = "${work}"\nWARN_LOGFILE = "${work}/warnings.txt"\n`,
+        cwd: root,
+        input: `${settings}\nOUTPUT_DIRECTORY = "${work}"\nWARN_LOGFILE = "${work}/warnings.txt"\n`,
     });
     return join(work, 'xml');
 }
@@ -47,18 +50,38 @@ function named(qualified) {
 function item(node, scope) {
     const location = child(node, 'location');
     return {
-        name: text_of(child(node, 'name')).replace(/ ?<.*/, ''), scope, kind: node.getAttribute('kind'),
-        place: location?.getAttribute('file') ?? '', line: Number(location?.getAttribute('line')),
-        type: text_of(child(node, 'type')), initializer: text_of(child(node, 'initializer')),
-        arguments: children(node, 'param').map(each => text_of(child(each, 'declname'))).filter(name => name !== ''),
+        name: text_of(child(node, 'name')).replace(/ ?<.*/, ''),
+        scope,
+        kind: node.getAttribute('kind'),
+        place: location?.getAttribute('file') ?? '',
+        line: Number(location?.getAttribute('line')),
+        type: text_of(child(node, 'type')),
+        arguments: children(node, 'param')
+            .map(each => text_of(child(each, 'declname')))
+            .filter(name => name !== ''),
         values: children(node, 'enumvalue').map(each => text_of(child(each, 'name'))),
-        ...docstring(node),
+        ...described(node),
     };
+}
+
+/// The docstring's parts; of a snippet without one its summary, as a sentence.
+function described(node) {
+    const doc = docstring(node),
+        summary = /\.summary = "([^"]*)"/.exec(text_of(child(node, 'initializer')))?.[1];
+    if (doc.brief === '' && summary) doc.brief = `${summary[0].toUpperCase()}${summary.slice(1)}.`;
+    return doc;
 }
 
 /// The parts of a docstring: a brief sentence, paragraphs, lists of parameters, and texts by their tags.
 function docstring(node) {
-    const doc = { brief: text_of(child(node, 'briefdescription')), paragraphs: [], param: [], tparam: [], throws: [], tags: {} };
+    const doc = {
+        brief: text_of(child(node, 'briefdescription')),
+        paragraphs: [],
+        param: [],
+        tparam: [],
+        throws: [],
+        tags: {},
+    };
     const walk = para => {
         let prose = '';
         const flush = () => {
@@ -67,8 +90,12 @@ function docstring(node) {
         };
         for (const part of Array.from(para.childNodes))
             switch (part.nodeName) {
-                case 'parameterlist': add_list(doc, part); break;
-                case 'simplesect': add_tag(doc, part); break;
+                case 'parameterlist':
+                    add_list(doc, part);
+                    break;
+                case 'simplesect':
+                    add_tag(doc, part);
+                    break;
                 case 'orderedlist':
                 case 'itemizedlist':
                     flush();
@@ -78,7 +105,8 @@ function docstring(node) {
                     flush();
                     doc.paragraphs.push({ kind: 'code', text: part.textContent });
                     break;
-                default: prose += part.textContent;
+                default:
+                    prose += part.textContent;
             }
         flush();
     };

@@ -2,19 +2,16 @@
 //
 // Headers as text: the comment that each opens with, and declarations as they stand in the source.
 import { readFileSync, readdirSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { join, relative } from 'node:path';
 
-/// Headers that a reader may include, by their places below include/umbrage: all but engines and what is generated.
-export function public_headers(root) {
+/// The headers, by their places below include/umbrage, less primitives.hpp, which is generated.
+export function read_headers(root) {
     const include = join(root, 'include/umbrage');
-    const exceptions = readFileSync(join(root, 'tests/readme/unlisted.txt'), 'utf8').split('\n');
-    const headers = new Map();
-    for (const file of files_below(include)) {
-        const place = relative(include, file);
-        if (place === 'primitives.hpp' || exceptions.includes(place) || exceptions.includes(`${dirname(place)}/`)) continue;
-        headers.set(place, read_header(place, readFileSync(file, 'utf8')));
-    }
-    return new Map([...headers].sort(([a], [b]) => a < b ? -1 : 1));
+    const places = files_below(include)
+        .map(file => relative(include, file))
+        .filter(place => place !== 'primitives.hpp')
+        .sort();
+    return new Map(places.map(place => [place, read_header(place, readFileSync(join(include, place), 'utf8'))]));
 }
 
 export function files_below(folder, ending = '.hpp') {
@@ -34,18 +31,28 @@ function read_header(place, text) {
     for (const block of comment.join('\n').split(/\n\s*\n/)) {
         if (block.trim() === '') continue;
         const is_code = block.split('\n').every(line => line.startsWith('    ') || line.trim() === '');
-        paragraphs.push(is_code ? { kind: 'code', text: block.split('\n').map(line => line.slice(4)).join('\n') }
-            : { kind: 'text', text: block.replace(/\s+/g, ' ').trim() });
+        paragraphs.push(
+            is_code
+                ? {
+                      kind: 'code',
+                      text: block
+                          .split('\n')
+                          .map(line => line.slice(4))
+                          .join('\n'),
+                  }
+                : { kind: 'text', text: block.replace(/\s+/g, ' ').trim() },
+        );
     }
     const also = /Also called: ([^]*?[\w)\]])\.(?:\s|$)/.exec(paragraphs.map(each => each.text).join('\n'));
     return { place, lines, paragraphs, also_called: also ? also_called(also[1].replace(/\s+/g, ' ')) : [] };
 }
 
 /// "CSM, PSSM (make_stable_cascades, make_tight_cascades); practical splits" as [{names, here}].
-const also_called = text => text.split('; ').map(part => {
-    const [, names, here] = /^(.*?)(?: \(([a-z]\w*(?:, [a-z]\w*)*)\))?$/.exec(part);
-    return { names: names.split(', '), here: here ? here.split(', ') : [] };
-});
+const also_called = text =>
+    text.split('; ').map(part => {
+        const [, names, here] = /^(.*?)(?: \(([a-z]\w*(?:, [a-z]\w*)*)\))?$/.exec(part);
+        return { names: names.split(', '), here: here ? here.split(', ') : [] };
+    });
 
 const opens_declaration = /^\s*(template|requires|\[\[nodiscard\]\])/;
 
@@ -53,13 +60,14 @@ const opens_declaration = /^\s*(template|requires|\[\[nodiscard\]\])/;
 /// @param line   of the name, from 1
 export function declaration(header, line, kind) {
     let first = line - 1;
-    while (first > 0 && opens_declaration.test(header.lines[first - 1])) --first;
+    while (first > 0 && opens_declaration.test(header.lines[first - 1]) && !/[;}]$/.test(header.lines[first - 1]))
+        --first;
     const text = header.lines.slice(first, first + 40).join('\n');
     const whole = kind === 'enum' || kind === 'variable' || kind === 'typedef' || kind === 'concept';
     return unindented(text.slice(0, declaration_end(text, whole)).trimEnd());
 }
 
-/// The length of a declaration: up to its semicolon, or to the brace that opens a body.
+/// The length of a declaration: up to its semicolon, or to what opens a body.
 function declaration_end(text, whole) {
     for (let at = 0, depth = 0; at < text.length; ++at) {
         const c = text[at];
@@ -70,13 +78,19 @@ function declaration_end(text, whole) {
         else if (c === '{') ++depth;
         else if (c === '}') --depth;
         else if (c === ';' && depth === 0) return at + 1;
+        else if (!whole && depth === 0 && /^\) *\n? *: $/.test(text.slice(text.lastIndexOf(')', at), at + 2)))
+            return at;
     }
     return text.length;
 }
 
-const is_requirement = before => /requires\s*(\([^()]*\))?\s*$/.test(before);
+/// True where a brace opens what an expression requires, not a body behind a clause.
+const is_requirement = before => /(\brequires|=|&&|\|\||\()\s*requires\s*(\([^()]*\))?\s*$/.test(before);
 
 function unindented(text) {
     const indent = /^ */.exec(text)[0].length;
-    return text.split('\n').map(line => line.slice(Math.min(indent, /^ */.exec(line)[0].length))).join('\n');
+    return text
+        .split('\n')
+        .map(line => line.slice(Math.min(indent, /^ */.exec(line)[0].length)))
+        .join('\n');
 }

@@ -6,7 +6,11 @@ import { dirname, join, posix } from 'node:path';
 
 import { way_up } from '../page.mjs';
 
-const named = { 'INDEX.md': 'index-by-name.html', 'include/umbrage/README.md': 'reference/index.html', 'include/umbrage': 'reference/index.html' };
+const named = {
+    'INDEX.md': 'index-by-name.html',
+    'include/umbrage/README.md': 'reference/index.html',
+    'include/umbrage': 'reference/index.html',
+};
 const shown = /\.(cpp|hpp|h|cmake|mjs|js|html|py|glsl|hlsl|wgsl|metal|vert|frag|txt|json)$|^LICENSE$|^Makefile$/;
 
 /// Addresses of a repository's files. Those that are shown as source are kept in `sources`.
@@ -48,4 +52,5 @@ export function page_of(path) {
 export const header_page = place => `reference/${place.replace(/\.hpp$/, '.html')}`;
 
 /// A link from one page of the site to another, relative.
-export const link = (from, to) => (way_up(from) + to.replace(/(^|\/)index\.html(?=#|$)/, '$1')).replace(/^\.\/(?=.)/, '') || './';
+export const link = (from, to) =>
+    (way_up(from) + to.replace(/(^|\/)index\.html(?=#|$)/, '$1')).replace(/^\.\/(?=.)/, '') || './';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Markdown of the repository as pages: anchors as GitHub's, links to where the site has the file, pictures with their sizes.
+// Markdown of the repository as pages: anchors as GitHub's, links to where the site has a file, pictures with sizes.
 import { readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 
@@ -8,7 +8,12 @@ import { escape } from '../context.mjs';
 import { link, page_of } from './links.mjs';
 
 /// A heading as the anchor that links lead to.
-export const anchor = heading => heading.toLowerCase().replace(/[`*]/g, '').replace(/[^\w\- ]/g, '').replace(/ /g, '-');
+export const anchor = heading =>
+    heading
+        .toLowerCase()
+        .replace(/[`*]/g, '')
+        .replace(/[^\w\- ]/g, '')
+        .replace(/ /g, '-');
 
 /// A Markdown file as {title, description, body, headings}; copies the pictures that it shows.
 /// @param path      of the file in the repository
@@ -16,7 +21,9 @@ export const anchor = heading => heading.toLowerCase().replace(/[`*]/g, '').repl
 /// @param entry     a public name to the address of its entry, or undefined
 export function render(context, path, addresses, entry) {
     const { Marked } = context.load('marked');
-    const from = page_of(path), headings = [], mentioned = new Set();
+    const from = page_of(path),
+        headings = [],
+        mentioned = new Set();
     let inside_link = false;
     const target = to => {
         if (/^\w+:/.test(to)) return to;
@@ -37,18 +44,21 @@ export function render(context, path, addresses, entry) {
             inside_link = false;
             return to ? `<a href="${escape(to)}">${inner}</a>` : inner;
         },
-        codespan({ text }) {  // the first mention of each name leads to its entry
+        codespan({ text }) {
+            // the first mention of each name leads to its entry
             const name = /^(?:(?:umbrage|glsl|filters|prefilters)::)*([a-z]\w*)(?:<\w+>)?(?:\(\))?$/.exec(text)?.[1];
             const to = name && !inside_link && !mentioned.has(name) && entry(name);
-            if (!to) return `<code>${escape(text)}</code>`;
+            if (!to) return `<code>${breakable(text)}</code>`;
             mentioned.add(name);
-            return `<a href="${link(from, to)}"><code>${escape(text)}</code></a>`;
+            return `<a href="${link(from, to)}"><code>${breakable(text)}</code></a>`;
         },
         image({ href, text }) {
-            const file = posix.normalize(posix.join(posix.dirname(path), href)), to = addresses.of(file);
+            const file = posix.normalize(posix.join(posix.dirname(path), href)),
+                to = addresses.of(file);
             if (!context.written.includes(to)) context.copy(file, to);
             const { width, height } = size_of_png(posix.join(context.root, file));
-            return `<img src="${link(from, to)}" alt="${escape(text)}" width="${width}" height="${height}" loading="lazy">`;
+            const sizes = `width="${width}" height="${height}"`;
+            return `<img src="${link(from, to)}" alt="${escape(text)}" ${sizes} loading="lazy">`;
         },
         code({ text, lang }) {
             const language = (lang ?? '').split(' ')[0];
@@ -65,7 +75,15 @@ export function render(context, path, addresses, entry) {
     return { path: from, title: headings[0]?.text ?? path, description: plain(first).slice(0, 200), body, headings };
 }
 
-export const plain = text => text.replace(/\[([^\]]*)\]\([^)]*\)/g, '$1').replace(/[`*]/g, '').replace(/\s+/g, ' ').trim();
+/// An identifier that may go on in another line behind an underscore.
+const breakable = code => escape(code).replace(/_(?=\w)/g, '_<wbr>');
+
+export const plain = text =>
+    text
+        .replace(/\[([^\]]*)\]\([^)]*\)/g, '$1')
+        .replace(/[`*]/g, '')
+        .replace(/\s+/g, ' ')
+        .trim();
 
 function size_of_png(file) {
     const bytes = readFileSync(file);

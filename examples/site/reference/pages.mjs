@@ -1,62 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
 // The reference: a page a header, a page a folder, the repository's own pages, and the sources that they link to.
-import { readdirSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
-import { pathToFileURL } from 'node:url';
-
 import { escape } from '../context.mjs';
 import { page } from '../page.mjs';
-import { documented } from './doxygen.mjs';
-import { entries } from './entries.mjs';
 import { entry_html } from './entry.mjs';
-import { files_below, public_headers } from './headers.mjs';
-import { Addresses, header_page, link } from './links.mjs';
-import { render } from './markdown.mjs';
+import { folder_page, folders_of, headers_below, way } from './folders.mjs';
+import { header_page, link } from './links.mjs';
+import { model } from './model.mjs';
 import { prose } from './prose.mjs';
-import { exhibits, programs } from './uses.mjs';
-
-const languages = { glsl: ['umbrage', 'GLSL'], hlsl: ['hlsl', 'HLSL'], wgsl: ['wgsl', 'WGSL'], msl: ['msl', 'Metal'] };
-
-/// What all pages of the reference are made of, read once; the search and the snippets' page use it too.
-export async function model(context) {
-    const texts = {};
-    for (const [id, [file, label]] of Object.entries(languages)) {
-        const { snippets } = await import(pathToFileURL(`${context.root}/single_include/${file}.mjs`));
-        texts[id] = { label, snippets };
-    }
-    const headers = public_headers(context.root);
-    const by_place = entries(headers, documented(context), texts.glsl.snippets);
-    const all = [...by_place.values()].flat();
-    const places = new Map();
-    for (const each of [...all].sort((a, b) => weight(b) - weight(a))) places.set(each.name, each);
-    const markdown = markdown_files(context.root);
-    const addresses = new Addresses(context.root, headers);
-    const entry_of = name => places.has(name) ? `${header_page(places.get(name).place)}#${name}` : undefined;
-    return { headers, by_place, entries: all, places, texts, addresses,
-        pages: markdown.map(path => ({ ...render(context, path, addresses, entry_of), source: path })),
-        uses: { exhibits: exhibits(context.read('MUSEUM.md')), programs: programs(context.root, new Set(all.flatMap(each => [each.name, ...each.snippets]))) } };
-}
-
-/// The repository's Markdown, in its root and in the folders that it consists of.
-const markdown_files = root => [...readdirSync(root).filter(name => name.endsWith('.md')),
-    ...['include', 'examples', 'tests', 'single_include'].flatMap(folder =>
-        files_below(join(root, folder), '.md').map(file => relative(root, file)))].sort();
-
-/// Of two entries of one name, links lead to the function of the primitives.
-const weight = entry => (entry.items.some(item => item.scope === 'umbrage') ? 0 : 2) + (/^(images|shadow|shader)\//.test(entry.place) ? 1 : 0);
 
 export async function pages(context) {
-    const all = context.model ??= await model(context);
-    const made = [...all.headers.values()].map(header => header_html(context, all, header));
-    for (const each of all.pages)
-        if (each.source !== 'MUSEUM.md') made.push(markdown_html(all, each));  // that one has pictures: ../museum
-    for (const folder of folders_without_page(all)) made.push(folder_html(all, folder));
-    for (const path of all.addresses.sources) made.push(source_html(context, path));
-    return made;
+    const all = await model(context);
+    const have = new Set(all.pages.map(each => each.path));
+    const others = folders_of(all.headers).filter(folder => !have.has(folder_page(folder)));
+    return [
+        ...[...all.headers.values()].map(header => of_header(context, all, header)),
+        ...all.pages.filter(each => each.source !== 'MUSEUM.md').map(each => of_markdown(all, each)),  // that one has pictures: ../museum
+        ...others.map(folder => of_folder(all, folder)),
+        ...[...all.addresses.sources].map(path => of_source(context, path)),
+    ];
 }
 
-/// Addresses as seen from a page.
+function framed(path, title, description, body) {
+    return { path, html: page({ path, title, description: description.slice(0, 200), body }) };
+}
+
+/// Addresses as seen from a page: of a name or a header, of a page, of a file of the repository.
 const seen_from = (all, path) => ({
     name: word => {
         const header = [...all.headers.keys()].find(place => place === word || place.endsWith(`/${word}`));
@@ -68,69 +37,56 @@ const seen_from = (all, path) => ({
     source: file => link(path, all.addresses.of(file)),
 });
 
-function header_html(context, all, header) {
-    const path = header_page(header.place), to = seen_from(all, path), here = all.by_place.get(header.place);
-    const opening = header.paragraphs.map(part => part.kind === 'code' ? `<pre tabindex="0"><code>${context.highlight(part.text, 'cpp')}</code></pre>`
-        : `<p>${prose(part.text, to.name)}</p>`).join('\n');
-    const contents = here.length < 2 ? '' : `<nav class="contents" aria-label="Names of this header"><ul>${
-        here.map(each => `<li><a href="#${each.name}">${each.name}</a></li>`).join('')}</ul></nav>`;
-    const body = `${way(all, path, header.place)}
+function of_header(context, all, header) {
+    const path = header_page(header.place),
+        to = seen_from(all, path),
+        here = all.by_place.get(header.place);
+    const code = text => `<pre tabindex="0"><code>${context.highlight(text, 'cpp')}</code></pre>`;
+    const opening = header.paragraphs.map(part =>
+        part.kind === 'code' ? code(part.text) : `<p>${prose(part.text, to.name)}</p>`,
+    );
+    const names = here.map(({ name }) => `<li><a href="#${name}">${name}</a></li>`).join('');
+    const contents = `<nav class="contents" aria-label="Names of this header"><ul>${names}</ul></nav>`;
+    const body = `${way(path, header.place)}
 <h1>${escape(header.place.split('/').pop())}</h1>
-<div class="prose opening">${opening}</div>
-<pre tabindex="0"><code>${context.highlight(`#include <umbrage/${header.place}>`, 'cpp')}</code></pre>
-${contents}
+<div class="prose opening">${opening.join('\n')}</div>
+${code(`#include <umbrage/${header.place}>`)}
+${here.length > 1 ? contents : ''}
 ${here.map(each => entry_html(context, each, header, all.texts, all.uses, to)).join('\n')}`;
     return framed(path, header.place, header.paragraphs[0]?.text ?? '', body);
 }
 
-/// The way from the reference down to a page.
-function way(all, path, place) {
-    const parts = place.split('/').slice(0, -1);
-    const links = parts.map((part, at) => `<a href="${link(path, `reference/${parts.slice(0, at + 1).join('/')}/index.html`)}">${part}</a>`);
-    return `<nav class="way" aria-label="Way to this page"><a href="${link(path, 'reference/index.html')}">Reference</a> / ${links.join(' / ')}</nav>`;
+/// A page of the repository; that of a folder of headers lists them below.
+function of_markdown(all, { path, title, description, body }) {
+    const folder = /^reference\/(?:(.*)\/)?index\.html$/.exec(path);
+    const prose_html = `<div class="prose">${body}</div>`;
+    if (!folder) return framed(path, title, description, prose_html);
+    const top = folder[1]
+        ? way(path, folder[1])
+        : '<p class="way">Reference: the rooms below, then <a href="#headers">all headers and names</a></p>';
+    return framed(
+        path,
+        title,
+        description,
+        top + prose_html + headers_below(all, path, folder[1] ?? '', seen_from(all, path)),
+    );
 }
 
-const framed = (path, title, description, body) => ({ path, html: page({ path, title, description: description.slice(0, 200), body }) });
-
-const folder_of = path => /^reference\/(?:(.*)\/)?index\.html$/.exec(path);
-
-function markdown_html(all, each) {
-    const folder = folder_of(each.path);
-    const more = folder ? headers_of(all, each.path, folder[1] ?? '') : '';
-    return framed(each.path, each.title, each.description,
-        `${folder?.[1] ? way(all, each.path, `${folder[1]}/`.replace(/[^/]*\/$/, '')) : ''}<div class="prose">${each.body}</div>${more}`);
+function of_folder(all, folder) {
+    const path = folder_page(folder),
+        below = headers_below(all, path, folder, seen_from(all, path));
+    return framed(path, folder, `Headers of ${folder}`, `${way(path, folder)}<h1>${folder}/</h1>${below}`);
 }
 
-const folders_of = all => new Set([...all.headers.keys()].flatMap(place => {
-    const parts = place.split('/').slice(0, -1);
-    return parts.map((_, at) => parts.slice(0, at + 1).join('/'));
-}));
+const languages = { hpp: 'cpp', mjs: 'js' };
 
-function folders_without_page(all) {
-    const have = new Set(all.pages.map(each => folder_of(each.path)?.[1]));
-    return [...folders_of(all)].filter(folder => !have.has(folder));
-}
-
-const folder_html = (all, folder) => framed(`reference/${folder}/index.html`, folder, `Headers of ${folder}`,
-    `${way(all, `reference/${folder}/index.html`, folder)}<h1>${folder}/</h1>${headers_of(all, `reference/${folder}/index.html`, folder)}`);
-
-/// The folders and headers below a folder, each header with its first sentence and its names. The root lists all of them.
-function headers_of(all, path, folder) {
-    const to = seen_from(all, path);
-    const below = [...all.headers.keys()].filter(place => folder === '' || place.startsWith(`${folder}/`));
-    const groups = new Map();
-    for (const place of below) groups.set(dirname(place), [...groups.get(dirname(place)) ?? [], place]);
-    const lists = [...groups].map(([name, places]) => `<h3><a href="${link(path, `reference/${name}/index.html`)}">${name === '.' ? 'umbrage' : name}/</a></h3>
-<dl class="headers">${places.map(place => `<dt><a href="${link(path, header_page(place))}"><code>${place.split('/').pop()}</code></a></dt>
-<dd>${first_sentence(all.headers.get(place), to)}<br>${all.by_place.get(place).map(each =>
-        `<a href="${link(path, header_page(place))}#${each.name}"><code>${each.name}</code></a>`).join(' ')}</dd>`).join('\n')}</dl>`);
-    return `<section class="below"><h2 id="headers">${folder === '' ? 'All headers and names' : 'Headers'}</h2>${lists.join('\n').replace('/index.html"><code>.', '')}</section>`;
-}
-
-const first_sentence = (header, to) => prose(/^.*?[\w)\]]\.(?=\s|$)/.exec(header.paragraphs[0]?.text ?? '')?.[0] ?? '', to.name);
-
-function source_html(context, path) {
-    const address = `source/${path}.html`, language = { hpp: 'cpp', cpp: 'cpp', mjs: 'js', cmake: 'cmake' }[path.split('.').pop()] ?? path.split('.').pop();
-    return framed(address, path, `The file ${path} of umbrage`,
-        `<h1 class="file">${escape(path)}</h1><pre tabindex="0"><code>${context.highlight(context.read(path).trimEnd(), language)}</code></pre>`);
+function of_source(context, path) {
+    const ending = path.split('.').pop();
+    const code = context.highlight(context.read(path).trimEnd(), languages[ending] ?? ending);
+    return framed(
+        `source/${path}.html`,
+        path,
+        `The file ${path} of umbrage`,
+        `<h1 class="file">${escape(path)}</h1><pre tabindex="0"><code>${code}</code></pre>`,
+    );
 }

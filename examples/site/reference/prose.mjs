@@ -6,34 +6,62 @@ import { escape } from '../context.mjs';
 /// Text as HTML. Words with an underscore that are names, and headers' names, become links.
 /// @param to   a name or a header's name to the address of its entry, or null
 export function prose(text, to) {
-    return text.split(/`([^`]*)`/).map((part, at) => {
-        if (at % 2 === 1) return `<code>${linked(part, to)}</code>`;
-        return part.split(/(\b[\w/]+\.hpp\b|\b[a-z]\w*_\w+\b)/).map((word, k) => {
-            if (k % 2 === 0) return raised(escape(word));
-            const address = to(word);
-            return address ? `<a href="${address}"><code>${word}</code></a>` : word.includes('_') ? `<code>${word}</code>` : word;
-        }).join('');
-    }).join('');
+    return text
+        .split(/`([^`]*)`/)
+        .map((part, at) => {
+            if (at % 2 === 1) return `<code>${linked(part, to)}</code>`;
+            return part
+                .split(/(\b[\w/]+\.hpp\b|\b[a-z]\w*_\w+\b)/)
+                .map((word, k) => {
+                    if (k % 2 === 0) return raised(escape(word));
+                    const address = to(word);
+                    return address
+                        ? `<a href="${address}"><code>${word}</code></a>`
+                        : word.includes('_')
+                          ? `<code>${word}</code>`
+                          : word;
+                })
+                .join('');
+        })
+        .join('');
 }
 
 /// Powers that stand in a sentence: 2^-24, (2r+1)^2.
-const raised = html => html.replace(/(?<=[\w)])\^(-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
+const raised = html =>
+    html.replace(/(?<=[\w)])\^(-?\([^()]*\)|-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
 
 function linked(code, to) {
     const address = /^[\w/.]+$/.test(code) ? to(code) : null;
     return address ? `<a href="${address}">${escape(code)}</a>` : escape(code);
 }
 
-const signs = { '<=': '≤', '>=': '≥', '->': '→', ' - ': ' − ', ' x ': ' × ', ' . ': ' · ', ' * ': ' · ', 'sqrt(': '√(' };
-const token = new RegExp([
-    '(?<code>`[^`]*`)', '\\^(?<power>\\([^()]*\\)|-?\\w+)', '\\b(?<base>[A-Za-z])_(?<index>\\([^()]*\\)|\\w)(?!\\w)',
-    '(?<name>\\b[a-z]\\w*_\\w+\\b)', '(?<!\')\\b(?<letter>[A-Za-z])(?<digit>\\d?)\\b(?!\'|(?<=\\b[Aa]) [a-z]{2})',
-    '(?<sign><=|>=|->| - | x | \\. | \\* |\\bsqrt\\()', '(?<minus>(?<=^|[\\s(,|])-(?=[\\w(]))',
-].join('|'), 'g');
+const signs = {
+    '<=': '≤',
+    '>=': '≥',
+    '->': '→',
+    ' - ': ' − ',
+    ' x ': ' × ',
+    ' . ': ' · ',
+    ' * ': ' · ',
+    'sqrt(': '√(',
+};
+const token = new RegExp(
+    [
+        '(?<code>`[^`]*`)',
+        '\\^(?<power>-?\\([^()]*\\)|-?\\w+)',
+        '\\b(?<base>[A-Za-z])_(?<index>\\([^()]*\\)|\\w)(?!\\w)',
+        '(?<name>\\b[a-z]\\w*_\\w+\\b)',
+        "(?<!')\\b(?<letter>[A-Za-z])(?<digit>\\d?)\\b(?!'|(?<=\\b[Aa]) [a-z]{2})",
+        '(?<sign><=|>=|->| - |(?<=\\b(?:[a-z]|normal)) x (?=(?:[a-z]|direction)\\b)| \\. | \\* |\\bsqrt\\()',
+        '(?<minus>(?<=^|[\\s(,|])-(?=[\\w(]))',
+    ].join('|'),
+    'g',
+);
 
-/// A formula in ASCII as HTML: powers raised, indices lowered, single letters in italics, signs in place of their spelling.
+/// A formula in ASCII as HTML: powers raised, indices lowered, letters in italics, signs in place of their spelling.
 export function formula(text, to) {
-    let html = '', done = 0;
+    let html = '',
+        done = 0;
     for (const found of text.matchAll(token)) {
         html += escape(text.slice(done, found.index));
         done = found.index + found[0].length;

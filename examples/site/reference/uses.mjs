@@ -14,13 +14,21 @@ export function exhibits(text) {
         const title = section.split('\n')[0];
         const here = /^- Here: ([^]*?)(?=\n- |\n\n|$)/m.exec(section)?.[1] ?? '';
         for (const [, name] of here.matchAll(/`(\w+)/g))
-            by_name.set(name, [...by_name.get(name) ?? [], { title, to: `museum.html#${anchor(title)}` }]);
+            by_name.set(name, [...(by_name.get(name) ?? []), { title, to: `museum.html#${anchor(title)}` }]);
     }
     return by_name;
 }
 
-const folders = ['examples/small', 'examples/recipes', 'examples/originals', 'examples/shadow_render', 'examples/studies',
-    'examples/threads', 'examples/viewer', 'examples/gallery'];
+const folders = [
+    'examples/small',
+    'examples/recipes',
+    'examples/originals',
+    'examples/shadow_render',
+    'examples/studies',
+    'examples/threads',
+    'examples/viewer',
+    'examples/gallery',
+];
 const shown = 6;
 
 /// Programs by the identifiers of the library that their text has: paths, the shortest programs first, at most six.
@@ -30,10 +38,14 @@ export function programs(root, names) {
         for (const file of files_below(join(root, folder), '.cpp')) {
             if (/check\w*\.cpp$/.test(file)) continue;
             const text = readFileSync(file, 'utf8');
-            const found = new Set(Array.from(text.matchAll(/(?:umbrage|glsl|filters|prefilters|hlsl|wgsl|msl)::(\w+)|\b(\w+_\w+)\b/g),
-                match => match[1] ?? match[2]));
+            const found = new Set(
+                Array.from(
+                    text.matchAll(/(?:umbrage|glsl|filters|prefilters|hlsl|wgsl|msl)::(\w+)|\b(\w+_\w+)\b/g),
+                    match => match[1] ?? match[2],
+                ),
+            );
             for (const name of found)
-                if (names.has(name)) by_name.set(name, [...by_name.get(name) ?? [], relative(root, file)]);
+                if (names.has(name)) by_name.set(name, [...(by_name.get(name) ?? []), relative(root, file)]);
         }
     return new Map([...by_name].map(([name, files]) => [name, files.slice(0, shown)]));
 }

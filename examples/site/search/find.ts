@@ -5,20 +5,32 @@
 /// Title, kind, address from the site's root, further words.
 export type Item = readonly [title: string, kind: number, address: string, words: string];
 
-const ignored = new Set('a an and are be do does for from how i in is it my of on or the this to was what when where which why with'.split(' '));
+const ignored = new Set(
+    'a an and are be do does for from how i in is it my of on or the this to was what when where which why with'.split(
+        ' ',
+    ),
+);
 
 /// The words of a text, in lower case: identifiers whole and in their parts.
 export function words_of(text: string): string[] {
-    const words = text.toLowerCase().replace(/['’]/g, '').split(/[^\p{L}\d_.]+/u).flatMap(word => {
-        const whole = word.replace(/^\.+|\.+$/g, '');
-        return /[_.]/.test(whole) ? [whole, ...whole.split(/[_.]/)] : [whole];
-    });
+    const words = text
+        .toLowerCase()
+        .replace(/['’]/g, '')
+        .split(/[^\p{L}\d_.]+/u)
+        .flatMap(word => {
+            const whole = word.replace(/^\.+|\.+$/g, '');
+            return /[_.]/.test(whole) ? [whole, ...whole.split(/[_.]/)] : [whole];
+        });
     return words.filter(word => word !== '');
 }
 
 /// Words that a reader typed, without those that say nothing where others are left.
 export function asked(query: string): string[] {
-    const all = query.toLowerCase().replace(/['’]/g, '').split(/[^\p{L}\d_.]+/u).map(word => word.replace(/^\.+|\.+$/g, ''))
+    const all = query
+        .toLowerCase()
+        .replace(/['’]/g, '')
+        .split(/[^\p{L}\d_.]+/u)
+        .map(word => word.replace(/^\.+|\.+$/g, ''))
         .filter(word => word !== '');
     const telling = all.filter(word => !ignored.has(word));
     return telling.length > 0 ? telling : all;
@@ -27,15 +39,24 @@ export function asked(query: string): string[] {
 /// How well one asked word fits: whole words before beginnings, those before insides; 0 for not at all.
 function fit(word: string, words: readonly string[]): number {
     if (words.includes(word)) return 3;
-    if (words.some(each => each.startsWith(word) || (each.length > 3 && word.startsWith(each) && word.length < each.length + 4))) return 2;
+    if (
+        words.some(
+            each =>
+                each.startsWith(word) || (each.length > 3 && word.startsWith(each) && word.length < each.length + 4),
+        )
+    )
+        return 2;
     return word.length > 2 && words.some(each => each.includes(word)) ? 1 : 0;
 }
 
 const of_kind = [3, 2, 1.5, 1];
 
 function score([title, kind, , more]: Item, query: string, wanted: readonly string[]): number {
-    const names = title.split(', ').map(name => asked(name).join(' ')), in_title = words_of(title), in_more = words_of(more);
-    let sum = 0, matched = 0;
+    const names = title.split(', ').map(name => asked(name).join(' ')),
+        in_title = words_of(title),
+        in_more = words_of(more);
+    let sum = 0,
+        matched = 0;
     for (const word of wanted) {
         const best = Math.max(fit(word, in_title) * 2, fit(word, in_more));
         sum += best;
@@ -49,7 +70,8 @@ function score([title, kind, , more]: Item, query: string, wanted: readonly stri
 
 /// The items that fit best, at most `count`. Those that have all words come before those that have some.
 export function find(items: readonly Item[], query: string, count = 12): Item[] {
-    const wanted = asked(query), whole = wanted.join(' ');
+    const wanted = asked(query),
+        whole = wanted.join(' ');
     if (wanted.length === 0) return [];
     const scored = items.map(item => ({ item, score: score(item, whole, wanted) })).filter(each => each.score > 0);
     scored.sort((a, b) => b.score - a.score);

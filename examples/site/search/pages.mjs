@@ -4,7 +4,7 @@
 import { search_index } from './index.mjs';
 
 export async function pages(context) {
-    context.write('search.json', JSON.stringify(search_index(context)));
+    context.write('search.json', JSON.stringify(await search_index(context)));
     await context.bundle('search/box.ts', 'search.js');
     return [];
 }

@@ -9,13 +9,29 @@ import { new_item, parse, print, properties, type Language, type Pass, type Stat
 
 const root = document.body.dataset['root'] ?? './';
 const by_id = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
-const facts = JSON.parse(by_id('facts').textContent ?? '{}') as Record<string, Fact & { summary: string; about: string }>;
-const items: Found[] = Object.entries(facts).map(([name, { summary, also, about }]) => [name, 1, '', `${summary} ${also} ${about}`]);
+const facts = JSON.parse(by_id('facts').textContent ?? '{}') as Record<
+    string,
+    Fact & { summary: string; about: string }
+>;
+const items: Found[] = Object.entries(facts).map(([name, { summary, also, about }]) => [
+    name,
+    1,
+    '',
+    `${summary} ${also} ${about}`,
+]);
 const endings: Record<Language, string> = { glsl: 'glsl', hlsl: 'hlsl', wgsl: 'wgsl', msl: 'metal' };
 
-const search = by_id<HTMLInputElement>('search'), list = by_id('list'), tabs = by_id('tabs'), notice = by_id('notice');
-const map_form = by_id<HTMLFieldSetElement>('map'), map_name = by_id<HTMLInputElement>('map_name'), code = by_id('code');
-let state: State, current = 0, problems: string[] = [], shown = '';
+const search = by_id<HTMLInputElement>('search'),
+    list = by_id('list'),
+    tabs = by_id('tabs'),
+    notice = by_id('notice');
+const map_form = by_id<HTMLFieldSetElement>('map'),
+    map_name = by_id<HTMLInputElement>('map_name'),
+    code = by_id('code');
+let state: State,
+    current = 0,
+    problems: string[] = [],
+    shown = '';
 
 /// Reads the state from the address.
 function read_address(): void {
@@ -31,15 +47,17 @@ function changed(): void {
 }
 
 async function show(): Promise<void> {
-    const asked = state, from = await load(state.language);
+    const asked = state,
+        from = await load(state.language);
     if (asked !== state) return;
-    const item = state.items[current]!, snippet = from.snippets[item.snippet]!;
+    const item = state.items[current]!,
+        snippet = from.snippets[item.snippet]!;
     show_controls(from);
     show_tabs();
-    show_text(from);
+    const tier = show_text(from);
     by_id('name').textContent = snippet.name;
     by_id('summary').textContent = snippet.summary;
-    show_facts(by_id('fact_list'), snippet, facts[item.snippet], root);
+    show_facts(by_id('fact_list'), snippet, tier, facts[item.snippet], root);
     mark_list(item.snippet);
     by_id('detail').classList.remove('loading');
 }
@@ -49,15 +67,20 @@ function mark_list(name: string): void {
     for (const row of list.querySelectorAll('button')) {
         const here = row.dataset['name'] === name;
         row.setAttribute('aria-pressed', String(here));
-        if (here && (row.offsetTop < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight))
+        if (
+            here &&
+            (row.offsetTop < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight)
+        )
             list.scrollTop = row.offsetTop - list.clientHeight / 3;
     }
 }
 
 function show_controls(from: Package): void {
     const item = state.items[current]!;
-    for (const radio of document.querySelectorAll<HTMLInputElement>('input[name=language]')) radio.checked = radio.value === state.language;
-    for (const radio of document.querySelectorAll<HTMLInputElement>('input[name=pass]')) radio.checked = radio.value === state.pass;
+    for (const radio of document.querySelectorAll<HTMLInputElement>('input[name=language]'))
+        radio.checked = radio.value === state.language;
+    for (const radio of document.querySelectorAll<HTMLInputElement>('input[name=pass]'))
+        radio.checked = radio.value === state.pass;
     by_id<HTMLSelectElement>('version').value = state.version;
     by_id<HTMLSelectElement>('version').disabled = state.language !== 'glsl';
     map_form.disabled = !reads_map(from.snippets[item.snippet]!) && state.pass === 'lookup';
@@ -67,18 +90,26 @@ function show_controls(from: Package): void {
 
 function show_tabs(): void {
     const shown_tabs = state.items.map((item, at) => {
-        const tab = document.createElement('span'), name = document.createElement('button');
+        const tab = document.createElement('span'),
+            name = document.createElement('button');
         name.type = 'button';
         name.textContent = item.map ? `${item.snippet} · ${item.map}` : item.snippet;
         name.setAttribute('aria-pressed', String(at === current));
-        name.onclick = () => { current = at; void show(); };
+        name.onclick = () => {
+            current = at;
+            void show();
+        };
         tab.append(name);
         if (state.items.length > 1) {
             const away = document.createElement('button');
             away.type = 'button';
             away.textContent = '×';
             away.setAttribute('aria-label', `Remove ${name.textContent}`);
-            away.onclick = () => { state.items.splice(at, 1); current = 0; changed(); };
+            away.onclick = () => {
+                state.items.splice(at, 1);
+                current = 0;
+                changed();
+            };
             tab.append(away);
         }
         return tab;
@@ -86,42 +117,51 @@ function show_tabs(): void {
     tabs.replaceChildren(...shown_tabs);
 }
 
-/// The text, or for maps that cannot be, why not, beside the text of plain ones.
-function show_text(from: Package): void {
+/// The text, or for maps that cannot be, why not, beside the text of plain ones. Returns the text's tier.
+function show_text(from: Package): string {
     const told = [...problems];
+    let tier: string;
     try {
-        shown = compose(from, state).text;
+        ({ text: shown, tier } = compose(from, state));
     } catch (error) {
         told.push(`${(error as Error).message.replace(/^umbrage: \w+: /, '')}. The text is that of plain 2D maps.`);
         const plain = state.items.map(({ snippet }, at) => new_item(snippet, at > 0 ? `map_${at + 1}` : ''));
-        shown = compose(from, { ...state, version: 'any', items: plain }).text;
+        ({ text: shown, tier } = compose(from, { ...state, version: 'any', items: plain }));
     }
     code.innerHTML = highlight(shown, state.language);
-    by_id('size').textContent = `${shown.split('\n').length - 1} lines, ${(new TextEncoder().encode(shown).length / 1024).toFixed(1)} KiB`;
+    by_id('size').textContent =
+        `${shown.split('\n').length - 1} lines, ${(new TextEncoder().encode(shown).length / 1024).toFixed(1)} KiB`;
     notice.textContent = told.join(' ');
     notice.hidden = told.length === 0;
+    return tier;
 }
 
 function show_list(): void {
     const names = search.value.trim() === '' ? Object.keys(facts) : find(items, search.value, 60).map(([name]) => name);
-    list.replaceChildren(...names.map(name => {
-        const row = document.createElement('li'), button = document.createElement('button'), words = document.createElement('small');
-        button.type = 'button';
-        button.dataset['name'] = name;
-        button.append(name, words);
-        words.textContent = facts[name]!.summary;
-        row.append(button);
-        return row;
-    }));
+    list.replaceChildren(
+        ...names.map(name => {
+            const row = document.createElement('li'),
+                button = document.createElement('button'),
+                words = document.createElement('small');
+            button.type = 'button';
+            button.dataset['name'] = name;
+            button.append(name, words);
+            words.textContent = facts[name]!.summary;
+            row.append(button);
+            return row;
+        }),
+    );
     mark_list(state.items[current]!.snippet);
     by_id('count').textContent = names.length === 0 ? 'No function has these words.' : `${names.length} functions`;
 }
 
 /// Says on a button that it has done its work.
 function done(button: HTMLButtonElement, words: string): void {
-    const before = button.dataset['words'] ??= button.textContent ?? '';
+    const before = (button.dataset['words'] ??= button.textContent ?? '');
     button.textContent = words;
-    setTimeout(() => { button.textContent = before; }, 1500);
+    setTimeout(() => {
+        button.textContent = before;
+    }, 1500);
 }
 
 function download(): void {
@@ -141,7 +181,8 @@ function listen(): void {
         event.preventDefault();
     });
     list.addEventListener('keydown', event => {
-        const rows = [...list.querySelectorAll('button')], at = rows.indexOf(document.activeElement as HTMLButtonElement);
+        const rows = [...list.querySelectorAll('button')],
+            at = rows.indexOf(document.activeElement as HTMLButtonElement);
         if (event.key === 'ArrowDown') rows[at + 1]?.focus();
         else if (event.key === 'ArrowUp') (rows[at - 1] ?? search).focus();
         else return;
@@ -161,9 +202,10 @@ function listen(): void {
         changed();
     });
     map_form.addEventListener('input', event => {
-        const control = event.target as HTMLInputElement | HTMLSelectElement, item = state.items[current]!;
+        const control = event.target as HTMLInputElement | HTMLSelectElement,
+            item = state.items[current]!;
         if (control === map_name) item.map = map_name.value;
-        else item[control.id as typeof properties[number]] = control.value;
+        else item[control.id as (typeof properties)[number]] = control.value;
         changed();
     });
     by_id('add').onclick = () => {
@@ -172,11 +214,22 @@ function listen(): void {
         current = state.items.length - 1;
         changed();
     };
-    const copy = by_id<HTMLButtonElement>('copy'), link = by_id<HTMLButtonElement>('link');
-    copy.onclick = () => void navigator.clipboard.writeText(shown).then(() => done(copy, 'Copied'), () => done(copy, 'Select and copy'));
-    link.onclick = () => void navigator.clipboard.writeText(new URL(print(state), location.href).href).then(() => done(link, 'Link copied'));
+    const copy = by_id<HTMLButtonElement>('copy'),
+        link = by_id<HTMLButtonElement>('link');
+    copy.onclick = () =>
+        void navigator.clipboard.writeText(shown).then(
+            () => done(copy, 'Copied'),
+            () => done(copy, 'Select and copy'),
+        );
+    link.onclick = () =>
+        void navigator.clipboard
+            .writeText(new URL(print(state), location.href).href)
+            .then(() => done(link, 'Link copied'));
     by_id('download').onclick = download;
-    window.addEventListener('popstate', () => { read_address(); void show(); });
+    window.addEventListener('popstate', () => {
+        read_address();
+        void show();
+    });
 }
 
 read_address();

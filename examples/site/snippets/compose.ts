@@ -15,7 +15,10 @@ export interface Snippet {
     readonly role: string;
     readonly needs: readonly Snippet[];
 }
-interface Encoding { readonly reversed: Encoding; readonly write: Snippet }
+interface Encoding {
+    readonly reversed: Encoding;
+    readonly write: Snippet;
+}
 
 /// What each language's module of the package exports.
 export interface Package {
@@ -31,7 +34,8 @@ const loaded = new Map<Language, Promise<Package>>();
 
 export function load(language: Language): Promise<Package> {
     let found = loaded.get(language);
-    if (!found) loaded.set(language, found = import(new URL(`./${language}.js`, import.meta.url).href) as Promise<Package>);
+    if (!found)
+        loaded.set(language, (found = import(new URL(`./${language}.js`, import.meta.url).href) as Promise<Package>));
     return found;
 }
 
@@ -56,8 +60,11 @@ const writer = (from: Package, item: Item): object =>
     from.bind(encoding_of(from, item).write, item.map, { direction: item.direction });
 
 /// @throws Error   in the package's words, where a map cannot be
-export function compose(from: Package, { version, language, pass, items }: State): { text: string; tier: 'a' | 'b' | 'c' } {
-    const all = items.map(item => pass === 'lookup' ? lookup(from, item) : writer(from, item));
+export function compose(
+    from: Package,
+    { version, language, pass, items }: State,
+): { text: string; tier: 'a' | 'b' | 'c' } {
+    const all = items.map(item => (pass === 'lookup' ? lookup(from, item) : writer(from, item)));
     const text = language === 'glsl' && version !== 'any' ? from.source!(version, all) : from.text(all);
     return { text, tier: from.exactness(all) };
 }

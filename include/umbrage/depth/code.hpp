@@ -22,7 +22,7 @@ inline constexpr T lower_edge = T(0);
 template <real T>
 inline constexpr T center = T(0.5);
 
-/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself from quantization
+/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself by quantization
 /// alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared depth 1 decodes to 1.
 template <real T>
 inline constexpr T upper_edge = T(1);
