@@ -142,8 +142,9 @@ std::string index(const std::vector<page>& pages, const std::filesystem::path& i
             if (folder_of(place) != folder) continue;
             for (const auto& [elsewhere, here] : also_called_in(place, header)) {
                 std::string names;
-                for (const std::string& name : here) names += (names.empty() ? "" : ", ") + code(name);
-                list += "- " + elsewhere + ": [" + names + "](" + page_of(pages, folder) + ")\n";
+                for (const std::string& name : here)
+                    names += (names.empty() ? "[" : ", [") + code(name) + "](" + page_of(pages, folder) + ")";
+                list += "- " + elsewhere + ": " + names + "\n";
             }
         }
     return list;
