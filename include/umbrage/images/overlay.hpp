@@ -68,8 +68,8 @@ struct overlay_placement {
     texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
 };
 
-/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off what does
-/// not fit.
+/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off the part
+/// that does not fit.
 ///
 /// @param color   color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
 /// @throws std::invalid_argument  negative size
