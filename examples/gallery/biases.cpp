@@ -102,16 +102,16 @@ void add_biases(page& page, const settings& o, const std::filesystem::path& fold
 
     page.section(
         "biases", "Biases",
-        text("The exercise's scene, of which its map has %d × %d texels, with one comparison. Too little bias "
-             "and surfaces shadow themselves; too much, and shadows come off what casts them. Where rays to the "
-             "light are of another opinion, edges aside, is colored.",
+        text("The exercise's scene under one comparison, with a map of %d × %d texels. With too little bias surfaces "
+             "shadow themselves (acne). With too much, shadows leave their casters (peter-panning). Colored pixels "
+             "differ from rays to the light, except at edges.",
              system.map_size.x, system.map_size.y));
     add_bias(page, on, "epsilon", "The exercise's epsilon",
-             "0.0005 of the far plane's distance, whatever the slope: too little for all but what faces the light.",
+             "0.0005 of the far plane's distance, at every slope. It suffices only for surfaces that face the light.",
              on.visibility(constant(epsilon)), {glsl::biased});
     add_bias(page, on, "steepest", "A constant that suffices",
-             text("%.3f in depth, which the steepest surface needs up to 87 degrees from the light: shadows of what is "
-                  "nearer are lost.",
+             text("%.3f in depth, as the steepest surface needs, up to 87 degrees from the light. Casters nearer than "
+                  "that lose their shadows.",
                   double(steepest)),
              on.visibility(constant(steepest)), {glsl::biased});
     biases::all::for_each([&](const auto& bias) {

@@ -59,9 +59,9 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
 
     page.section(
         "encodings", "Encodings",
-        text("The same shadow from the same depths, stored in every way there is. The light reaches %g world units, "
-             "a hundred times farther than the scene, so that bits are scarce; codes decode to their upper edge. What "
-             "comes out otherwise than with exact depth is red.",
+        text("The same shadow from the same depths, in every encoding. The light reaches %g world units, a hundred "
+             "times farther than the scene, so that bits are scarce. Quantized depths decode to their upper edge. "
+             "Pixels that differ from those of exact depth are red.",
              double(reach)));
     umbrage::for_each_encoding([&](const auto& encoding) {
         const std::string name(encoding.name);
@@ -80,7 +80,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
         const int edge = std::max(1, shaded.size().y / 2);
         page.entry(
             name, name, encoding.summary,
-            {{page.picture(shaded), "Red: not as with exact depth"},
+            {{page.picture(shaded), "Red: differs from exact depth"},
              {page.picture(packed(map, depth, edge)),
               map.channels.empty() ? "The map, stretched"
                                    : text("The map's channels: %.*s", int(3 * map.channels.size()) - 2, "R, G, B, A")}},
@@ -88,7 +88,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
              {"error, worst in this map", depth_error(map.error)},
              {"codes", std::to_string(encoding.codes)},
              {"codes in this map", std::to_string(map.codes)},
-             {"pixels other than with exact depth", std::to_string(other)},
+             {"pixels that differ from exact depth", std::to_string(other)},
              {text("encode %s, best of 5", sides(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
              {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
             together_and_alone(snippets_of(encoding), glsl::stored_as(encoding)));

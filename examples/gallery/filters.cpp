@@ -92,8 +92,8 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
 
 void add_filters(page& page, const settings& o, const std::filesystem::path& folder) {
     page.section("filters", "Filters",
-                 "One edge of a shadow, from a map of 256 × 256 texels, seen from near. The smoother, the more texels "
-                 "it takes.");
+                 "One edge of a shadow, from a map of 256 × 256 texels, seen from near. Smoother edges read "
+                 "more texels.");
     umbrage::for_each_filter([&]<class Filter>(Filter filter) {
         const std::string name(filter.name), about = sentence(filter.snippet->summary);
         std::vector<glsl::snippet> snippets{*filter.snippet};

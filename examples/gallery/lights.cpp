@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Quality of every setup of a light for two views.
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/trigonometric.hpp>
@@ -47,8 +49,7 @@ void add_view(page& page, const settings& o, const view& v) {
                                {glm::dvec3(v.scene.target) + towards * double(v.light_distance), -towards,
                                 glm::dvec3(example::direction_at(azimuth, v.light_elevation + 90)), glm::radians(30.0)},
                                v.map_size);
-    std::vector<figure> figures;
-    std::vector<number> numbers;
+    std::vector<std::pair<double, figure>> placed;  // by the mean
     for (const example::set_up& s : example::set_ups()) {
         umbrage::image<float> extents((screen - 1) / step + 1);
         const example::quality_report r = example::measure(s, lit, step, extents.view());
@@ -56,15 +57,16 @@ void add_view(page& page, const settings& o, const view& v) {
         const example::placed_maps maps = s.place(lit);
         example::overlay_maps(colors, lit, maps);
         const std::string name = maps.chosen.empty() ? s.name : s.name + ": " + maps.chosen;
-        figures.push_back({page.picture(colors), name});
-        numbers.push_back({name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
-                                      r.storage_factor)});
+        placed.emplace_back(r.mean, figure{page.picture(colors), name + text(": mean %.3g, p95 %.3g", r.mean, r.p95)});
     }
+    std::ranges::stable_sort(placed, {}, [](const auto& p) { return p.first; });
+    std::vector<figure> figures;
+    for (auto& [mean, f] : placed) figures.push_back(std::move(f));
     page.entry(v.id, v.title,
-               text("%d × %d pixels; one map of %d × %d texels, or four of %d × %d; of a point light six, two or "
-                    "one of as many in all.",
+               text("%d × %d pixels. One map of %d × %d texels, or four of %d × %d. Six, two or one for a point light, "
+                    "with as many texels in all.",
                     screen.x, screen.y, v.map_size, v.map_size, v.map_size / 2, v.map_size / 2),
-               figures, numbers,
+               figures, {},
                together_and_alone({glsl::shadow_coordinate, glsl::cascade_by_depth, glsl::cascade_coordinate,
                                    glsl::cube_coordinate, glsl::dual_paraboloid_coordinate,
                                    glsl::tetrahedron_coordinate, glsl::tetrahedron_texel}));
@@ -73,11 +75,12 @@ void add_view(page& page, const settings& o, const view& v) {
 }  // namespace
 
 void add_lights(page& page, const settings& o) {
-    page.section("lights", "Lights",
-                 "How many pixels a texel's longer axis covers, by every way of placing a light's maps, over surfaces "
-                 "that face it. Dark blue: an eighth of a pixel or less; green: one; dark red: eight or more; gray: "
-                 "outside the map, or turned away. Storage is what maps would need, in screens, for one pixel a texel "
-                 "everywhere. Measured: between the nearest and the farthest thing seen. In the corner: the maps.");
+    page.section(
+        "lights", "Lights",
+        "Pixels that a texel's longer axis covers on surfaces that face the light, for every setup, best first. "
+        "Dark blue is an eighth of a pixel or less, green is one, dark red is eight or more. Gray surfaces are "
+        "outside the map, or turned away. p95 is the number of pixels that 95 % stay below. Measured setups fit "
+        "the range of visible surfaces. The corner shows the maps.");
     add_view(page, o,
              {.id = "indoor",
               .title = "A few things on a floor",
@@ -88,7 +91,7 @@ void add_lights(page& page, const settings& o) {
               .map_size = 1024});
     add_view(page, o,
              {.id = "outdoor",
-              .title = "A kilometre of hills",
+              .title = "A kilometer of hills",
               .scene = example::outdoor_scene(),
               .camera = {.elevation = 4, .distance = 64, .fov = 50},
               .light_elevation = 30,
@@ -96,7 +99,7 @@ void add_lights(page& page, const settings& o) {
               .map_size = 4096});
     add_view(page, o,
              {.id = "plain",
-              .title = "A kilometre of plain",
+              .title = "A kilometer of plain",
               .scene = example::plain_scene(),
               .camera = {.elevation = 0, .distance = 100, .fov = 60},
               .light_elevation = 45,

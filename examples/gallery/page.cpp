@@ -107,7 +107,8 @@ void page::section(std::string_view id, std::string_view title, std::string_view
     if (open_) body_ += "</section>\n";
     open_ = true;
     const std::string heading(title), anchor(id);
-    links_ += "<br><a href=\"#" + anchor + "\"><b>" + escaped(heading) + "</b></a>\n";
+    const std::string link = "<a href=\"#" + anchor + "\"><b>" + escaped(heading) + "</b></a>\n";
+    sections_ += link, links_ += "<br>" + link;
     body_ += "<section id=\"" + anchor + "\">\n<h2>" + escaped(heading) + "</h2>\n<p>" + escaped(text) + "</p>\n";
 }
 
@@ -120,10 +121,12 @@ void page::entry(std::string_view id, std::string_view title, std::string_view t
     for (const figure& f : figures)
         body_ += "<figure><img " + f.image + " alt=\"" + heading + ": " + escaped(f.caption) + "\"><figcaption>" +
                  escaped(f.caption) + "</figcaption></figure>\n";
-    body_ += "</div>\n<dl>\n";
+    body_ += "</div>\n";
+    if (!numbers.empty()) body_ += "<dl>\n";
     for (const number& n : numbers)
         body_ += "<div><dt>" + escaped(n.name) + "</dt><dd>" + escaped(n.value) + "</dd></div>\n";
-    body_ += "</dl>\n<div class=\"code\" data-texts=\"";
+    if (!numbers.empty()) body_ += "</dl>\n";
+    body_ += "<div class=\"code\" data-texts=\"";
     for (std::size_t i = 0; i < codes.size(); ++i)
         body_.append(i > 0 ? " " : "").append(std::to_string(number_of(codes[i])));
     body_ += "\"></div>\n</article>\n";
@@ -148,11 +151,12 @@ int page::number_of(const code& c) {
 void page::write(const std::filesystem::path& to, std::string_view made) const {
     std::ofstream out(to, std::ios::binary);
     out << head
-        << "<header>\n<h1>umbrage</h1>\n<p>Shadow mapping primitives for C++ and GLSL, and what they draw: every "
-           "picture "
-        << "and every number was computed when this page was made, and below each stand the snippets that do the same "
-           "in a shader.</p>\n"
-        << "</header>\n<nav>" << links_.substr(links_.find('>') + 1) << "</nav>\n<main>\n"
+        << "<header>\n<h1>umbrage</h1>\n<p>Shadow mapping primitives for C++ and GLSL, with their pictures. The "
+           "program "
+           "that wrote this page computed every picture and every number. Below them are the snippets that do the same "
+           "in a shader.</p>\n</header>\n<nav>"
+        << "<span class=\"sections\">" << sections_ << "</span><details><summary>All entries</summary>"
+        << links_.substr(links_.find('>') + 1) << "</details></nav>\n<main>\n"
         << body_ << "</section>\n</main>\n"
         << "<footer>" << escaped(made) << "</footer>\n"
         << texts_ << box_before_dialects;

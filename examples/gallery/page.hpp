@@ -67,7 +67,7 @@ private:
     int number_of(const code& c);
 
     std::filesystem::path folder_;
-    std::string links_, body_, texts_;
+    std::string sections_, links_, body_, texts_;
     std::map<std::string, int> numbers_;  ///< numbers of the texts. The page has each text once
     bool open_ = false;
 };

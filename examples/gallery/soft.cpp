@@ -97,9 +97,9 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
 void add_soft_shadows(page& page, const settings& o, const std::filesystem::path& folder) {
     page.section(
         "soft", "Soft shadows",
-        text("A pillar with a ball, lit by a disc %g across. Contact hardening knows its size: sharp where the "
-             "pillar stands, soft where the ball's shadow falls. Maps that are filtered ahead have one "
-             "softness, a blur of %d texels: their shadows cost a single look-up.",
+        text("A pillar with a ball, lit by a disc %g across. Contact hardening uses that size: shadows are sharp "
+             "at the pillar's foot and soft below the ball. Prefiltered maps have one softness, a blur of %d texels. "
+             "Their shadows cost a single lookup.",
              2 * double(light_radius), 2 * blur + 1));
     const scene_of_soft projected = make_scene_of(depth_kind::projected, *soft_reach("pcss16", max_radius), o, folder);
     umbrage::filters::soft::for_each([&](const auto& filter) {

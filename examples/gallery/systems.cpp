@@ -41,28 +41,24 @@ const glsl::binding as_ps14{.outside = umbrage::outside_map::clamped,
 
 const std::map<std::string_view, description> descriptions{
     {"radeon_8500",
-     {"The card of 2001 had 8 bits a channel. A look-up texture of 2048 texels spread 11 bits of depth over two of "
-      "them; "
-      "pixel shader 1.4 put them together again and compared, at four taps with a texture matrix each.",
+     {"The card of 2001 had 8 bits per channel. A lookup texture of 2048 texels spread 11 bits of depth over two "
+      "channels. Pixel shader 1.4 joined them again and compared, at four taps with a texture matrix each.",
       {glsl::shadow_coordinate, glsl::tap_coordinate, glsl::project_coordinate, glsl::linear_depth,
        glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::receiver_ps14, glsl::four_tap_hardware, glsl::spot_cone,
        glsl::diffuse_ambient},
       as_ps14}},
     {"dx_sdk",
-     {"Microsoft's sample: a spot light with a cone, z/w in a float texture, an epsilon, four comparisons and their "
-      "bilinear "
-      "mean, on diffuse light and a colored ambient one; a pane takes shadows and lets light through.",
+     {"Microsoft's sample has a spot light with a cone, z/w in a float texture, and an epsilon. It takes the bilinear "
+      "mean of four comparisons. A pane of glass receives shadows and casts none.",
       {glsl::shadow_coordinate, glsl::project_coordinate, glsl::project_depth, glsl::pcf_2x2_dx_sdk, glsl::spot_cone,
        glsl::diffuse_ambient}}},
     {"exercise",
-     {"What graphics courses set: a directional light with ten texels to a world unit, depth over the far plane, one "
-      "comparison "
-      "with an epsilon.",
+     {"The exercise of graphics courses has a directional light with ten texels per world unit. Depth is distance over "
+      "the far plane, with one comparison and an epsilon.",
       {glsl::shadow_coordinate, glsl::project_coordinate, glsl::linear_depth, glsl::fetch_bordered,
        glsl::compare_exercise, glsl::diffuse_ambient}}},
     {"self_shadowing",
-     {"A Direct3D 8 article: the look-up texture lies along an orthographic light's axis, the depth pass and the "
-      "camera's pass "
+     {"In this Direct3D 8 article a lookup texture lies along an orthographic light's axis. Depth pass and camera pass "
       "both fetch from it, and equal texels mean light. Shadow darkens the lit picture.",
       {glsl::shadow_coordinate, glsl::project_coordinate, glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::hard,
        glsl::diffuse_ambient},
@@ -110,7 +106,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
                                 {"camera pass", milliseconds(camera_ms)},
                                 {"fetch, compare, filter", milliseconds(visibility_ms)},
                                 {"shade", milliseconds(shade_ms)},
-                                {"in shadow", text("%.1f %% of what is seen", 100 * shadow / surface)}};
+                                {"in shadow", text("%.1f %% of visible surfaces", 100 * shadow / surface)}};
 
     if (const auto gl = run_viewer(o.viewer, system.name, shaded.size(), folder)) {
         std::size_t other = 0;
@@ -121,7 +117,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
         figures.push_back({page::file(gl->mask), "Visibility on OpenGL"});
         numbers.push_back({"OpenGL", gl->frame});
         numbers.push_back(
-            {"OpenGL's visibility is another by more than 1/4",
+            {"OpenGL's visibility differs by more than 1/4",
              text("in %.2f %% of the pixels", 100.0 * double(other) / double(visibility.texels().size()))});
     }
     if (system.receiver == receiver_kind::scaled) {  // beside 8 bits and beside exact depth
@@ -139,8 +135,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
         numbers.push_back({"11 bits differ from exact depth in", others(visibility)});
         numbers.push_back({"8 bits differ in", others(coarse)});
     }
-    figures.push_back(
-        {page.picture(colored(depth, empty, edge)), "The map, dark near, pale far, gray where nothing is"});
+    figures.push_back({page.picture(colored(depth, empty, edge)), "The map: near is dark, far is pale, empty is gray"});
     if (!map.channels.empty())
         figures.push_back({page.picture(packed(map, depth, edge / 2)), "The map as stored: R, G"});
     const description& d = descriptions.at(system.name);
@@ -151,7 +146,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
 
 void add_systems(page& page, const settings& o, const std::filesystem::path& folder) {
     page.section("systems", "Systems",
-                 "The four that the library descends from, with their own light, encoding, bias and filter.");
+                 "The four origins of this library, each with its own light, encoding, bias and filter.");
     for (const shadow_system& system : systems) add_system(page, o, folder, system);
 }
 

@@ -30,14 +30,17 @@ p { margin: 0 0 1rem; max-width: 60rem }
 a { color: var(--accent) }
 nav { line-height: 2 }
 nav a { margin-right: .8em; white-space: nowrap }
+nav:has([open]) .sections { display: none }
+summary { cursor: pointer; color: var(--faint) }
 article { margin: 1rem 0; padding: 1rem; background: var(--card); border: 1px solid var(--line); border-radius: .5rem }
 .pictures { display: flex; flex-wrap: wrap; gap: .75rem; align-items: flex-start }
 figure { margin: 0; flex: 0 1 auto; min-width: 0; max-width: 100% }
 figure img { display: block; max-width: 100%; height: auto; border: 1px solid var(--line) }
+figcaption { width: 0; min-width: 100% }
+#lights .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(17rem, 100%), 1fr)) }
 figcaption, .tier { color: var(--faint); font-size: .85rem }
 dl { display: flex; flex-wrap: wrap; gap: .5rem 1.75rem; margin: 1rem 0 }
 dl div { max-width: 100% }
-#lights dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(22rem, 100%), 1fr)) }
 dt { color: var(--faint); font-size: .85rem }
 dd { margin: 0; font-variant-numeric: tabular-nums }
 .bar { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center }
@@ -70,6 +73,7 @@ inline constexpr char box_after_dialects[] = R"HTML(</select>
 
 inline constexpr char script[] = R"HTML(<script>
 "use strict";
+document.querySelector("nav details").open = innerWidth > 1000;
 let dialect = "330";
 const boxes = [...document.querySelectorAll(".code")].map(box => {
   box.append(document.getElementById("box").content.cloneNode(true));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/depth/code.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/rasterize.hpp>

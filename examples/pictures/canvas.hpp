@@ -35,13 +35,16 @@ public:
             std::copy_n(part.view().row(y), part.size().x, pixels_.view().row(at.y + y) + at.x);
     }
 
+    /// Fills a rectangle, as far as the page has it.
+    void fill(glm::ivec2 low, glm::ivec2 high, glm::u8vec3 color) {
+        const glm::ivec2 to = glm::min(high, pixels_.size());
+        for (int y = low.y; y < to.y; ++y)
+            for (int x = low.x; x < to.x; ++x) pixels_[{x, y}] = color;
+    }
+
     void write(const std::string& text, glm::ivec2 at, glm::u8vec3 color = ink) {
-        for (const auto& [low, high] : example::letters(text)) {
-            const glm::ivec2 from = at + glm::ivec2(low * float(letter)),
-                             to = glm::min(at + glm::ivec2(high * float(letter)), pixels_.size());
-            for (int y = from.y; y < to.y; ++y)
-                for (int x = from.x; x < to.x; ++x) pixels_[{x, y}] = color;
-        }
+        for (const auto& [low, high] : example::letters(text))
+            fill(at + glm::ivec2(low * float(letter)), at + glm::ivec2(high * float(letter)), color);
     }
 
     [[nodiscard]] const picture& pixels() const { return pixels_; }

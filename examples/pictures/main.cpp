@@ -28,6 +28,8 @@ std::vector<page> pages() {
                           {"filters", pictures::filter_strip, 156},
                           {"hardening", pictures::hardening_strip, 200},
                           {"biases", pictures::bias_strip, 156},
+                          {"cascades", pictures::cascade_ranges, 828},
+                          {"pages", pictures::page_grid, 828},
                           {"originals", pictures::originals, 480}};
     for (const shadow_render::trouble& t : shadow_render::troubles())
         all.push_back({std::string(t.name), [name = t.name](int size) { return pictures::trouble(name, size); }, 300});

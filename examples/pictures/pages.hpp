@@ -23,6 +23,13 @@ namespace pictures {
 /// The same part under one filter and six biases.
 [[nodiscard]] picture bias_strip(int side);
 
+/// A view outdoors with its four cascades in colors, and their maps.
+/// @param width  width of the picture, pixels
+[[nodiscard]] picture cascade_ranges(int width);
+
+/// The same view with the pages of a virtual shadow map in colors of their levels, and the whole map.
+[[nodiscard]] picture page_grid(int width);
+
 /// The four original systems, as their programs draw them.
 /// @param width  of each, pixels
 [[nodiscard]] picture originals(int width);

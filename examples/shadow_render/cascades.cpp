@@ -65,28 +65,6 @@ cascade_array make_cascades(const options& o, const view& v, const example::came
                           : umbrage::make_stable_cascades<cascade_count>(fit, splits);
 }
 
-/// The depth pass of one cascade.
-/// @param all   instances beside the map too
-drawn draw_depths(umbrage::image_view<float> map, const example::scene& scene, const umbrage::light_space<float>& light,
-                  bool all) {
-    const glm::mat4 world_to_clip = light.projection * light.view;
-    const std::clock_t start = std::clock();
-    drawn out;
-    const auto draw = [&](const umbrage::mesh_view& shape, std::span<const glm::mat4> places) {
-        example::draw_depths(map, shape, places, world_to_clip);
-        out.instances += places.size();
-        out.triangles += places.size() * shape.triangles.size();
-    };
-    for (const example::copies& part : scene.parts) {
-        const umbrage::mesh_view shape = view_of(part.shape);
-        if (all) draw(shape, part.places);
-        else draw(shape, umbrage::instances_in_map(umbrage::bounds_of(shape), part.places, world_to_clip, light.clip));
-    }
-    if (scene.parts.empty()) draw(view_of(scene.geometry), example::once);
-    out.ms = 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    return out;
-}
-
 /// Distance of each sample along the camera's axis; 0 where it sees nothing.
 umbrage::image<float> distances(const view& v) {
     umbrage::image<float> out(v.seen.size());
@@ -114,6 +92,26 @@ place place_of(const umbrage::cascade_uniforms<float>& u, float distance) {
 
 }  // namespace
 
+drawn draw_instances(umbrage::image_view<float> map, const example::scene& scene, const glm::mat4& world_to_clip,
+                     bool all) {
+    const std::clock_t start = std::clock();
+    drawn out;
+    const auto draw = [&](const umbrage::mesh_view& shape, std::span<const glm::mat4> places) {
+        example::draw_depths(map, shape, places, world_to_clip);
+        out.instances += places.size();
+        out.triangles += places.size() * shape.triangles.size();
+    };
+    for (const example::copies& part : scene.parts) {
+        const umbrage::mesh_view shape = view_of(part.shape);
+        const umbrage::bounding_box<float> box = umbrage::bounds_of(shape);
+        if (all) draw(shape, part.places);
+        else draw(shape, umbrage::instances_in_map(box, part.places, world_to_clip, example::picture_clip));
+    }
+    if (scene.parts.empty()) draw(view_of(scene.geometry), example::once);
+    out.ms = 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return out;
+}
+
 cascaded look_up_cascades(const options& o, view& v, const example::camera& camera, example::progress& progress) {
     cascaded out{.all = progress.stage("cascades", [&] { return make_cascades(o, v, camera, reach_of(o)); })};
     out.uniforms = umbrage::make_cascade_uniforms(out.all, fade_of(o));
@@ -127,8 +125,10 @@ cascaded look_up_cascades(const options& o, view& v, const example::camera& came
         return image.view().region(umbrage::cascade_tile(static_cast<int>(i), size), size);
     };
     progress.stage("depth pass", [&] {
-        for (std::size_t i = 0; i < cascade_count; ++i)
-            out.drawn[i] = draw_depths(tile_of(i, atlas), v.scene, out.all[i].light, o.draw_all);
+        for (std::size_t i = 0; i < cascade_count; ++i) {
+            const umbrage::light_space<float>& light = out.all[i].light;
+            out.drawn[i] = draw_instances(tile_of(i, atlas), v.scene, light.projection * light.view, o.draw_all);
+        }
     });
     out.map = progress.stage("encode", [&] { return example::store(o.encoding, o.edge, atlas, cleared); });
 
@@ -155,16 +155,22 @@ cascaded look_up_cascades(const options& o, view& v, const example::camera& came
     return out;
 }
 
-umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const cascaded& by, const view& v, int samples) {
+glm::vec3 tint_of(std::size_t cascade, float weight) {
     constexpr std::array<glm::vec3, cascade_count + 1> tints{
         {{1, 0.45f, 0.4f}, {0.5f, 1, 0.4f}, {0.45f, 0.6f, 1}, {1, 0.9f, 0.35f}, {1, 1, 1}}};
+    return glm::mix(glm::vec3(1), glm::mix(tints[cascade], tints[cascade + 1], weight), 0.7f);
+}
+
+umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const cascaded& by, const view& v, int samples) {
     for (glm::ivec2 p{0}; p.y < shaded.size().y; ++p.y)
-        for (p.x = 0; p.x < shaded.size().x; ++p.x) {
-            if (v.seen[p * samples] == example::nothing) continue;
-            const auto [number, weight] = place_of(by.uniforms, by.distance[p * samples]);
-            const glm::vec3 tint = glm::mix(glm::vec3(1), glm::mix(tints[number], tints[number + 1], weight), 0.7f);
-            shaded[p] = umbrage::store_unorm(glm::vec3(shaded[p]) / 255.0f * tint);
-        }
+        for (p.x = 0; p.x < shaded.size().x; ++p.x)
+            shaded[p] =
+                umbrage::store_unorm(glm::vec3(shaded[p]) / 255.0f * mean<glm::vec3>(p.x, samples, [&](int x, int row) {
+                                         const glm::ivec2 sample(x, p.y * samples + row);
+                                         if (v.seen[sample] == example::nothing) return glm::vec3(1);
+                                         const auto [number, weight] = place_of(by.uniforms, by.distance[sample]);
+                                         return tint_of(number, weight);
+                                     }));
     return shaded;
 }
 

@@ -46,6 +46,15 @@ struct cascaded {
 [[nodiscard]] cascaded look_up_cascades(const options& o, view& v, const example::camera& camera,
                                         example::progress& progress);
 
+/// The depth pass of a map, of the instances that it sees.
+/// @param all   of those beside it too
+drawn draw_instances(umbrage::image_view<float> map, const example::scene& scene, const glm::mat4& world_to_clip,
+                     bool all);
+
+/// Color of a cascade, sRGB.
+/// @param weight   weight of the next one's, or of white after the last
+[[nodiscard]] glm::vec3 tint_of(std::size_t cascade, float weight = 0);
+
 /// The picture in the cascades' colors, white beyond.
 [[nodiscard]] umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const cascaded& by, const view& v,
                                                  int samples);

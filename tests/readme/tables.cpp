@@ -68,11 +68,12 @@ std::vector<family> families() {
 }
 
 std::string primitives(const std::filesystem::path& include, const std::vector<std::string>& folders) {
-    std::string table = "| primitive | what it does | tier | lowest GLSL |\n|---|---|---|---|\n";
+    std::string table = "| primitive | what it does | tier |\n|---|---|---|\n";
     for (const family& f : families())
         if (std::find(folders.begin(), folders.end(), home_of(include, f)) != folders.end())
-            table += "| " + f.label() + " | " + std::string(f.first->summary) + " | " + glsl::promise(*f.first) +
-                     (f.first->lowest == glsl::version::v100 ? " | 100 |\n" : " | 330, 300 es |\n");
+            table += "| " + f.label() + " | " + std::string(f.first->summary) +
+                     (f.first->lowest == glsl::version::v100 ? "" : "; from GLSL 330 or 300 es on") + " | " +
+                     glsl::promise(*f.first) + " |\n";
     return table;
 }
 
@@ -135,17 +136,18 @@ std::string names(const std::filesystem::path& page, const std::filesystem::path
 
 std::string index(const std::vector<page>& pages, const std::filesystem::path& include,
                   const std::vector<std::string>& folders) {
-    std::string table = "| you call it | here it is |\n|---|---|\n";
+    std::string list;
     for (const std::string& folder : folders)
         for (const auto& [place, header] : headers(include)) {
             if (folder_of(place) != folder) continue;
             for (const auto& [elsewhere, here] : also_called_in(place, header)) {
                 std::string names;
-                for (const std::string& name : here) names += (names.empty() ? "" : ", ") + code(name);
-                table += "| " + elsewhere + " | [" + names + "](" + page_of(pages, folder) + ") |\n";
+                for (const std::string& name : here)
+                    names += (names.empty() ? "[" : ", [") + code(name) + "](" + page_of(pages, folder) + ")";
+                list += "- " + elsewhere + ": " + names + "\n";
             }
         }
-    return table;
+    return list;
 }
 
 }  // namespace readme

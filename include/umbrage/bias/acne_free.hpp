@@ -9,7 +9,7 @@
 //
 // The reach is the filter radius in texels. A filter compares a receiver with texel centers up to its reach away in x
 // and y. There a plane of slope (a, b) may be nearer to the light by reach (|a| + |b|). The stored depth may be nearer
-// still by the encoding's error. The bias covers both, and 9/10 of it leaves some receiver dark.
+// still by the encoding's error. The bias covers both. With 9/10 of it some receivers are dark.
 // Also called: the Bias sliders of Unity, Unreal and Godot, adaptive depth bias, optimal bias (acne_free_bias);
 // peter-panning, light gap (peter_panning_distance).
 // See also: slope.hpp for the slope, receiver_plane.hpp.

@@ -20,8 +20,8 @@ namespace umbrage::glsl {
 ///   c  Within the bound on every implementation, or within snippet::within of C++
 ///
 /// The bound is n 2^-23 S, measured from the result in real arithmetic. n is snippet::operations.
-/// S is the formula with the magnitude of every value and a plus for every minus. A quotient a / b has
-/// S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and min and max have the larger S.
+/// S is the formula with the magnitude of every value and a plus for every minus. A quotient a / b has S(a) S(b) / b^2.
+/// A root of a has S(a) / sqrt(a). min and max have the larger S.
 /// The C++ function's comment gives S where its formula does not show it.
 /// If denormals are flushed, a product counts at least 2^-103 times its factors above 1.
 /// If a comparison or floor decides, the bound applies to the value compared. Within it either side is allowed.
@@ -78,8 +78,8 @@ enum class hook {
 
 struct snippet;
 
-/// GLSL text of a snippet: a literal, or the function that makes it. The function runs only when the text is needed,
-/// which saves compile time in every file that includes the header.
+/// GLSL text of a snippet: a literal, or the function that makes it. The function runs only when the text is needed. So
+/// files that include the header compile faster.
 class snippet_text {
 public:
     constexpr snippet_text(const char* written) : written_(written) {}

@@ -28,7 +28,7 @@ enum class store_format {
     values,    ///< values, written to a UNORM target as they are; its rounding is part of the format
 };
 
-/// Largest distances from a depth in [0, 1) to what it decodes to after encoding.
+/// Largest distances from a depth in [0, 1) to its decoded value.
 struct decoding_error {
     double below = 0.0;  ///< a receiver's bias must cover it where depth runs forward
     double above = 0.0;  ///< a receiver's bias must cover it where depth is reversed

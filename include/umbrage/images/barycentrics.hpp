@@ -4,7 +4,7 @@
 //
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
 //
-// For many texels of one triangle, this computes what they share only once:
+// For many texels of one triangle, this computes their common values only once:
 //
 //     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
 //     for (int x = first; x < last; ++x) use(weights({x, y}));

@@ -88,7 +88,7 @@ UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, floa
     }
 }
 
-/// Any number of weighted sums, otherwise as blur_block.
+/// Any number of weighted sums, in the way of blur_block.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
     const float* const center = tap(0);

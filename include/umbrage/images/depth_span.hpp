@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Range of distances that a camera sees, so that cascades cover no more than that.
+// Range of distances that a camera sees, for cascades that cover no more.
 //
 //     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);

@@ -69,8 +69,8 @@ struct overlay_placement {
     texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
 };
 
-/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off what does
-/// not fit.
+/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off the part
+/// that does not fit.
 ///
 /// @param picture   picture to draw into
 /// @param map       depths, any values

@@ -6,7 +6,7 @@
 //     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
 //     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
 //
-// A camera pass keeps the nearest triangle per texel and interpolates afterwards:
+// A camera pass keeps the nearest triangle per texel, and then interpolates:
 //
 //     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
 //         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;

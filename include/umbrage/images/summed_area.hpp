@@ -66,7 +66,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large
 }
 
 /// Sums of each row up to where strips begin. The thread that has summed a strip passes them to the next one. Pieces
-/// run when and where a scheduler likes, so none may wait for another. A thread adds up again what is not there yet.
+/// run when and where a scheduler likes, so none may wait for another. A thread adds up missing sums again.
 template <class From, class Sum>
 class strip_starts {
 public:

@@ -106,7 +106,7 @@ template <real T>
 inline const std::array<glm::vec<2, T>, 4> default_taps{
     {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
-/// One texture matrix per tap, for hardware and shaders that cannot offset a projective coordinate afterwards.
+/// One texture matrix per tap, for hardware and shaders that cannot offset a projective coordinate later.
 ///
 /// @param texture_matrix   matrix from the world to texels
 /// @param offsets          offsets of the taps, in texels
@@ -149,7 +149,7 @@ template <real T>
 /// @param coordinate   result of shadow_coordinate, before the division by w
 /// @param offset       offset of the tap, in texels
 /// @return             coordinate before the division by w
-/// @accuracy           after the division, within 3 ulp of adding the offset afterwards (worst seen 1.9)
+/// @accuracy           after the division, within 3 ulp of adding the offset later (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
 /// @exactness          B, n = 2
 template <real T>

@@ -111,7 +111,7 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
-/// Checks a binding for what would not compile in any language.
+/// Checks a binding for errors that would not compile in any language.
 /// @throws std::invalid_argument   a name, map or snippet that do not fit together
 template <class = umbrage::detail::on_use>
 void check(const snippet& what, std::string_view name, const binding& map) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Composition of bound snippets into one text, in any language: each part once, after what it needs.
+// Composition of bound snippets into one text, in any language: each part once, after its needs.
 //
 #pragma once
 

@@ -83,7 +83,7 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// Parameters without those that a text declares itself: the layer, or the origin, of a map that it chooses.
+/// Parameters, without those that the text declares: the layer or the origin of a map that it chooses.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
     std::string rest;

@@ -18,7 +18,7 @@
 
 namespace umbrage::glsl {
 
-/// Macros that every text relies on. Each can be defined otherwise beforehand.
+/// Macros that every text relies on. A shader can define each of them before.
 inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -67,7 +67,7 @@ namespace umbrage::glsl {
 
 namespace detail {
 
-/// Snippets in order, each once, after what it needs.
+/// Snippets in order, each once, after its needs.
 template <class = umbrage::detail::on_use>
 class collection {
 public:

@@ -54,11 +54,11 @@ namespace detail {
 /// has the same four.
 [[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
 
-/// Tolerance that tells known depths apart: below half of their distance, with room for rounding.
+/// Tolerance that separates known depths: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
 /// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
-/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only tell known depths apart.
+/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only separate known depths.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;

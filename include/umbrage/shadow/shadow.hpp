@@ -155,7 +155,7 @@ public:
         }
     }
 
-    /// Encodes drawn depths as texels of the map. Blur a prefilter's map afterwards, one map at a time (blur.hpp).
+    /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
     /// @throws std::invalid_argument  depths or a map of another size
     template <class ParallelFor = serial>
     void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
@@ -196,7 +196,7 @@ public:
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
     /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
     /// light_units_at converts it to world units.
-    /// @return   difference of depth from 0 to 1, in the point's map. Where two maps blend: the larger one
+    /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;

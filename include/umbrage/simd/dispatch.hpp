@@ -98,8 +98,8 @@ void out_of_line(isa_constant<Set>, const Body& body) {
     else on_avx2(body);
 }
 
-/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. Where they
-/// do not, which depends on chance on a stack, a loop over them can take several times as long.
+/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. A loop over
+/// an array that starts elsewhere, as may happen on a stack, can take several times as long.
 inline constexpr int block = 64;
 
 }  // namespace umbrage::detail

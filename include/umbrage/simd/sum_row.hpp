@@ -54,8 +54,8 @@ public:
     Sum *base, *line;
 };
 
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table. That row is `line` plus
-/// `base`, or for integers `line` itself, which then includes all rows above.
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table. The stored row is `line` plus
+/// `base`. For integers it is `line` alone, which then includes all rows above.
 /// @param before     sum of the row's texels to the left
 /// @param next_row   row after `from`
 /// @return           `before` plus the sum of all texels, in full blocks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-//     museum                   the tests: every old formula fails, ours do not, and MUSEUM.md says so
-//     museum --page MUSEUM.md  writes the page anew
+//     museum                   the tests: every old formula fails, those of umbrage do not, and MUSEUM.md says so
+//     museum --page MUSEUM.md  writes the page again
 //     museum --draw FOLDER     draws each test, FOLDER/1_then.pgm, FOLDER/1_ours.pgm ..., and writes FOLDER/encodings.tsv
 //
 // A pixel of a drawing is 0 where all inputs are right, else 1 to 255: brighter for larger errors, up to the worst of the
@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -45,30 +46,49 @@ std::string number(double v) {
 }
 std::string share(const score& s) { return std::to_string(s.wrong) + " of " + std::to_string(s.tried); }
 
+std::string percent(const score& s) {
+    const std::string text = number(100.0 * double(s.wrong) / double(s.tried));
+    return s.wrong < s.tried && text == "100" ? "> 99.9 %" : text + " %";
+}
+
+/// GitHub's anchor of a heading.
+std::string anchor(const std::string& heading) {
+    std::string out;
+    for (const char c : heading)
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (c == ' ') out += '-';
+    return out;
+}
+
+bool plain(std::string_view unit) { return unit == "depth" || unit == "visibility"; }
+
 std::string page() {
     std::string out =
         "# A museum of bugs\n\n"
-        "Public bugs in packing depth, in filtering it and in getting there. Each old formula was written anew from "
-        "its\n"
-        "description and run beside umbrage on the same inputs; `tests/proof/museum` is that program, its test demands "
-        "that\n"
-        "the old formula fails and ours does not, and this page is what it prints: after a change of it run\n"
-        "`build/dev/tests/proof/museum/museum --page MUSEUM.md`.\n\n"
-        "| # | exhibit | wrong, then | worst, then | wrong, umbrage | worst, umbrage | unit |\n"
-        "|--:|---|--:|--:|--:|--:|---|\n";
+        "Each exhibit is a public bug in packing, filtering or placing depth. The program `tests/proof/museum` runs "
+        "the old formula\n"
+        "and this library on the same inputs. Its test demands that the old formula fails, and that this library does "
+        "not. This page\n"
+        "is its output: `build/dev/tests/proof/museum/museum --page MUSEUM.md` writes it again.\n\n"
+        "The table has the old formula's share of wrong results, and its largest error. This library has no wrong "
+        "result in any.\n"
+        "Errors without a unit are depths or visibilities, in [0, 1].\n\n"
+        "| exhibit | wrong | largest error |\n"
+        "|---|--:|--:|\n";
+    std::string rooms;
     int n = 0;
-    for (const hung& e : exhibits())
-        out += "| " + std::to_string(++n) + " | " + e.what->title + " | " + share(e.old_way) + " | " +
-               number(e.old_way.worst) + " | " + std::to_string(e.our_way.wrong) + " | " + number(e.our_way.worst) +
-               " | " + e.what->unit + " |\n";
-    n = 0;
     for (const hung& e : exhibits()) {
-        out += "\n## " + std::to_string(++n) + ". " + e.what->title + "\n\n" + e.what->trouble + "\n\n";
-        out += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula +
-               "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + number(e.old_way.worst) +
-               "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
+        const std::string heading = std::to_string(++n) + ". " + e.what->title,
+                          unit = plain(e.what->unit) ? "" : std::string(" ") + e.what->unit;
+        out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " +
+               number(e.old_way.worst) + unit + " |\n";
+        rooms += "\n## " + heading + "\n\n" + e.what->trouble + "\n\n";
+        rooms += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula +
+                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + number(e.old_way.worst) +
+                 "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
     }
-    return out;
+    return out + rooms;
 }
 
 /// Draws a score: at most 128 rows, 256 columns, and no more cells than inputs.
@@ -102,7 +122,7 @@ bool draw_all(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("museum: every old formula fails, and ours does not") {
+TEST_CASE("museum: every old formula fails, and that of umbrage does not") {
     CHECK(exhibits().size() >= 20);
     for (const hung& e : exhibits()) {
         CAPTURE(e.what->title);

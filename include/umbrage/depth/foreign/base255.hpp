@@ -4,8 +4,8 @@
 //
 //     float stored = umbrage::decode_base255(umbrage::load_unorm(texel));
 //
-// Below 1.0 the largest error is 2^-23 (1.2e-7). The format has two faults: 1.0 decodes to 0, and a store that
-// truncates makes errors up to 2^-7.98 (4e-3), where nearby depths change their order. The repaired writer has neither
+// Below 1.0 the largest error is 2^-23 (1.2e-7). The format has two faults. 1.0 decodes to 0. A store that truncates
+// makes errors up to 2^-7.98 (4e-3), and changes the order of nearby depths. The repaired writer has neither
 // fault, and works with the same reader. Only the reader's rounding remains. Depths k / 2^24 keep their order. Two
 // pairs of other neighboring floats decode out of order, by 1 ulp.
 // Also called: EncodeFloatRGBA, packDepth, Aras' packing, Babylon.js pack, bgfx packFloatToRgba (write_base255,

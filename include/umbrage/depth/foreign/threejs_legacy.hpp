@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. One channel
-// holds a fraction, and how an 8-bit store rounds it is part of the format.
+// holds a fraction, and its rounding by an 8-bit store is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_legacy(depth));
 //     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm(texel));
@@ -30,7 +30,7 @@ namespace umbrage {
 
 /// Values of a depth in the layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values
-/// @edge          depth > 255/256: A exceeds 1, and the store clamps it. This is the format's fault
+/// @edge          depth > 255/256: A exceeds 1, and the store clamps it. The format has this fault
 /// @exactness     B, n = 7: S of R, G, B, A is at most 256/255 depth times 2^25, 2^18, 2^10, 3
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>

@@ -42,8 +42,8 @@ template <real T, class Fetch, class Compare = less_equal>
     return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
-/// The same filter as the DirectX SDK ShadowMap sample writes it: unrounded weights, and an epsilon added to the stored
-/// depth instead of a bias on the receiver.
+/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded, and it adds an epsilon to the
+/// stored depth instead of a bias to the receiver.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
 ///                   texel outside the map

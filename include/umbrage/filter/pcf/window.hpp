@@ -7,8 +7,8 @@
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
 //     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
-// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel takes 4 gathers for 3 x 3
-// weights, 9 for 5 x 5 and 16 for 7 x 7.
+// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
+// takes 9, and 7 x 7 takes 16.
 //
 // A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
 // in proportion to the distance that the kernel has moved.

@@ -6,8 +6,8 @@
 //     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
 //     lit = umbrage::reduce_light_bleeding(lit, 0.2f);
 //
-// Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, one
-// behind the other: at distances a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
+// Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, at
+// distance a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
 // Also called: ChebyshevUpperBound (chebyshev); light bleeding reduction, linstep (reduce_light_bleeding).
 #pragma once
 

@@ -17,7 +17,7 @@ namespace umbrage {
 
 /// Smallest fraction of depths nearer to the light than the receiver, over distributions of depths in [-1, 1].
 ///
-/// That distribution has four depths: both ends, the receiver's depth z and one more, f.
+/// The distribution has four depths: both ends, the receiver's depth z and one more, f.
 /// This holds where one of moment_atoms lies outside [-1, 1].
 /// @param b         moments, biased
 /// @param z         the receiver's depth on [-1, 1]

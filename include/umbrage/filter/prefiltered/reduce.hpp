@@ -49,7 +49,7 @@ template <int Taps, class Fetch>
 
 /// Mean of the 2x2 texels behind one texel of the next mip level.
 /// @param fetch     returns a texel, float or vector, from glm::ivec2. Called 4 times
-/// @param texel     index in the next level. Where a level's size is odd, its last column or row counts twice
+/// @param texel     index in the next level. If a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
 /// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
 template <class Fetch>

@@ -22,8 +22,8 @@
 namespace umbrage::detail {
 
 /// saturate(), with NaN as `highest` or, where depth is reversed, as 0. Values that do not become 0 are one range of
-/// bits, which one comparison finds: signed integers above -infinity's, negative NaNs included, or unsigned
-/// ones up to infinity's.
+/// bits, so one comparison finds them. These bits are signed integers above those of -infinity, or unsigned ones up to
+/// those of infinity.
 template <depth_direction Direction>
 struct saturated {
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {

@@ -3,10 +3,11 @@
 // Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form states what it needs of a map, and the smallest width and height that it can take. blocks() makes its blocks
+// A form states its needs of a map, and the smallest width and height that it accepts. blocks() makes its blocks
 // from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
-// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters again what may be
-// outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which runs where bounds_pay():
+// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters receivers within
+// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where
+// bounds_pay():
 // see hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()

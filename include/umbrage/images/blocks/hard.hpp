@@ -12,8 +12,8 @@
 
 namespace umbrage::detail {
 
-/// Taps on the receivers' own texels, clamped to the map: floor(coord + offset), as in four_tap. That differs from
-/// floor(coord) + offset where the sum rounds up to an integer. Filters over neighbors move the texel instead.
+/// Taps on the receivers' own texels, clamped to the map: floor(coord + offset), as in four_tap. The result differs
+/// from floor(coord) + offset where the sum rounds up to an integer. Filters over neighbors move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 

@@ -44,7 +44,7 @@ template <int Lanes>
 struct plane_rows {
     static constexpr int chunk = Lanes;
     float slope, x, first, cleared;
-    alignas(32) float beside[24];  ///< per row: what its distance from the receiver adds to the plane
+    alignas(32) float beside[24];  ///< per row: depth that its distance from the receiver adds to the plane
 
     /// @param column, row   first texel
     /// @param rows          number of rows of texels, at most 24

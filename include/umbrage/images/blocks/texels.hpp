@@ -172,8 +172,8 @@ template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
 /// Prefetches the texels of a block, of which neighbors mostly share a cache line. The machine cannot guess them where
-/// a block starts on another row of the map. Where receivers run diagonally across the map, they come to the rows above
-/// and below.
+/// a block starts on another row of the map. Receivers that run diagonally across the map come to the rows above and
+/// below.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)

@@ -59,8 +59,8 @@ public:
 
 private:
     /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
-    /// and back. That is for rows in one set of the cache or, at less cost, in two. So the choice costs at most twice
-    /// the best one. 0: rows do not contend. 8 rows never do.
+    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
+    /// twice the best one. 0: rows do not contend. 8 rows never do.
     [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
         if (rows.size.y <= 8) return 0;
         return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;

@@ -164,7 +164,7 @@ private:
         if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// Draws in batches what for_each(add) adds by add(a, b, c, unsigned triangle).
+    /// Draws in batches the triangles that for_each(add) adds by add(a, b, c, unsigned triangle).
     template <class Draw, class ForEach>
     void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;

@@ -25,8 +25,8 @@ struct cube_axes {
     glm::ivec3 forward, up;
 };
 
-/// Faces by index: +x, -x, +y, -y, +z, -z. A right-handed view of 90 degrees along a face has NDC x of 2 s - 1 and
-/// NDC y of 2 t - 1, see cube_coordinate.
+/// Faces by index: +x, -x, +y, -y, +z, -z. In a right-handed view of 90 degrees along a face, NDC x is 2 s - 1 and y is
+/// 2 t - 1: see cube_coordinate.
 /// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
 inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
                                                   {{-1, 0, 0}, {0, -1, 0}},

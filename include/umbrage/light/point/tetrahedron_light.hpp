@@ -12,8 +12,8 @@
 //
 //     if (umbrage_tetrahedron_face_of(floor(gl_FragCoord.xy), 1024.0) != face) discard;
 //
-// Or clip in a vertex shader. The clip distances of face 0 are -y - x and -y + x of gl_Position if the first row is at
-// NDC y = -1. For the other faces rotate them by quarter turns.
+// Or clip in a vertex shader. If the first row is at NDC y = -1, the clip distances of face 0 are -y - x and -y + x of
+// gl_Position. For the other faces rotate them by quarter turns.
 //
 // A border along the sides of a triangle extends it beyond its face, so that filters need no other face: see
 // point_light.hpp.

@@ -28,7 +28,7 @@ public:
     /// @param functions   functions that the text may call; its own are added
     printer(std::string_view text, signatures& functions) : expressions<>(text, functions), functions_(functions) {}
 
-    /// Adds the signatures of the text's functions. Where several share a name, their first type becomes a part of it.
+    /// Adds the signatures of the text's functions. If several share a name, their first type becomes a part of it.
     void declare() {
         std::vector<head> all;
         while (next().kind != piece::end) {

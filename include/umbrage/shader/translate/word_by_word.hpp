@@ -16,7 +16,7 @@
 
 namespace umbrage::glsl::detail {
 
-/// Differences of a near language from GLSL.
+/// Differences of a language like GLSL from it.
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
@@ -28,7 +28,7 @@ struct near_language {
     std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
 };
 
-/// Printer of functions in a near language.
+/// Printer of functions in a language like GLSL.
 template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
