@@ -4,30 +4,31 @@
 // nothing serious.
 import { visit } from './visit.mjs';
 
-const pages = ['reference/', 'reference/filter/', 'reference/shadow/shadow.html', 'troubleshooting.html'];
+const views = [
+    ['reference/', 1280, false],
+    ['reference/filter/', 390, true],
+    ['reference/filter/pcf/box.html', 1280, true],
+    ['reference/shadow/shadow.html', 390, false],
+];
 
 await visit(async ({ open, check, picture, axe }) => {
-    for (const path of pages)
-        for (const [width, dark] of [
-            [1280, false],
-            [390, true],
-        ]) {
-            const page = await open(path, { width, dark });
-            const shift = await page.evaluate(
-                () =>
-                    new Promise(done => {
-                        let sum = 0;
-                        new PerformanceObserver(list => {
-                            for (const each of list.getEntries()) sum += each.value;
-                        }).observe({ type: 'layout-shift', buffered: true });
-                        setTimeout(() => done(sum), 200);
-                    }),
-            );
-            check(shift === 0, `${path} shifts by ${shift} at ${width}`);
-            const room = await page.evaluate(() => document.documentElement.scrollWidth);
-            check(room <= width, `${path} is ${room} pixels wide in a window of ${width}`);
-            await picture(page, `${path.replace(/\W+/g, '_')}${width}${dark ? '_dark' : ''}`);
-            await axe(page);
-            await page.context().close();
-        }
+    for (const [path, width, dark] of views) {
+        const page = await open(path, { width, dark });
+        const shift = await page.evaluate(
+            () =>
+                new Promise(done => {
+                    let sum = 0;
+                    new PerformanceObserver(list => {
+                        for (const each of list.getEntries()) sum += each.value;
+                    }).observe({ type: 'layout-shift', buffered: true });
+                    setTimeout(() => done(sum), 200);
+                }),
+        );
+        check(shift === 0, `${path} shifts by ${shift} at ${width}`);
+        const room = await page.evaluate(() => document.documentElement.scrollWidth);
+        check(room <= width, `${path} is ${room} pixels wide in a window of ${width}`);
+        await picture(page, `${path.replace(/\W+/g, '_')}${width}${dark ? '_dark' : ''}`);
+        await axe(page);
+        await page.context().close();
+    }
 });

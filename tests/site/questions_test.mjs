@@ -12,8 +12,10 @@ const questions = readFileSync(new URL('questions.txt', import.meta.url), 'utf8'
 
 await visit(async ({ open, check, picture, axe }) => {
     check(questions.length >= 10, 'few questions');
+    const page = await open(''),
+        front = page.url();
     for (const [question, way, answer] of questions) {
-        const page = await open('');
+        await page.goto(front);
         const clicks = way.startsWith('click ') ? way.slice(6).split(' > ') : [];
         check(clicks.length <= 2, `${question} More than two clicks.`);
         for (const words of clicks) await page.getByRole('link', { name: words, exact: true }).first().click();
@@ -33,10 +35,9 @@ await visit(async ({ open, check, picture, axe }) => {
             target === '' || (await page.evaluate(id => document.getElementById(id) !== null, target)),
             `${question} ${page.url()}`,
         );
-        await page.context().close();
     }
 
-    const page = await open('');
+    await page.goto(front);
     await page.keyboard.press('/');
     await page.keyboard.type('pcss');
     await page.waitForSelector('.find.open a');

@@ -70,7 +70,8 @@ export function show_facts(
         add(
             'cost on RDNA2',
             `${fact.instructions} instructions, ${fact.cycles} cycles of throughput: a compiler's estimate ` +
-                `(Mesa, without the hardware) of a whole fragment shader, maps clamped. An empty one has ${fact.nothing}.`,
+                `(Mesa, without the hardware) of a whole fragment shader, maps clamped. An empty one has ` +
+                `${fact.nothing}.`,
         );
     if (snippet.lowest !== '100') add('lowest GLSL', `${snippet.lowest}, 130`);
     if (fact) add('in C++', element('span', 'signature, edge cases, formula', root + fact.entry));

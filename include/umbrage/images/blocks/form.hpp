@@ -6,9 +6,8 @@
 // A form states its needs of a map, and the smallest width and height that it accepts. blocks() makes its blocks
 // from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
 // that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters receivers within
-// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where
-// bounds_pay():
-// see hierarchical.hpp.
+// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where bounds_pay(): see
+// hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
 // finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
