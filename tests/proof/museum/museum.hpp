@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Museum of public bugs. Each exhibit runs the old formula, written again from its description, and that of umbrage on the
-// same inputs. The test demands that the old one fails and that of umbrage does not. main.cpp writes MUSEUM.md.
+// Museum of public bugs. Each exhibit runs the old formula, written again from its description, and that of umbrage on
+// the same inputs. The test demands that the old one fails and that of umbrage does not. main.cpp writes MUSEUM.md.
 #pragma once
 
 #include <cmath>
