@@ -40,6 +40,7 @@ digests run(const std::string& program) {
     std::istringstream in(text);
     line l;
     for (key k; in >> k[0] >> k[1] >> k[2] >> l.inputs >> l.exact >> l.unsigned_zeros;) found[k] = l;
+    if (found.empty()) throw std::runtime_error(program + " printed nothing");
     return found;
 }
 
