@@ -10,6 +10,7 @@
 #     make format  formats all C++ files
 #     make hosts   the npm package's addons in three.js, Babylon.js and PlayCanvas, and from an empty folder
 #     make users   the unit tests as users compile them: part of make prove
+#     make everywhere   tier A and the image functions on every machine that this one can be: a table, build/everywhere/everywhere.md
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make site    the project as a site, build/site: proof on your GPU, snippets, reference; make serve shows it
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
@@ -81,7 +82,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
+.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -178,6 +179,18 @@ users:
 	        ctest --test-dir $$build -R '^unit/' -j 2 --output-on-failure; \
 	    done; \
 	done
+
+# Compilers, instruction sets and, emulated, other processors. `make everywhere SAMPLED=ON` takes fewer inputs.
+everywhere_packages := $(test_packages) emscripten g++-11 g++-i686-linux-gnu g++-mingw-w64-x86-64-posix g++-riscv64-linux-gnu \
+    g++-s390x-linux-gnu wine wine64
+SAMPLED ?= OFF
+everywhere:
+	$(call install,$(everywhere_packages))
+	@$(MAKE) --no-print-directory newest-clang
+	@test -f build/dev/build.ninja || cmake --preset dev
+	cmake --build --preset dev --target hostile
+	cmake -D HOSTILE=build/dev/tests/proof/hostile/hostile -D GLM=/usr/include -D OUT=$(CURDIR)/build/everywhere -D SAMPLE=$(SAMPLED) \
+	    -P tests/everywhere/everywhere.cmake
 
 # The npm package's addons in every version of three.js that they support, and in Babylon.js and PlayCanvas; then from an
 # empty folder, as the package's page says, with a table of what an addon adds to a page.

@@ -172,7 +172,7 @@ inline void set_flushing(bool flushes) {
     state = flushes ? state | flush_to_zero : state & ~flush_to_zero;
     asm volatile("msr fpcr, %0" : : "r"(state));
 #else
-#error "how does this machine flush denormals?"
+    static_cast<void>(flushes);  // WebAssembly, RISC-V and z/Architecture never flush
 #endif
 }
 
@@ -195,11 +195,17 @@ void for_each_setting(Use use) {
         const char* name;
         int rounding;
         bool flushes;
-    } modes[] = {{"nearest", FE_TONEAREST, false},
-                 {"upward", FE_UPWARD, false},
-                 {"downward", FE_DOWNWARD, false},
-                 {"to-zero", FE_TOWARDZERO, false},
-                 {"flushing", FE_TONEAREST, true}};
+    } modes[] = {
+        {"nearest", FE_TONEAREST, false},
+#ifdef FE_UPWARD  // which WebAssembly lacks
+        {"upward", FE_UPWARD, false},
+        {"downward", FE_DOWNWARD, false},
+        {"to-zero", FE_TOWARDZERO, false},
+#endif
+#if defined(__x86_64__) || defined(__aarch64__)
+        {"flushing", FE_TONEAREST, true},
+#endif
+    };
     for (const auto& mode : modes) {
         std::fesetround(mode.rounding);
         set_flushing(mode.flushes);

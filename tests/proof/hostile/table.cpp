@@ -5,7 +5,7 @@
 // Runs the builds of a program, tier_a, images or fits, and compares their digests with the reference's, computed by
 // strict arithmetic rounding to nearest. Every line must agree, in every rounding mode, but for two things IEEE 754 and
 // flushing machines leave no choice in: rounding downwards, the sign of a zero is not looked at; where denormals are
-// flushed, inputs that are denormal may count as zero.
+// flushed, inputs that are denormal may count as zero. A machine without a mode, such as WebAssembly, prints no line of it.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -40,6 +40,7 @@ digests run(const std::string& program) {
     std::istringstream in(text);
     line l;
     for (key k; in >> k[0] >> k[1] >> k[2] >> l.inputs >> l.exact >> l.unsigned_zeros;) found[k] = l;
+    if (found.empty()) throw std::runtime_error(program + " printed nothing");
     return found;
 }
 
@@ -64,8 +65,13 @@ int main(int argc, char** argv) try {
     for (int i = 2; i < argc; ++i) {
         const std::string label = std::filesystem::path(argv[i]).filename();
         const digests found = run(argv[i]);
+        std::set<std::string> modes{"nearest"};
+        for (const auto& [k, ignored] : found) modes.insert(k[2]);
         long wrong = 0;
+        std::size_t lines = 0;
         for (const auto& [k, expected] : reference) {
+            if (!modes.contains(k[2])) continue;
+            ++lines;
             const auto at = found.find(k);
             if (at == found.end() || !agrees(reference, k, at->second)) {
                 ++wrong;
@@ -73,7 +79,7 @@ int main(int argc, char** argv) try {
             }
             tried[k[0]][k[1]] += expected.inputs;
         }
-        std::printf("%-66s %8zu %8ld\n", label.c_str(), reference.size(), wrong);
+        std::printf("%-66s %8zu %8ld\n", label.c_str(), lines, wrong);
     }
 
     std::printf("\n%-30s %10s %10s %10s %8s\n", "function", "ordinary", "NaN, inf", "denormal", "differ");

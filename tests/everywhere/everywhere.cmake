@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+#
+# Runs tier A and the functions over images on every machine that a Debian machine can be, and compares their digests:
+#
+#     cmake -D HOSTILE=program -D GLM=/usr/include -D OUT=folder [-D SAMPLE=ON] -P everywhere.cmake
+#
+# HOSTILE is the program of tests/proof/hostile/table.cpp. A row says which compiler and flags, and what runs the program.
+# Compilers and emulators that this machine lacks are rows too, "not seen". The table is OUT/everywhere.md.
+get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+set(sources ${root}/tests/proof/hostile)
+set(sample "")
+if(SAMPLE)
+    set(sample -DSAMPLE)
+endif()
+file(MAKE_DIRECTORY ${OUT}/glm)
+file(CREATE_LINK ${GLM}/glm ${OUT}/glm/glm SYMBOLIC) # alone: other headers there are none of a foreign machine's
+
+# name | compiler | flags | what runs it | programs
+set(all "tier_a images")
+set(rows
+    "x86-64, g++, as written|g++|-O2 -ffp-contract=off||${all}"
+    "x86-64, g++, -Ofast|g++|-Ofast -march=native||${all}"
+    "x86-64, oldest g++|g++-11|-O2||tier_a"
+    "x86-64, clang 14, libc++|clang++-14|-O2 -stdlib=libc++||${all}"
+    "x86-64, newest clang, -Ofast|NEWEST_CLANG|-O3 -ffast-math -march=native||${all}"
+    "x86-64, SSE2 alone|g++|-O2 -DUMBRAGE_FORCE_ISA=base||images"
+    "x86-64, AVX2|g++|-O2 -DUMBRAGE_FORCE_ISA=avx2||images"
+    "x86-64, AVX-512|g++|-O2 -DUMBRAGE_FORCE_ISA=avx512||images"
+    "x86, 32 bits, SSE2|i686-linux-gnu-g++|-static -O2 -msse2 -mfpmath=sse||${all}"
+    "x86, 32 bits, x87|i686-linux-gnu-g++|-static -O2 -mno-sse -mfpmath=387||tier_a"
+    "Windows, mingw-w64|x86_64-w64-mingw32-g++-posix|-static -O2|wine|${all}"
+    "AArch64|aarch64-linux-gnu-g++|-static -O2|qemu-aarch64|${all}"
+    "RISC-V, 64 bits|riscv64-linux-gnu-g++|-static -O2|qemu-riscv64|${all}"
+    "z/Architecture, big-endian|s390x-linux-gnu-g++|-static -O2|qemu-s390x|${all}"
+    "WebAssembly|em++|-O2|node|${all}"
+    "WebAssembly, SIMD|em++|-O2 -msimd128|node|${all}")
+
+file(STRINGS /proc/cpuinfo cpu REGEX "^flags" LIMIT_COUNT 1)
+find_program(newest_clang NAMES clang++-22 clang++-21 clang++-20 clang++-19 clang++-18 clang++-17 clang++-16 clang++-15)
+set(ENV{NODE_PATH} /usr/share/nodejs) # where Debian's emscripten finds acorn
+set(ENV{WINEDEBUG} -all)
+set(table "| machine, compiler | flags | tier A | images |\n|---|---|---|---|\n")
+
+# Builds a program of a row; `built` is what runs it, or empty.
+function(build program name compiler flags runner)
+    separate_arguments(flags UNIX_COMMAND "${flags}")
+    string(MAKE_C_IDENTIFIER "${program} ${name}" file)
+    set(binary ${OUT}/${file})
+    if(compiler MATCHES "em\\+\\+$")
+        list(APPEND flags -sALLOW_MEMORY_GROWTH=1 -sENVIRONMENT=node -sEXIT_RUNTIME=1)
+        string(APPEND binary .js)
+        set(runner ${runner} --no-experimental-fetch)
+    elseif(compiler MATCHES "mingw")
+        string(APPEND binary .exe)
+    endif()
+    execute_process(COMMAND ${compiler} -std=c++20 -w ${flags} ${sample} -I${root}/include -isystem ${OUT}/glm ${sources}/${program}.cpp -o ${binary}
+        RESULT_VARIABLE failed ERROR_VARIABLE said OUTPUT_QUIET)
+    if(failed)
+        file(WRITE ${OUT}/${file}.log "${said}")
+        set(built "" PARENT_SCOPE)
+        return()
+    endif()
+    set(script "${OUT}/run/${program}, ${name}")
+    file(WRITE "${script}" "#!/bin/sh\nexec ${runner} '${binary}' | tr -d '\\r'\n")
+    file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+    set(built "${script}" PARENT_SCOPE)
+endfunction()
+
+set(bad FALSE)
+foreach(row IN LISTS rows)
+    string(REGEX MATCH "^([^|]*)[|]([^|]*)[|]([^|]*)[|]([^|]*)[|](.*)$" row "${row}")
+    set(name "${CMAKE_MATCH_1}")
+    set(compiler "${CMAKE_MATCH_2}")
+    set(flags "${CMAKE_MATCH_3}")
+    set(runner "${CMAKE_MATCH_4}")
+    set(programs "${CMAKE_MATCH_5}")
+    if(compiler STREQUAL NEWEST_CLANG)
+        set(compiler "${newest_clang}")
+    endif()
+    find_program(found_compiler NAMES "${compiler}" NO_CACHE)
+    set(found_runner "")
+    if(runner)
+        find_program(found_runner NAMES "${runner}" NO_CACHE)
+    endif()
+    set(why "")
+    if(NOT found_compiler)
+        set(why "not seen: no ${compiler}")
+    elseif(runner AND NOT found_runner)
+        set(why "not seen: no ${runner}")
+    elseif(flags MATCHES "ISA=avx2" AND NOT cpu MATCHES " avx2 ")
+        set(why "not seen: no AVX2")
+    elseif(flags MATCHES "ISA=avx512" AND NOT cpu MATCHES " avx512f ")
+        set(why "not seen: no AVX-512")
+    endif()
+    foreach(program IN ITEMS tier_a images)
+        if(NOT programs MATCHES ${program})
+            set(${program}_said "")
+        elseif(why)
+            set(${program}_said "${why}")
+        else()
+            message(STATUS "${name}: ${program}")
+            build(${program} "${name}" ${found_compiler} "${flags}" "${found_runner}")
+            if(NOT built)
+                set(${program}_said "does not compile")
+                set(bad TRUE)
+            elseif(NOT ${program}_reference)
+                set(${program}_reference "${built}")
+                set(${program}_said "the reference")
+            else()
+                execute_process(COMMAND ${HOSTILE} ${program} "${${program}_reference}" "${built}" RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+                string(MAKE_C_IDENTIFIER "${program} ${name}" file)
+                file(WRITE ${OUT}/${file}.log "${said}")
+                string(REGEX MATCHALL "[^\n]+ [0-9]+ +[0-9]+\n" lines "${said}") # the reference's, then this build's
+                if(lines MATCHES "\n;.* ([0-9]+) +([0-9]+)\n")
+                    set(lines ${CMAKE_MATCH_1})
+                    set(differ ${CMAKE_MATCH_2})
+                else()
+                    set(lines "")
+                endif()
+                if(failed AND NOT lines)
+                    set(${program}_said "does not run")
+                elseif(failed)
+                    set(${program}_said "${differ} of ${lines} digests differ")
+                else()
+                    set(${program}_said "${lines} digests, equal")
+                endif()
+                if(failed)
+                    set(bad TRUE)
+                endif()
+            endif()
+        endif()
+    endforeach()
+    string(APPEND table "| ${name} | `${flags}` | ${tier_a_said} | ${images_said} |\n")
+endforeach()
+file(WRITE ${OUT}/everywhere.md "${table}")
+message("\n${table}")
+if(bad)
+    message(FATAL_ERROR "Something differs, or does not build: ${OUT}/*.log")
+endif()
