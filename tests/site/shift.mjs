@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-/// How much a page's layout has shifted since it began to load, as browsers count it.
+/// Layout shift of a page since it began to load, as browsers count it.
 export const layout_shift = page =>
     page.evaluate(
         () =>
