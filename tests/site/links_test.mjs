@@ -24,7 +24,7 @@ const pages = new Map(
     files.filter(name => name.endsWith('.html')).map(name => [name, read_page(readFileSync(name, 'utf8'))]),
 );
 
-/// What a page links to, loads, and can be linked at. Scripts and code are no part of it.
+/// Links of a page, files that it loads, and its fragments. Scripts are no part of it.
 function read_page(text) {
     const html = text.replace(/<script type="application\/json"[^]*?<\/script>/g, '');
     const all = (pattern, from = html) =>
@@ -36,7 +36,7 @@ function read_page(text) {
     };
 }
 
-/// Why a link of a page is dead, or nothing.
+/// Reason why a link of a page is dead, or nothing.
 function dead(page, to) {
     if (/^(https?|mailto):/.test(to)) return '';
     const [path, fragment] = to.split('#');

@@ -42,7 +42,7 @@ check(lines.length > 500, `readme --public lists ${lines.length} names`);
 for (const [place, name] of without_entry(lines, built)) check(false, `${header_page(place)} has no entry of ${name}`);
 for (const entry of all.entries) for (const wrong of missing_parts(entry, all.texts.glsl.snippets)) check(false, wrong);
 
-// What it would say of faults.
+// Faults that it must see.
 check(
     without_entry(['filter/pcf/box.hpp box', 'filter/pcf/box.hpp box_count'], place =>
         built(place).replace('id="box"', ''),

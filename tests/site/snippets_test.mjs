@@ -7,6 +7,7 @@ import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
+import { layout_shift } from './shift.mjs';
 import { visit } from './visit.mjs';
 
 const package_of = async name =>
@@ -16,22 +17,11 @@ const [glsl, hlsl, wgsl, msl] = await Promise.all(['umbrage', 'hlsl', 'wgsl', 'm
 await visit(async ({ open, check, picture, axe }) => {
     const ready = page => page.waitForSelector('#detail:not(.loading)');
     const text = page => page.locator('#code').textContent();
-    const shift = page =>
-        page.evaluate(
-            () =>
-                new Promise(done => {
-                    let sum = 0;
-                    new PerformanceObserver(list => {
-                        for (const each of list.getEntries()) sum += each.value;
-                    }).observe({ type: 'layout-shift', buffered: true });
-                    setTimeout(() => done(sum), 200);
-                }),
-        );
 
     // Names people use.
     let page = await open('snippets/');
     await ready(page);
-    check((await shift(page)) === 0, 'the page shifts as it loads');
+    check((await layout_shift(page)) === 0, 'the page shifts as it loads');
     check((await text(page)) === glsl.text([glsl.pcf_2x2]), 'the first text is not that of the package');
     for (const [query, name] of [
         ['CSM', 'cascade'],
@@ -103,7 +93,7 @@ await visit(async ({ open, check, picture, axe }) => {
     page = await open(`snippets/${address.search}`);
     await ready(page);
     check((await text(page)) === before, 'the address does not restore the state');
-    check((await shift(page)) === 0, 'the page shifts as it restores a state');
+    check((await layout_shift(page)) === 0, 'the page shifts as it restores a state');
     check(await page.locator('#notice').isHidden(), 'a right address is told to be wrong');
     await page.click('label:has(input[value=depth])');
     await page.waitForFunction(() => document.getElementById('code').textContent.includes('umbrage_write_map_2('));
@@ -143,7 +133,7 @@ await visit(async ({ open, check, picture, axe }) => {
             `${query}: ${await wrong.locator('#notice').textContent()}`,
         );
         check((await text(wrong)).includes('umbrage_'), `${query} shows no text`);
-        check((await shift(wrong)) === 0, `${query} shifts`);
+        check((await layout_shift(wrong)) === 0, `${query} shifts`);
         await wrong.context().close();
     }
 

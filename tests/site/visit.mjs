@@ -41,9 +41,9 @@ export async function visit(trial, flags = webgl_flags) {
         await page.goto(origin + path);
         return page;
     }
-    async function picture(page, name) {
+    async function picture(page, name, fullPage = true) {
         mkdirSync(join(site, '../pictures'), { recursive: true });
-        await page.screenshot({ path: join(site, '../pictures', `${name}.png`), fullPage: true });
+        await page.screenshot({ path: join(site, '../pictures', `${name}.png`), fullPage });
     }
     async function axe(page) {
         await page.addScriptTag({ content: load('axe-core').source });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What an entry of the reference must have, and what entries lack.
+// Parts that an entry of the reference must have.
 
 /// A sentence for each part that an entry's docstrings lack.
 /// @param entry      from entries.mjs

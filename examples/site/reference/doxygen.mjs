@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 
-/// All that the headers declare outside namespace detail, as items. Writes below context.work.
+/// Declarations of the headers outside namespace detail, as items. Writes below context.work.
 export function documented(context) {
     const { DOMParser } = context.load('@xmldom/xmldom');
     const xml = run_doxygen(context.root, join(context.work, 'doxygen'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the reference has an entry for: each public name of a header once, with its overloads, value and snippets.
+// Entries of the reference: each public name of a header once, with its overloads, value and snippets.
 
 /// Entries by header, in the headers' order; headers of details alone have none.
 /// An entry: {name, place, items, snippets, tier}.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where in the site a file of the repository is, and links between pages.
+// Addresses of the repository's files in the site, and links between pages.
 import { existsSync, statSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 

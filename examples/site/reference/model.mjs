@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all pages of the reference are made of, read once; the search and the snippets' page use it too.
+// Facts that all pages of the reference are made of, read once; the search and the snippets' page use them too.
 import { readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -57,7 +57,7 @@ const markdown_files = root =>
         ),
     ].sort();
 
-/// Of two entries of one name, links lead to the function of the primitives.
+/// Weight of an entry among those of its name: links lead to the lightest, a function of the primitives.
 const weight = entry =>
     (entry.items.some(item => item.scope === 'umbrage') ? 0 : 2) +
     (/^(images|shadow|shader)\//.test(entry.place) ? 1 : 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a name is used: exhibits of the museum, and the example programs.
+// Uses of a name: exhibits of the museum, and the example programs.
 import { readFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 

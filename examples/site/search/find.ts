@@ -36,7 +36,7 @@ export function asked(query: string): string[] {
     return telling.length > 0 ? telling : all;
 }
 
-/// How well one asked word fits: whole words before beginnings, those before insides; 0 for not at all.
+/// Fit of one asked word: whole words before beginnings, those before insides; 0 for not at all.
 function fit(word: string, words: readonly string[]): number {
     if (words.includes(word)) return 3;
     if (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
+// Things that the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';

@@ -20,7 +20,7 @@ interface Encoding {
     readonly write: Snippet;
 }
 
-/// What each language's module of the package exports.
+/// Exports of the package's module of a language.
 export interface Package {
     readonly snippets: Readonly<Record<string, Snippet>>;
     readonly encodings: Readonly<Record<string, Encoding>>;
@@ -55,7 +55,7 @@ function lookup(from: Package, item: Item): object {
     return from.bind(snippet, item.map, map);
 }
 
-/// What the depth pass of the item's map writes.
+/// Function by which the depth pass writes the item's map.
 const writer = (from: Package, item: Item): object =>
     from.bind(encoding_of(from, item).write, item.map, { direction: item.direction });
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of a function: its promise, what it needs, what it costs, and where it is described.
+// Facts of a function: its promise, its needs, its cost, and where it is described.
 import type { Snippet } from './compose';
 
-/// Of each function, written into the page: names people use, address of its entry, instructions and cycles on RDNA2.
+/// Facts that the page holds of a function: names people use, address of its entry, instructions and cycles on RDNA2.
 export interface Fact {
     also: string;
     entry: string;

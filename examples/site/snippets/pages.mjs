@@ -65,11 +65,11 @@ export async function pages(context) {
     ];
 }
 
-/// Of each function: its summary, names people use, the address of its entry, its cost.
+/// Facts of each function: its summary, names people use, the address of its entry, its cost.
 async function facts(context) {
     const { entries, places, texts, addresses } = await model(context);
     const costs = read_costs(context), known = known_names(context, addresses), all = {};
-    // What names no shader function, such as CSM, finds those of its folder.
+    // A name that no shader function has, such as CSM, finds those of its folder.
     const is_of_room = (here, entry) =>
         here.every(name => !places.get(name)?.snippets.length) &&
         here.some(name => places.has(name) && dirname(places.get(name).place) === dirname(entry.place));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page shows, and the same as a URL: ?language=glsl&version=300+es&snippet=pcf_2x2&map=sun&texture=array&...
+// State of the page, and the same as a URL: ?language=glsl&version=300+es&snippet=pcf_2x2&map=sun&texture=array&...
 // Each `snippet` begins another item; what follows belongs to it. What a URL has wrong is left out and told.
 
 export const languages = { glsl: 'GLSL', hlsl: 'HLSL', wgsl: 'WGSL', msl: 'Metal' } as const;
