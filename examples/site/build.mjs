@@ -10,7 +10,7 @@ import { resolve } from 'node:path';
 import { make_context } from './context.mjs';
 
 const [out, node_modules, work] = process.argv.slice(2).map(path => resolve(path));
-const parts = ['front'];
+const parts = ['front', 'proof'];
 
 rmSync(out, { recursive: true, force: true });
 const context = await make_context({ out, node_modules, work });
