@@ -31,7 +31,7 @@ test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++a
     libvulkan-dev mesa-vulkan-drivers \
     libepoxy-dev libglfw3-dev python3-moderngl xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
-    chromium $(node_packages)
+    chromium emscripten $(node_packages)
 
 gpu_packages := $(build_packages) doctest-dev glslang-dev libegl-dev libgles-dev libvulkan-dev
 
@@ -152,6 +152,7 @@ prove:
 	cmake --preset dev -D UMBRAGE_ALL_BUILDS=ON -D CMAKE_CXX_FLAGS_RELEASE=-O1
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
+	cmake --build --preset dev --target prove_site
 	cmake --build --preset dev --target mutate
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimized; fi
 	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit
@@ -204,7 +205,7 @@ hosts:
 	exit $$status
 
 site:
-	$(call install,$(unit_packages) $(node_packages))
+	$(call install,$(unit_packages) emscripten $(node_packages))
 	$(from_npm)
 	node examples/site/build.mjs build/site build/node_modules build/site-work
 

@@ -42,11 +42,11 @@ export function webgl(make_canvas) {
             set('COMPARE_MODE', gl.COMPARE_REF_TO_TEXTURE);
             set('COMPARE_FUNC', [0, gl.LEQUAL, gl.GEQUAL][t.compare]);
         }
-        const [internal, format, type] = c.version === 1 ? [gl.RGBA, gl.RGBA, gl.FLOAT] : [
-            [gl.RGBA32F, gl.RGBA, gl.FLOAT], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
+        const bytes = [gl.RGBA, gl.UNSIGNED_BYTE], floats = [gl.RGBA, gl.FLOAT];
+        const [internal, format, type] = c.version === 1 ? [gl.RGBA, ...t.format === 4 ? bytes : floats] : [
+            [gl.RGBA32F, ...floats], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
             [gl.DEPTH_COMPONENT32F, gl.DEPTH_COMPONENT, gl.FLOAT],
-            [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT],
-            [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE]][t.format];
+            [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT], [gl.RGBA8, ...bytes]][t.format];
         const arrays = { [gl.FLOAT]: Float32Array, [gl.UNSIGNED_INT]: Uint32Array, [gl.UNSIGNED_SHORT]: Uint16Array,
             [gl.UNSIGNED_BYTE]: Uint8Array };
         const pixels = new arrays[type](t.bytes);

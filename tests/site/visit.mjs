@@ -14,8 +14,8 @@ export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 /// Calls trial(visit) with the site served and a browser open; exit status 77 where something is missing, 1 when a check
 /// fails, a page says an error on its console, or asks another host.
 ///
-/// visit.open(path, {width, dark}) gives a page; visit.check(good, what) counts; visit.picture(page, name) keeps a picture
-/// beside the site; visit.axe(page) checks that axe finds nothing serious.
+/// visit.open(path, {width, dark, before}) gives a page, in which the function `before` runs first; visit.check(good, what)
+/// counts; visit.picture(page, name) keeps a picture beside the site; visit.axe(page) checks that axe finds nothing serious.
 export async function visit(trial, flags = webgl_flags) {
     for (const needed of ['playwright-core', 'esbuild', 'axe-core'])
         if (!existsSync(join(node_modules, needed))) skip(`no ${needed} in ${node_modules}`);
@@ -30,13 +30,14 @@ export async function visit(trial, flags = webgl_flags) {
     let failed = 0;
     const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what}`); };
 
-    async function open(path, { width = 1280, dark = false } = {}) {
+    async function open(path, { width = 1280, dark = false, before } = {}) {
         const context = await browser.newContext({ viewport: { width, height: width < 600 ? 844 : 800 },
             colorScheme: dark ? 'dark' : 'light', permissions: ['clipboard-read', 'clipboard-write'] });
         const page = await context.newPage();
         page.on('console', m => check(m.type() !== 'error', `${path}: the console says ${m.text()}`));
         page.on('pageerror', e => check(false, `${path}: ${e.stack ?? e}`));
         page.on('request', r => check(/^(data|blob):/.test(r.url()) || r.url().startsWith(origin), `${path}: asks ${r.url()}`));
+        if (before) await page.addInitScript(before);
         await page.goto(origin + path);
         return page;
     }

@@ -2,7 +2,7 @@
 //
 // The page that proves the shaders on the visitor's GPU.
 import { page } from '../page.mjs';
-import { build_wasm } from './wasm.mjs';
+import { build_wasm, is_sample } from './wasm.mjs';
 
 const box = (id, name, words) => `<label class="box"><input type="checkbox" id="${id}" checked> <span>${name} <small>${words}</small></span></label>`;
 
@@ -27,8 +27,9 @@ const body = has_wasm => `
 <h1>Prove it on your GPU</h1>
 <p class="lead">Your GPU runs each shader function beside its C++ version, which is WebAssembly here. The page compares the bits.</p>
 ${has_wasm ? controls : missing}
+${is_sample ? '<p class="faint">This copy of the site tries a sample of the functions.</p>' : ''}
 <div id="results"></div>
-<section id="report" hidden>
+<section id="report" class="prose" hidden>
 <h2>Keep or send the report</h2>
 <p>The report has the device, its arithmetic, and every difference with an input. It is what <code>make gpu</code> writes.
 The issue form “What my GPU computes” takes it. A report without differences is welcome too.</p>

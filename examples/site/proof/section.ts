@@ -51,13 +51,18 @@ class Group {
         const name = Object.assign(element('th', 'name', row.name), { scope: 'row' });
         const tier = element('td', '', element('span', `tier ${row.tier.toLowerCase()}`, row.tier), row.promise.slice(1));
         this.body.append(element('tr', '', name, tier, ...cells.map(text => element('td', 'count', text)), element('td', 'count', worst(row))));
-        if (row.example) {
-            const cell = element('td', '', element('pre', '', row.example.trimEnd()));
-            cell.colSpan = columns.length;
-            this.body.append(element('tr', 'example', cell));
-        }
+        if (row.example) this.body.append(this.example_of(row.example.trimEnd()));
         this.count.textContent = number(this.body.querySelectorAll('th.name').length);
         this.element.hidden = false;
+    }
+    /** The first one is open. */
+    private example_of(text: string): HTMLElement {
+        const words = this.verdict === 'different' ? 'An input' : 'The browser\'s words';
+        const inside = element('details', '', element('summary', '', words), element('pre', '', text));
+        inside.open = !this.body.querySelector('.example');
+        const cell = element('td', '', inside);
+        cell.colSpan = columns.length;
+        return element('tr', 'example', cell);
     }
 }
 
@@ -81,7 +86,7 @@ export class Section {
     missing(why: string): void { this.said.textContent = `Not tried: this browser offers ${why}.`; }
 
     begun(device: string, entries: number, probe: string[]): void {
-        this.said.textContent = `${device}. ${number(entries)} functions run in this language.`;
+        this.said.textContent = `${device}. ${number(entries)} functions run in this language here.`;
         const is_first = (line: string) => first_lines.some(start => line.startsWith(start));
         const list = (lines: string[]) => element('ul', '', ...lines.map(line => element('li', '', line)));
         if (!probe.length) this.probe.append(element('p', 'amber', 'The probe of its arithmetic did not run.'));
@@ -98,17 +103,17 @@ export class Section {
 
     /** The headline: what tier A does, and B and C beside it. */
     private show(sums: Sum[]): void {
-        const promises = ['to the bit', 'as promised', 'within its bound'];
+        const promises = ['to the bit', 'as promised', 'within bounds'];
         this.tiles.replaceChildren(...sums.flatMap((sum, i) => {
             const all = sum.identical + sum.as_promised + sum.different, good = all - sum.different, letter = 'ABC'.charAt(i);
             if (!all && !sum.not_run) return [];
-            const notes = [`${number(sum.inputs)} inputs.`];
-            if (sum.as_promised) notes.push(i === 0 ? `${sum.as_promised} of them but for flushed denormals, NaN or the sign of zero.`
-                : `${sum.identical} of them to the bit.`);
-            if (sum.not_run) notes.push(`${sum.not_run} did not run.`);
+            const notes = [`${number(sum.inputs)} inputs`];
+            if (i === 0 && sum.as_promised) notes.push(`only denormals, NaN or the sign of zero differ: ${sum.as_promised}`);
+            if (i > 0) notes.push(`to the bit: ${sum.identical}`);
+            if (sum.not_run) notes.push(`did not run: ${sum.not_run}`);
             return [element('div', `card ${sum.different ? 'bad' : 'good'}`,
                 element('p', 'headline', `${letter}: ${number(good)} of ${number(all)} ${promises[i] ?? ''}`),
-                element('p', 'faint', notes.join(' ')))];
+                element('p', 'faint', `${notes.join(' · ')}`))];
         }));
     }
 }
