@@ -136,7 +136,7 @@ std::vector<input_class> receivers() {
                  for (int c = 0; c < 2; ++c) x[c] = beside(r.bits(), std::floor(x[c] / step) * step);
              })},
             {"ties", then([](auto, random& r, vec4& x, auto& map) {
-                 const ivec2 texel = ivec2(glm::floor(vec2(x))) + ivec2(r.below(3) - 1, r.below(3) - 1);
+                 const ivec2 texel = ivec2(glm::floor(vec2(x))) + ivec2{r.below(3) - 1, r.below(3) - 1};
                  x.z = beside(static_cast<std::uint64_t>(r.below(4)) * 2 % 3, umbrage::fetch_clamped(map, texel).x);
              })},
             {"zero", one_of_three([](std::uint64_t i, random&) { return signed_by(i, 0.0f); })},

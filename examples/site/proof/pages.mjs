@@ -17,6 +17,7 @@ ${box('webgl2', 'WebGL 2', 'GLSL 300 es')}${box('webgpu', 'WebGPU', 'WGSL')}${bo
 <span id="status" class="faint" role="status"></span></p>
 <progress id="progress" aria-label="Functions tried" hidden></progress>
 </form>
+<noscript><p class="notice">The proof is a script. This browser runs none.</p></noscript>
 <div id="notices"></div>`;
 
 const missing = `

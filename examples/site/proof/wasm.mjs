@@ -23,7 +23,7 @@ export const is_sample = process.env.UMBRAGE_PROOF_SAMPLE === '1';
 export function build_wasm({ root, work }) {
     if (!can_run('emcc', '--version')) return null;
     const build = join(work, 'proof'), launcher = can_run('ccache', '--version') ? ['-D', 'CMAKE_CXX_COMPILER_LAUNCHER=ccache'] : [];
-    const run = (...words) => execFileSync(words[0], words.slice(1), { env, stdio: ['ignore', 'ignore', 'inherit'] });
+    const run = (...words) => execFileSync(words[0], words.slice(1), { env, stdio: ['ignore', 'inherit', 'inherit'] });
     run('emcmake', 'cmake', '-G', 'Ninja', '-S', join(root, 'examples/site/proof/wasm'), '-B', build,
         '-D', `sample_of_entries=${is_sample ? 'ON' : 'OFF'}`, ...launcher);
     run('cmake', '--build', build, '--target', 'proof');

@@ -21,7 +21,8 @@ float around_limit(random& r) {
                          1.5f * limit,
                          0x1p54f,
                          0x1p74f};
-    return (r.below(2) == 0 ? 1.0f : -1.0f) * values[r.below(9)];
+    const float sign = r.below(2) == 0 ? 1.0f : -1.0f;
+    return sign * values[r.below(9)];
 }
 
 /// (x, y, depth, bias) and (size, number) of receivers inside, and on both sides of every border.
@@ -61,7 +62,7 @@ std::vector<input_class> inputs() {
     const auto fill = [](std::uint64_t i, random& r, sample& s) {
         s.x[0] = {0.25f, 0.5f, 0.75f, 0};
         s.x[1] = {r.between(-9, 9), r.between(-9, 9), r.between(-9, 9), 0};
-        s.x[2] = i % 3 ? vec4(r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0) : vec4(0);
+        s.x[2] = i % 3 ? vec4{r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0} : vec4(0);
         if (i % 3 == 0 && i % 2) s.x[2][r.below(3)] = 1;
     };
     std::vector<input_class> classes{{"random", fill}, {"usable", [=](std::uint64_t i, random& r, sample& s) {
