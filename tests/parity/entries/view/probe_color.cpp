@@ -43,7 +43,9 @@ std::vector<input_class> places() {
              const float beside[]{edge, std::nextafter(edge, 1e9f), std::nextafter(edge, -1.0f), edge - 0.25f,
                                   edge + 0.25f};
              s.x[0][axis] = beside[r.below(5)];
-             if (i % 7 == 0) s.x[0][r.below(4)] = static_cast<float>(r.below(3)) * 65536.0f;
+             if (i % 7) return;
+             const int other = r.below(4);
+             s.x[0][other] = static_cast<float>(r.below(3)) * 65536.0f;
          }},
         {"usable", [=](std::uint64_t i, random& r, sample& s) {
              fill(r, s);
@@ -67,12 +69,14 @@ std::vector<input_class> inputs() {
     };
     std::vector<input_class> classes{{"random", fill}, {"usable", [=](std::uint64_t i, random& r, sample& s) {
                                                             fill(i, r, s);
-                                                            s.x[1 + i % 2][r.below(3)] = around_limit(r);
+                                                            const int axis = r.below(3);
+                                                            s.x[1 + i % 2][axis] = around_limit(r);
                                                         }}};
     for (const value_class& kind : large_values())
         classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
                                fill(i, r, s);
-                               s.x[1 + r.below(2)][r.below(3)] = kind.make(i, r);
+                               const int which = 1 + r.below(2), axis = r.below(3);
+                               s.x[static_cast<std::size_t>(which)][axis] = kind.make(i, r);
                            }});
     return classes;
 }
