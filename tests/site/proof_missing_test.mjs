@@ -35,14 +35,11 @@ await visit(async ({ open, check }) => {
     await shows(lost, 'The browser took the GPU away');
     check(webgl2.tiles.length > 0 && await lost.isVisible('#report'), 'a lost context hides the results before it');
 
-    // No WebAssembly, none with SIMD, no WebGL.
+    // No WebAssembly, no WebGL.
     const bare = before => open('proof/?on=webgl2&inputs=256&run', { before });
     const without = await bare(() => { delete window.Worker; delete window.WebAssembly; });
     await finished(without);
     await shows(without, 'This browser has no WebAssembly');
-    const plain = await bare(() => { delete window.Worker; WebAssembly.validate = () => false; });
-    await finished(plain);
-    await shows(plain, 'WebAssembly has no SIMD');
     const blind = await bare(() => { delete window.Worker; HTMLCanvasElement.prototype.getContext = OffscreenCanvas.prototype.getContext = () => null; });
     await finished(blind);
     await shows(blind, 'Not tried: this browser offers no WebGL 2.');
