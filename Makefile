@@ -32,7 +32,7 @@ test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++a
     libvulkan-dev mesa-vulkan-drivers \
     libepoxy-dev libglfw3-dev python3-moderngl xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
-    chromium doxygen $(node_packages)
+    chromium doxygen emscripten $(node_packages)
 
 gpu_packages := $(build_packages) doctest-dev glslang-dev libegl-dev libgles-dev libvulkan-dev
 
@@ -156,6 +156,7 @@ prove:
 	cmake --preset dev -D UMBRAGE_ALL_BUILDS=ON -D CMAKE_CXX_FLAGS_RELEASE=-O1
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
+	cmake --build --preset dev --target prove_site
 	cmake --build --preset dev --target mutate
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimized; fi
 	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit

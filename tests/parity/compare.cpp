@@ -2,7 +2,6 @@
 #include "compare.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -11,13 +10,14 @@ namespace parity {
 namespace {
 
 bool same_bits(float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
+    return umbrage::detail::bit_cast<std::uint32_t>(a) == umbrage::detail::bit_cast<std::uint32_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
 }
 
 bool zeros(float a, float b) { return a == 0.0f && b == 0.0f; }
 
 std::int64_t ordered(float v) {
-    const auto bits = std::bit_cast<std::int32_t>(v);
+    const auto bits = umbrage::detail::bit_cast<std::int32_t>(v);
     return bits < 0 ? -static_cast<std::int64_t>(bits & 0x7FFFFFFF) : bits;
 }
 

@@ -14,7 +14,7 @@
 
 #include <unistd.h>
 
-#include "arithmetic/trial.hpp"
+#include "expected.hpp"
 #include "report.hpp"
 #include "shader.hpp"
 
@@ -98,26 +98,6 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-/// Promise of the primitive, or only the tier if the entry's text contains a weaker one.
-std::string promised(const entry& e) {
-    if (e.exactness() == e.primitive->exactness) return umbrage::glsl::promise(*e.primitive);
-    return std::string(1, "ABC"[static_cast<int>(e.exactness())]);
-}
-
-expectation expect(const job& j, const texels* flushed_map, const options& o) {
-    expectation all{{}, flushed_map};
-    all.plain.reserve(j.count);
-    for (std::size_t i = 0; i < j.count; ++i) all.plain.push_back(j.what->twin(j.at(i)));
-    if (o.may_reorder())
-        all.allows = [run = std::make_shared<arithmetic::caller>(j)](std::size_t i, const vec4& result) {
-            return allows(*run, i, result);
-        };
-    return all;
-}
-
-/// First of several differences that compare() prints.
-std::string first_example(const std::string& log) { return log.substr(0, log.find("  differs:", 1)); }
-
 std::vector<row> run(const entry& e, backend& b, const options& o) {
     const bool only = b.dialects().size() == 1;
     std::vector<dialect> dialects;
@@ -142,7 +122,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
             std::cout << "BROKEN: " << e.name() << " in " << r.language << ": " << r.broken << std::endl;
         }
         if (log.str().empty()) return;
-        if (r.example.empty()) r.example = first_example(log.str());
+        r.take_example(log.str());
         std::cout << "in " << r.language << '\n';
         std::cout << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
     };
@@ -153,7 +133,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
         const texels flat = map ? flush(*map) : texels();
         for (std::size_t first = 0; first < most / maps; first += at_most) {
             const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
-            const expectation expected = expect(j, map ? &flat : nullptr, o);
+            const expectation expected = expect(j, map ? &flat : nullptr, o.may_reorder());
             for (std::size_t d = 0; d < dialects.size(); ++d) {
                 const std::size_t wanted = o.inputs(e, dialects[d], only) / maps;
                 if (wanted > first) judge(j, expected, d, std::min(j.count, wanted - first));
@@ -167,7 +147,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     while (last > 0 && !(dialects[last].in == dialect::glsl && options::main(dialects[last]))) --last;
     for (std::size_t first = 0; first < whole; first += at_most) {
         const job j = make_whole_job(e, first, std::min(at_most, whole - first), serial++);
-        judge(j, expect(j, e.maps.empty() ? nullptr : &flat, o), last, j.count);
+        judge(j, expect(j, e.maps.empty() ? nullptr : &flat, o.may_reorder()), last, j.count);
     }
     return rows;
 }

@@ -45,7 +45,7 @@ mediump float umbrage_low(mediump float step) {
 )"};
 
 bool any(const std::vector<vec4>& results, vec4 expected) {
-    return std::ranges::any_of(results, [&](vec4 r) { return r != expected; });
+    return std::any_of(results.begin(), results.end(), [&](vec4 r) { return r != expected; });
 }
 
 /// Runs a call. Values come from textures, so that no compiler folds them.

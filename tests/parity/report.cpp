@@ -61,7 +61,7 @@ void print_system(std::ostream& out, const report& r, const std::string& command
     line("umbrage", std::to_string(UMBRAGE_VERSION_MAJOR) + '.' + std::to_string(UMBRAGE_VERSION_MINOR) + '.' +
                         std::to_string(UMBRAGE_VERSION_PATCH));
     line("compiler", compiler);
-    line("system", machine());
+    line("system", r.system.empty() ? machine() : r.system);
     line("command", '`' + command + '`');
     out << "| date | " << std::put_time(std::gmtime(&now), "%Y-%m-%d") << " |\n";
 }
@@ -104,7 +104,7 @@ std::vector<report> probe_all(backend& b) {
     for (const dialect d : dialects) {
         const identity of = b.about(d);
         const auto same = [&](const report& r) { return r.of.api == of.api; };
-        auto found = std::ranges::find_if(all, same);
+        auto found = std::find_if(all.begin(), all.end(), same);
         if (found == all.end()) found = all.insert(found, {.of = of});
         found->dialects.push_back(b.label(d));
         if (d.in == dialect::glsl || found->probed_in.empty()) found->of = of, found->probed_in = b.label(d);
@@ -115,10 +115,7 @@ std::vector<report> probe_all(backend& b) {
     return all;
 }
 
-std::string write(const report& r, const std::string& command, const std::string& folder) {
-    std::filesystem::create_directories(folder);
-    const std::string path = folder + '/' + file_name(r.of);
-    std::ofstream out(path);
+void print(std::ostream& out, const report& r, const std::string& command) {
     out << "# umbrage on " << r.of.api << (r.of.device.empty() ? "" : ", " + r.of.device) << "\n\n";
     print_system(out, r, command);
 
@@ -141,7 +138,7 @@ std::string write(const report& r, const std::string& command, const std::string
 
     out << "\n## Different\n";
     const auto differs = [](const row& x) { return x.t.different > 0; };
-    if (std::ranges::none_of(r.rows, differs)) out << "\nNone.\n";
+    if (std::none_of(r.rows.begin(), r.rows.end(), differs)) out << "\nNone.\n";
     list(out, r.rows, differs, [](const row& x) {
         return std::to_string(x.t.different) + " of " + std::to_string(x.t.total) + " results, tier " + x.exactness +
                code(x.example);
@@ -149,12 +146,19 @@ std::string write(const report& r, const std::string& command, const std::string
 
     out << "\n## Not run\n";
     const auto missing = [](const row& x) { return !x.ran(); };
-    if (std::ranges::none_of(r.rows, missing)) out << "\nNone.\n";
+    if (std::none_of(r.rows.begin(), r.rows.end(), missing)) out << "\nNone.\n";
     list(out, r.rows, missing, [](const row& x) { return x.obstacle.empty() ? code("  " + x.broken) : x.obstacle; });
 
     out << "\n## Where to send it\n\nOpen an issue with this file. If nothing differs, it is welcome too: the device "
            "is then "
            "known to work.\n";
+}
+
+std::string write(const report& r, const std::string& command, const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    const std::string path = folder + '/' + file_name(r.of);
+    std::ofstream out(path);
+    print(out, r, command);
     if (!out) throw std::runtime_error("cannot write " + path);
     return path;
 }

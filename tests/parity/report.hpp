@@ -20,14 +20,17 @@ struct report {
     std::optional<observed_arithmetic> probed{};  ///< empty: `unprobed` says why
     std::string unprobed{};
     std::vector<row> rows{};
+    std::string system{};  ///< empty: this one
 };
 
 /// A report for each API, still without rows. The probe runs in the newest dialect of GLSL, or else the last dialect.
 [[nodiscard]] std::vector<report> probe_all(backend& b);
 
-/// Writes report-<api>-<device>.md into the folder, which it makes.
 /// @param command   the command line
-/// @return          the path of the file
+void print(std::ostream& out, const report& r, const std::string& command);
+
+/// Writes report-<api>-<device>.md into the folder, which it makes.
+/// @return   the path of the file
 /// @throws std::runtime_error   the file cannot be written
 std::string write(const report& r, const std::string& command, const std::string& folder);
 

@@ -165,6 +165,7 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
     const bool vulkan = v == version::vulkan, compute = of == shader_stage::compute;
+    const bool bits = of == shader_stage::bits && e.output == target::rgba32f;
     const auto located = [&](const char* what) { return (vulkan ? "layout(location = 0) " : "") + std::string(what); };
 
     const std::string pixel = compute ? "gl_GlobalInvocationID.xy" : "gl_FragCoord.xy";
@@ -193,7 +194,9 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
         f += "layout(local_size_x = " + std::to_string(group_width) +
              ") in;\nlayout(set = 0, binding = " + std::to_string(target_binding) + ", " + format_of(e.output) +
              ") uniform writeonly image2D target;\n";
-    else f += old ? "varying UMBRAGE_HIGHP vec2 position;\n" : located("out UMBRAGE_HIGHP vec4 result;\n");
+    else
+        f += old ? "varying UMBRAGE_HIGHP vec2 position;\n"
+                 : located(bits ? "out UMBRAGE_HIGHP uvec4 result;\n" : "out UMBRAGE_HIGHP vec4 result;\n");
     f += "void main() {\n";
     if (!old && map) f += "    UMBRAGE_HIGHP vec2 map_size = " + map_size(e) + ";\n";
     for (int i = 0; i < max_inputs; ++i) {
@@ -205,12 +208,15 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
     }
     if (compute) {
         f += "    imageStore(target, ivec2(" + pixel + "), " + call.result() + ");\n}\n";
+        f = with_mistake(f);
         return s;
     }
     // gl_FragColor is mediump in GLSL ES 1.00. Mesa drops the rounding of a product that is stored as it is, but not of
     // a value that comes out of a branch: that it rounds in the branch.
     const std::string one = v == version::v100 ? " * (position.x < 2.0 ? 1.0 : 0.0)" : "";
-    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + call.result() + one + ";\n}\n";
+    const std::string result = bits ? "floatBitsToUint(" + call.result() + ")" : call.result() + one;
+    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + result + ";\n}\n";
+    f = with_mistake(f);
     return s;
 }
 

@@ -13,7 +13,8 @@
 
 namespace parity {
 
-enum class shader_stage { fragment, compute };
+/// bits: a fragment shader that gives floats as the integers of their bits, for targets that every WebGL 2 has.
+enum class shader_stage { fragment, compute, bits };
 
 struct shader {
     std::string vertex, fragment;  ///< or the compute shader, and no vertex shader
@@ -53,7 +54,7 @@ inline mistake planted;
 /// The fragment or compute shader in HLSL.
 [[nodiscard]] std::string make_hlsl(const entry& e, shader_stage of = shader_stage::fragment);
 
-/// @param of   compute: in Vulkan's GLSL and in HLSL alone
+/// @param of   compute: in Vulkan's GLSL and in HLSL alone; bits: from GLSL 3.30 and 300 es
 [[nodiscard]] shader make_shader(const entry& e, dialect d, shader_stage of = shader_stage::fragment);
 
 /// The fragment shader in WGSL.

@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <stdexcept>
 
+#include <umbrage/core/snippet.hpp>
+
 namespace parity {
 namespace {
 
@@ -16,6 +18,11 @@ std::string per_class(const tally& t) {
 }
 
 }  // namespace
+
+std::string promised(const entry& e) {
+    if (e.exactness() == e.primitive->exactness) return umbrage::glsl::promise(*e.primitive);
+    return std::string(1, "ABC"[static_cast<int>(e.exactness())]);
+}
 
 void write(const std::vector<row>& rows, const std::string& path) {
     std::ofstream file(path);

@@ -23,7 +23,14 @@ struct row {
     std::string example{};  ///< the first result that differs
 
     [[nodiscard]] bool ran() const { return obstacle.empty() && broken.empty(); }
+    /// Keeps the first of the differences that compare() has printed, unless there is one.
+    void take_example(const std::string& log) {
+        if (example.empty()) example = log.substr(0, log.find("  differs:", 1));
+    }
 };
+
+/// Promise of an entry's primitive, or only the tier if the entry's text contains a weaker one.
+[[nodiscard]] std::string promised(const entry& e);
 
 /// Entries of a tier, each in the worst dialect.
 struct tier_sum {

@@ -79,7 +79,7 @@ std::string filled_texture::bytes() const {
 namespace {
 
 bool holds_bytes(const filled_texture& t) {
-    return std::ranges::all_of(t.texels, [](const vec4& v) {
+    return std::all_of(t.texels.begin(), t.texels.end(), [](const vec4& v) {
         const vec4 codes = glm::round(v * 255.0f);
         return glm::length(codes / 255.0f - v) < 1e-6f && glm::clamp(codes, 0.0f, 255.0f) == codes;  // never of a NaN
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "values.hpp"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -10,12 +9,14 @@
 namespace parity {
 namespace {
 
-float any_bits(random& r) { return std::bit_cast<float>(r.bits()); }
+float any_bits(random& r) { return umbrage::detail::bit_cast<float>(r.bits()); }
 float signed_by(std::uint64_t i, float v) { return i % 2 ? -v : v; }
-float denormal(std::uint64_t i, random& r) { return signed_by(i, std::bit_cast<float>(1 + (r.bits() & 0x7FFFFE))); }
+float denormal(std::uint64_t i, random& r) {
+    return signed_by(i, umbrage::detail::bit_cast<float>(1 + (r.bits() & 0x7FFFFE)));
+}
 /// Quiet or signalling.
 float not_a_number(std::uint64_t i, random& r) {
-    return std::bit_cast<float>((i % 2 ? 0xFF800000u : 0x7F800000u) | 1u | (r.bits() & 0x7FFFFF));
+    return umbrage::detail::bit_cast<float>((i % 2 ? 0xFF800000u : 0x7F800000u) | 1u | (r.bits() & 0x7FFFFF));
 }
 float infinity(std::uint64_t i) { return signed_by(i, std::numeric_limits<float>::infinity()); }
 
@@ -135,7 +136,7 @@ std::vector<input_class> receivers() {
                  for (int c = 0; c < 2; ++c) x[c] = beside(r.bits(), std::floor(x[c] / step) * step);
              })},
             {"ties", then([](auto, random& r, vec4& x, auto& map) {
-                 const ivec2 texel = ivec2(glm::floor(vec2(x))) + ivec2(r.below(3) - 1, r.below(3) - 1);
+                 const ivec2 texel = ivec2(glm::floor(vec2(x))) + ivec2{r.below(3) - 1, r.below(3) - 1};
                  x.z = beside(static_cast<std::uint64_t>(r.below(4)) * 2 % 3, umbrage::fetch_clamped(map, texel).x);
              })},
             {"zero", one_of_three([](std::uint64_t i, random&) { return signed_by(i, 0.0f); })},

@@ -3,6 +3,7 @@
 // WebGL 1 and WebGL 2 in a headless browser, on SwiftShader; webgl.js draws. WebGPU without a browser; webgpu.js draws.
 #include <memory>
 
+#include "block.hpp"
 #include "remote.hpp"
 
 namespace parity {
@@ -19,7 +20,7 @@ public:
     }
     [[nodiscard]] identity about(dialect) const override { return {.api = "WebGL", .device = name_}; }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {version::v100, version::v300_es}; }
-    [[nodiscard]] std::string label(dialect d) const override { return "WebGL " + number(d); }
+    [[nodiscard]] std::string label(dialect d) const override { return "WebGL " + web_version(d); }
 
 private:
     std::string name_;

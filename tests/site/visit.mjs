@@ -14,8 +14,8 @@ export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 /// Calls trial(visit) with the site served and a browser open; exit status 77 where something is missing, 1 when a check
 /// fails, a page says an error on its console, or asks another host.
 ///
-/// visit.open(path, {width, dark, before}) gives a page, on which `before` runs first; visit.check(good, what) counts; visit.picture(page, name) keeps a picture
-/// beside the site; visit.axe(page) checks that axe finds nothing serious.
+/// visit.open(path, {width, dark, before}) gives a page, in which the function `before` runs first; visit.check(good, what)
+/// counts; visit.picture(page, name) keeps a picture beside the site; visit.axe(page) checks that axe finds nothing serious.
 export async function visit(trial, flags = webgl_flags) {
     for (const needed of ['playwright-core', 'esbuild', 'axe-core'])
         if (!existsSync(join(node_modules, needed))) skip(`no ${needed} in ${node_modules}`);

@@ -35,7 +35,7 @@ float expressions::regrouped(std::uint32_t id) {
     collect(id, false, p);
     const auto has_products = [](const term& t) { return t.factors.size() > 1; };
     const bool another = p.another || p.terms.size() > 2 || p.terms.front().factors.size() > 2 ||
-                         (by_.fuses && p.terms.size() > 1 && std::ranges::any_of(p.terms, has_products));
+                         (by_.fuses && p.terms.size() > 1 && std::any_of(p.terms.begin(), p.terms.end(), has_products));
     const float v = sum_of(p);
     out_.groupings += another;
     out_.rewrites += p.rewritten;
@@ -120,8 +120,11 @@ void expressions::take_common_factor_out(parts& p) {
                 const auto is_common = [&](const factor& f) { return f.id != of_no_node && is_same(f.id, common.id); };
                 parts inner{{p.terms[i], p.terms[j]}, {}};
                 if (inner.terms[0].factors.size() < 2 || inner.terms[1].factors.size() < 2) continue;
-                if (std::ranges::none_of(inner.terms[1].factors, is_common)) continue;
-                for (term& t : inner.terms) t.factors.erase(std::ranges::find_if(t.factors, is_common));
+                const auto find_common = [&](term& t) {
+                    return std::find_if(t.factors.begin(), t.factors.end(), is_common);
+                };
+                if (find_common(inner.terms[1]) == inner.terms[1].factors.end()) continue;
+                for (term& t : inner.terms) t.factors.erase(find_common(t));
                 const float rest = sum_of(inner);
                 p.terms[i] = {{common, {of_no_node, rest}}};
                 p.terms.erase(p.terms.begin() + static_cast<std::ptrdiff_t>(j));

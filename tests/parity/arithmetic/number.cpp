@@ -2,7 +2,6 @@
 #include "number.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "expressions.hpp"
@@ -130,8 +129,8 @@ number exp2(number v) {
 }
 number min(number a, number b) { return chosen(a, b, b.value() < a.value(), std::min<double>); }
 number max(number a, number b) { return chosen(a, b, a.value() < b.value(), std::max<double>); }
-number uintBitsToFloat(std::uint32_t bits) { return all.exact(std::bit_cast<float>(bits)); }
-std::uint32_t floatBitsToUint(number v) { return std::bit_cast<std::uint32_t>(v.value()); }
+number uintBitsToFloat(std::uint32_t bits) { return all.exact(umbrage::detail::bit_cast<float>(bits)); }
+std::uint32_t floatBitsToUint(number v) { return umbrage::detail::bit_cast<std::uint32_t>(v.value()); }
 
 number given(float v) { return all.exact(v, expressions::argument); }
 number read(float v, int unorm_bits) {

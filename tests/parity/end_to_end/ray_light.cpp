@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ray_light.hpp"
 
+#include <algorithm>
+
 #include <umbrage/light/cascades/cascades.hpp>
 
 namespace parity {
@@ -27,7 +29,8 @@ ray_light::ray_light(ray_kind kind, std::uint64_t n) : ray_scene(scene_number(ki
     rasterize_depth(depths, {positions_, triangles_}, light_.projection * light_.view, clip_, cull_mode::none, serial{},
                     kind_.at_near);
     map_ = texels(depths.size());
-    std::ranges::transform(depths.texels(), map_.texels().begin(), [](float depth) { return vec4(depth); });
+    std::transform(depths.texels().begin(), depths.texels().end(), map_.texels().begin(),
+                   [](float depth) { return vec4(depth); });
 }
 
 /// One of three, stable or tight in turn, for its part of the camera's range.
@@ -74,7 +77,7 @@ bool ray_light::has_receivers() const {
 
 void ray_light::move_to_border(receiver& p, int steps) const {
     const auto [a, b, c] = corners(p.triangle);
-    const auto world = [&](double u) { return a + u * (b - a) + double(p.share.y) * (c - a); };
+    const auto world = [&, a = a, b = b, c = c](double u) { return a + u * (b - a) + double(p.share.y) * (c - a); };
     const auto column = [&](double u) {
         const glm::dvec4 h = glm::dmat4(matrix_) * glm::dvec4(world(u), 1.0);
         return h.x / h.w * steps;

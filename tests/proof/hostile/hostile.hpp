@@ -25,6 +25,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "digest.hpp"
+
 namespace hostile {
 
 inline float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
@@ -36,30 +38,6 @@ inline std::uint32_t unorm_bits(std::uint32_t k, std::uint32_t most = 255) {
     for (; q < 1u << 23; ++shift) q = static_cast<std::uint32_t>((2 * (std::uint64_t(k) << shift) + most) / (2 * most));
     return ((150u - (shift - 1)) << 23) + (q - (1u << 23));
 }
-
-// FNV-1a over 32-bit words; rounding downwards, x - x is -0, so once more with every -0 taken for 0.
-struct digest {
-    static constexpr std::uint64_t basis = 14695981039346656037ull, prime = 1099511628211ull;
-    std::uint64_t hash = basis, unsigned_zeros = basis;
-
-    void word(std::uint32_t v) { word(v, v); }
-    void word(std::uint32_t v, std::uint32_t w) {
-        hash = (hash ^ v) * prime;
-        unsigned_zeros = (unsigned_zeros ^ w) * prime;
-    }
-    void operator()(float v) {
-        const auto bits = std::bit_cast<std::uint32_t>(v);
-        word(bits, bits == 0x80000000u ? 0 : bits);
-    }
-    void operator()(bool v) { word(v); }
-    void operator()(std::uint8_t v) { word(v); }
-    void operator()(std::uint16_t v) { word(v); }
-    void operator()(std::uint32_t v) { word(v); }
-    template <int L, class T>
-    void operator()(const glm::vec<L, T>& v) {
-        for (int i = 0; i < L; ++i) (*this)(v[i]);
-    }
-};
 
 // Value that is passed on unchanged. A denormal that counted as zero may still be there. A NaN has no defined bits.
 inline float passed_on(float v) {

@@ -16,7 +16,7 @@ void add_bias_normal_offset(std::vector<entry>& all) {
     vectors[3] = {0.0f, 0.1f}, vectors[7] = {0.0f, 0.01f};
     auto classes = spread(vectors, special_values());
     classes.push_back({"light falls straight, or nearly", [](std::uint64_t i, random& r, sample& s) {
-                           const vec3 axis = glm::normalize(vec3(r.between(-1, 1), r.between(-1, 1), 1.5f));
+                           const vec3 axis = glm::normalize(vec3{r.between(-1, 1), r.between(-1, 1), 1.5f});
                            const vec3 askew(0.0f, i % 3 == 0 ? 0.0f : r.between(-0.001f, 0.001f), 0.0f);
                            s.x[0] = vec4(-axis + askew, r.unit());
                            s.x[1] = vec4(axis, 0.0f);

@@ -13,7 +13,7 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
     auto pixels =
         spread({{-2, 2}, {-2, 2}, {-0.01f, 0.01f}, {0, 1}, {-2, 2}, {-2, 2}, {-0.01f, 0.01f}}, special_values());
     pixels.push_back({"in line", [](std::uint64_t i, random& r, sample& s) {
-                          const vec3 d(r.between(-2, 2), r.between(-2, 2), r.between(-0.01f, 0.01f));
+                          const vec3 d{r.between(-2, 2), r.between(-2, 2), r.between(-0.01f, 0.01f)};
                           const float longer = std::array{1.0f, 2.0f, -0.5f, 1.0f + 0x1p-9f}[i % 4];
                           s.x[0] = vec4(d, 0.0f);
                           s.x[1] = vec4(d.x * longer, i % 8 < 4 ? d.y * longer : d.y, d.z, 0.0f);

@@ -12,7 +12,7 @@ void add_depth_rgb10(std::vector<entry>& all) {
     using namespace umbrage;
 
     auto codes = channels(true, 10);
-    std::ranges::transform(codes, codes.begin(), at_ends);
+    std::transform(codes.begin(), codes.end(), codes.begin(), at_ends);
     std::erase_if(codes, [](const input_class& kind) { return kind.name == "out of range"; });  // no sum below 2^24
 
     all.push_back({.primitive = &glsl::encode_rgb10,

@@ -18,7 +18,7 @@ void add_depth_rgb24(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     const auto depths = spread({{0.0f, 1.0f}}, depth_values(24));
     auto codes = channels(true);
-    std::ranges::transform(codes, codes.begin(), at_ends);
+    std::transform(codes.begin(), codes.end(), codes.begin(), at_ends);
     std::erase_if(codes, [](const input_class& kind) { return kind.name == "out of range"; });  // no sum below 2^24
     enumeration all_ends = all_codes();
     all_ends.all = at_ends(all_ends.all);

@@ -16,8 +16,8 @@ using namespace umbrage;
 std::vector<input_class> cones() {
     auto classes = spread({{-1, 1}, {-1, 1}, {-1, 1}, {0, 1}, {-9, 9}, {-9, 9}, {-9, 9}}, special_values());
     classes.push_back({"ties", [](auto, random& r, sample& s) {
-                           const vec3 point(r.between(-9, 9), r.between(-9, 9), r.between(-9, 9));
-                           const vec3 axis = glm::normalize(vec3(r.between(-9, 9), r.between(-9, 9), r.between(-9, 9)));
+                           const vec3 point{r.between(-9, 9), r.between(-9, 9), r.between(-9, 9)};
+                           const vec3 axis = glm::normalize(vec3{r.between(-9, 9), r.between(-9, 9), r.between(-9, 9)});
                            s.x[0] = vec4(axis, glm::dot(axis, glm::normalize(point)));
                            s.x[1] = vec4(point, 0.0f);
                        }});
@@ -37,13 +37,13 @@ void add_shade_lighting(std::vector<entry>& all) {
     auto surfaces = spread({{0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}}, special_values());
     surfaces.push_back({"grazing, no ambient", [](std::uint64_t i, random& r, sample& s) {
                             const float least = std::numeric_limits<float>::min();
-                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, std::array{0.0f, least, -least, 2 * least}[i % 4]);
+                            s.x[0] = vec4{r.unit(), r.unit(), 1.0f, std::array{0.0f, least, -least, 2 * least}[i % 4]};
                             s.x[1] = vec4(0.0f, 0.0f, 0.0f, 1.0f);
                         }});
     surfaces.push_back({"grazing, visibility infinite", [](std::uint64_t i, random& r, sample& s) {
                             const float infinity = std::numeric_limits<float>::infinity();
-                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
-                            s.x[1] = vec4(r.unit(), r.unit(), r.unit(), i % 2 ? infinity : -infinity);
+                            s.x[0] = vec4{r.unit(), r.unit(), 1.0f, 0.0f};
+                            s.x[1] = vec4{r.unit(), r.unit(), r.unit(), i % 2 ? infinity : -infinity};
                         }});
     all.push_back(
         {.primitive = &glsl::diffuse_ambient,

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <bit>
-
 #include <umbrage/view/overlay_texel.hpp>
 
 #include "../entries.hpp"
@@ -12,7 +10,9 @@ namespace {
 vec4 overlaid(std::uint64_t i, random& r, int pixel, int size, int map_size) {
     const float ratio = static_cast<float>(map_size) / static_cast<float>(size);
     return {static_cast<float>(pixel) + 0.5f, size, map_size,
-            i % 2 ? ratio : std::bit_cast<float>(std::bit_cast<std::uint32_t>(ratio) - 16u + r.bits() % 33u)};
+            i % 2 ? ratio
+                  : umbrage::detail::bit_cast<float>(umbrage::detail::bit_cast<std::uint32_t>(ratio) - 16u +
+                                                     r.bits() % 33u)};
 }
 
 vec4 any_sides(std::uint64_t i, random& r) {

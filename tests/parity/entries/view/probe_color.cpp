@@ -21,7 +21,8 @@ float around_limit(random& r) {
                          1.5f * limit,
                          0x1p54f,
                          0x1p74f};
-    return (r.below(2) == 0 ? 1.0f : -1.0f) * values[r.below(9)];
+    const float sign = r.below(2) == 0 ? 1.0f : -1.0f;
+    return sign * values[r.below(9)];
 }
 
 /// (x, y, depth, bias) and (size, number) of receivers inside, and on both sides of every border.
@@ -42,7 +43,9 @@ std::vector<input_class> places() {
              const float beside[]{edge, std::nextafter(edge, 1e9f), std::nextafter(edge, -1.0f), edge - 0.25f,
                                   edge + 0.25f};
              s.x[0][axis] = beside[r.below(5)];
-             if (i % 7 == 0) s.x[0][r.below(4)] = static_cast<float>(r.below(3)) * 65536.0f;
+             if (i % 7) return;
+             const int other = r.below(4);
+             s.x[0][other] = static_cast<float>(r.below(3)) * 65536.0f;
          }},
         {"usable", [=](std::uint64_t i, random& r, sample& s) {
              fill(r, s);
@@ -61,17 +64,19 @@ std::vector<input_class> inputs() {
     const auto fill = [](std::uint64_t i, random& r, sample& s) {
         s.x[0] = {0.25f, 0.5f, 0.75f, 0};
         s.x[1] = {r.between(-9, 9), r.between(-9, 9), r.between(-9, 9), 0};
-        s.x[2] = i % 3 ? vec4(r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0) : vec4(0);
+        s.x[2] = i % 3 ? vec4{r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), 0} : vec4(0);
         if (i % 3 == 0 && i % 2) s.x[2][r.below(3)] = 1;
     };
     std::vector<input_class> classes{{"random", fill}, {"usable", [=](std::uint64_t i, random& r, sample& s) {
                                                             fill(i, r, s);
-                                                            s.x[1 + i % 2][r.below(3)] = around_limit(r);
+                                                            const int axis = r.below(3);
+                                                            s.x[1 + i % 2][axis] = around_limit(r);
                                                         }}};
     for (const value_class& kind : large_values())
         classes.push_back({kind.name, [=](std::uint64_t i, random& r, sample& s) {
                                fill(i, r, s);
-                               s.x[1 + r.below(2)][r.below(3)] = kind.make(i, r);
+                               const int which = 1 + r.below(2), axis = r.below(3);
+                               s.x[static_cast<std::size_t>(which)][axis] = kind.make(i, r);
                            }});
     return classes;
 }

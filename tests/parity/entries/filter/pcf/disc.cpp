@@ -13,17 +13,17 @@ float whole(random& r, int below) { return static_cast<float>(r.below(2 * below 
 
 /// position x0.xy, point x0.zw, rotation x1.xy and radius x1.z of disc_tap.
 std::vector<input_class> taps() {
-    return {{"random",
-             [](auto, random& r, sample& s) {
-                 s.x[0] = {whole(r, 1 << 23), whole(r, 1 << 23), whole(r, 16), whole(r, 16)};
-                 const vec2 rotation =
-                     disc_rotation(vec2(static_cast<float>(r.below(4)), static_cast<float>(r.below(4))));
-                 s.x[1] = {rotation.x, rotation.y, static_cast<float>(r.below(4096)), 0.0f};
-             }},
-            {"texel edges", [](std::uint64_t i, random& r, sample& s) {
-                 s.x[0] = {whole(r, 1 << 10) * 256.0f, whole(r, 1 << 10) * 256.0f, i % 2 ? 16.0f : -16.0f, 0.0f};
-                 s.x[1] = {i & 4 ? 64.0f : 0.0f, i & 4 ? 0.0f : -64.0f, static_cast<float>(r.below(256)) * 16.0f, 0.0f};
-             }}};
+    return {
+        {"random",
+         [](auto, random& r, sample& s) {
+             s.x[0] = {whole(r, 1 << 23), whole(r, 1 << 23), whole(r, 16), whole(r, 16)};
+             const vec2 rotation = disc_rotation(vec2{static_cast<float>(r.below(4)), static_cast<float>(r.below(4))});
+             s.x[1] = {rotation.x, rotation.y, static_cast<float>(r.below(4096)), 0.0f};
+         }},
+        {"texel edges", [](std::uint64_t i, random& r, sample& s) {
+             s.x[0] = {whole(r, 1 << 10) * 256.0f, whole(r, 1 << 10) * 256.0f, i % 2 ? 16.0f : -16.0f, 0.0f};
+             s.x[1] = {i & 4 ? 64.0f : 0.0f, i & 4 ? 0.0f : -64.0f, static_cast<float>(r.below(256)) * 16.0f, 0.0f};
+         }}};
 }
 
 template <int Points>

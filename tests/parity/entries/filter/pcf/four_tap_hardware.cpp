@@ -19,7 +19,7 @@ std::vector<input_class> taps_off_borders() {
             if (!looked_up) s.x[0].x *= 4.0f, s.x[0].y *= 4.0f;  // where a rounding of the sum changes nothing
             const auto beside = [&] {
                 vec2 tap;
-                do tap = at(s) + vec2(r.between(-1.5f, 1.5f), r.between(-1.5f, 1.5f));
+                do tap = at(s) + vec2{r.between(-1.5f, 1.5f), r.between(-1.5f, 1.5f)};
                 while (looked_up && !off_borders(tap));
                 return tap;
             };

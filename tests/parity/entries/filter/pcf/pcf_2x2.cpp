@@ -16,7 +16,7 @@ enumeration all_weights() {
              [](std::uint64_t i, random& r, sample& s) {
                  const auto depth = s.depth();
                  for (;;) {
-                     const ivec2 texel(r.below(s.map.size.x - 1), r.below(s.map.size.y - 1));
+                     const ivec2 texel{r.below(s.map.size.x - 1), r.below(s.map.size.y - 1)};
                      const float taps[] = {depth(texel), depth(texel + ivec2(1, 0)), depth(texel + ivec2(0, 1)),
                                            depth(texel + ivec2(1, 1))};
                      const float receiver = r.below(8) == 0 ? 2.0f : taps[r.below(4)];

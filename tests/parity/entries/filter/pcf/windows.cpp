@@ -12,7 +12,7 @@ using namespace umbrage;
 enumeration all_fractions() {
     return {{"256 x 256 fractions",
              [](std::uint64_t i, random& r, sample& s) {
-                 const ivec2 texel(r.below(s.map.size.x), r.below(s.map.size.y));
+                 const ivec2 texel{r.below(s.map.size.x), r.below(s.map.size.y)};
                  const vec2 fraction(static_cast<float>(i & 255), static_cast<float>(i >> 8));
                  s.x[0] = vec4(vec2(texel) + fraction / 256.0f, s.depth()(texel), 0.0f);
              }},

@@ -25,7 +25,7 @@ void add_filter_prefiltered_decode_hardware(std::vector<entry>& all) {
     all.push_back({.primitive = &glsl::chebyshev_hardware,
                    .classes = {{"random",
                                 [](auto i, random& r, sample& s) {
-                                    const float variance = std::ldexp(r.unit() + 1.0f, -r.below(24));
+                                    const float part = r.unit(), variance = std::ldexp(part + 1.0f, -r.below(24));
                                     const float steps = i % 8 == 0 ? 0.0f : r.between(-1.0f, 4.0f);
                                     s.x[0] = {variance, steps * std::sqrt(variance), r.unit() * 0.5f, 0.0f};
                                 }}},

@@ -25,7 +25,7 @@ template <class Encode>
                 sum += encode(depth, s);
             }
             s.x[0] = sum / static_cast<float>(count);
-            const float near_end = std::ldexp(r.unit(), -r.below(24));
+            const float part = r.unit(), near_end = std::ldexp(part, -r.below(24));
             s.x[1].x = i % 3 == 0 ? depth : i % 3 == 1 ? r.between(-0.25f, 1.25f) : i % 2 ? near_end : 1.0f - near_end;
         }};
 }

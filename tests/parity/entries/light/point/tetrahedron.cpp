@@ -43,8 +43,8 @@ std::vector<input_class> on_faces(std::vector<range> vector) {
 
 /// A point of a face in x0.xyz, the map's size in x0.w, a border in x1.x.
 void on_tetrahedron(std::uint64_t, random& r, sample& s) {
-    s.x[0] = vec4(r.between(-1.0f, 1.0f), r.between(0.0f, 1.0f), static_cast<float>(r.below(4)),
-                  static_cast<float>(64u << r.below(7)));
+    s.x[0] = vec4{r.between(-1.0f, 1.0f), r.between(0.0f, 1.0f), static_cast<float>(r.below(4)),
+                  static_cast<float>(64u << r.below(7))};
     s.x[1].x = static_cast<float>(r.below(8));
 }
 
