@@ -63,6 +63,7 @@ export function shadow_filter({ wgsl, glsl, arguments: own, probe, receiver } = 
         must(where, in_wgsl || glsl !== undefined, 'glsl must be given for the WebGL 2 fallback', glsl);
         must(where, renderer.backend.compatibilityMode !== true,
             'the device must have core features: compatibility mode cannot load depths', 'compatibility mode');
+        must(where, shadowCoord !== undefined, 'the light must have one map: a spot, a directional light or a SunLight', 'a point light');
         must(where, depthTexture.isArrayTexture !== true, 'the map must be one texture', 'an array');
         depthTexture.compareFunction = null;  // depths as they are
         depthTexture.minFilter = depthTexture.magFilter = NearestFilter;
