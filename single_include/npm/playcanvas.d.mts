@@ -7,6 +7,9 @@ import type { Snippet } from '../wgsl.mjs';
 /** Members of a graphics device that the addon uses. */
 export interface Device { readonly isWebGPU: boolean }
 
+/** Members of a light component that the addon uses. */
+export interface Light { readonly type: string; readonly shadowType: number }
+
 /** A filter that compares depths replaces SHADOW_PCF3_* and SHADOW_PCF5_*: hard, tent3, castano_dyadic5, disc16, ... One that
  *  searches for blockers replaces SHADOW_PCSS_32F of directional lights: pcss16, dpcf16, ... */
 export interface Options {
@@ -18,12 +21,15 @@ export interface Options {
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
+    /** Lights that must get the filter, components of entities. Without it, those of the app that cast shadows of its kind.
+     *  [] leaves all others with PlayCanvas' own filter. */
+    readonly lights?: readonly Light[];
 }
 
 /** Puts a filter in place of PlayCanvas' own, for all materials that were not drawn before. A call for each kind; a second
  *  call of a kind changes its filter.
  *  @throws Error   a device of another copy of playcanvas, or of no app; chunks whose text is not known; a filter or an
- *                  argument that does not fit */
+ *                  argument that does not fit; a light that the filter does not reach */
 export function install(device: Device, options: Options): void;
 
 /** Restores PlayCanvas' own text, byte for byte. */

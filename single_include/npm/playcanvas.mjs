@@ -8,12 +8,22 @@
 //     import * as wgsl from 'umbrage/wgsl';
 //     import { install } from 'umbrage/playcanvas';
 //     install(app.graphicsDevice, { glsl: castano_dyadic5, wgsl: wgsl.castano_dyadic5 });  // before the first frame
-import { GraphicsDevice, ShaderChunks, SHADERLANGUAGE_GLSL, SHADERLANGUAGE_WGSL } from 'playcanvas';
+import {
+    AppBase, GraphicsDevice, ShaderChunks, SHADERLANGUAGE_GLSL, SHADERLANGUAGE_WGSL,
+    SHADOW_PCF3_16F, SHADOW_PCF3_32F, SHADOW_PCF5_16F, SHADOW_PCF5_32F, SHADOW_PCSS_32F,
+} from 'playcanvas';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
 import { further_arguments, must } from './options.mjs';
 
 const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
 const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and the options of each kind
+
+/** Shadow types of each kind. */
+const types = { pcf: { SHADOW_PCF3_16F, SHADOW_PCF3_32F, SHADOW_PCF5_16F, SHADOW_PCF5_32F }, pcss: { SHADOW_PCSS_32F } };
+const reached = {
+    pcf: 'directional lights, spot lights or clustered lights with SHADOW_PCF3_* or SHADOW_PCF5_*',
+    pcss: 'directional lights with SHADOW_PCSS_32F',
+};
 
 /** The function of each chunk that is replaced, by its head as PlayCanvas writes it. */
 const heads = {
@@ -84,12 +94,39 @@ function with_filters(name, own, asked) {
     return chunks;
 }
 
+/** A light's shadow type, which clusters have in common. */
+function shadow_of(light) {
+    const { scene } = light.system.app, clustered = scene.clusteredLightingEnabled && light.type !== 'directional';
+    return { clustered, type: clustered ? scene.lighting.shadowType : light.shadowType };
+}
+
+/** Lights of a device's app whose shadows are of a kind. */
+function lights_of(device, kind) {
+    const app = AppBase.getApplication();
+    if (app?.graphicsDevice !== device) return [];
+    return app.root.findComponents('light').filter(
+        light => light.castShadows && Object.values(types[kind]).includes(shadow_of(light).type));
+}
+
+/** Refuses lights whose shadows PlayCanvas computes by functions that are not replaced. */
+function must_reach(lights, kind, filter) {
+    for (const light of lights) {
+        const { clustered, type } = shadow_of(light);
+        const [name = type] = Object.entries({ ...types.pcf, ...types.pcss }).find(([, value]) => value === type) ?? [];
+        const good = Object.values(types[kind]).includes(type)
+            && (light.type === 'directional' || (kind === 'pcf' && (clustered || light.type === 'spot')));
+        must(where, good, `lights must be ${reached[kind]} for ${filter.name}`,
+            `${clustered ? 'clustered ' : ''}${light.type} with shadow type ${name}`);
+    }
+}
+
 /** Puts a filter in place of PlayCanvas' own, for all lights and materials of a device. */
 export function install(device, options = {}) {
     must(where, device instanceof GraphicsDevice, 'device must be a graphics device of this copy of playcanvas',
         device?.constructor?.name ?? device);
     const name = device.isWebGPU ? 'wgsl' : 'glsl', chunks = chunks_of(device);
     const asked = checked_options(where, name, options), kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
+    must_reach(options.lights ?? lights_of(device, kind), kind, asked.filter);
     must(where, chunks.has('shadowPCF3PS'), 'device must belong to an app that was initialized', 'no chunks');
     const names = ['shadowPCF3PS', 'shadowPCF5PS', 'shadowSoftPS', 'outputPS'];
     const { own, kinds } = installed.get(device)

@@ -29,28 +29,23 @@ function with_filter(chunk, filter, given, reversed, probe) {
     const { head, begin, end } = own_function(chunk);
     const further = further_arguments(filter, given,
         { rotation: 'umbrage_disc_rotation( gl_FragCoord.xy )', radius: 'shadowRadius', vec3: 'vec3' });
-    const map = { texture: 'depth', direction: reversed ? 'reversed' : 'forward', outside: 'bordered', origin: 'umbrage_tile' };
+    const map = { texture: 'depth', direction: reversed ? 'reversed' : 'forward', outside: 'bordered' };
     const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
     const declarations = `
 #if defined( SHADOWMAP_TYPE_BASIC )
 highp vec4 umbrage_receiver = vec4( 0.0 );  // texels, texels, depth, visibility
 highp vec3 umbrage_color = vec3( 0.5 );
-highp vec2 umbrage_tile = vec2( 0.0 );      // of a SunLight, whose texture holds several maps
 ${text(items, '300 es')}
 #endif
 `;
     const body = `${head}
 			shadowCoord.xyz /= shadowCoord.w;
 			shadowCoord.z ${reversed ? '-' : '+'}= shadowBias;
-			highp vec2 texture_size = vec2( textureSize( shadowMap, 0 ) );
-			highp vec2 maps = max( floor( texture_size / shadowMapSize + 0.5 ), vec2( 1.0 ) );
-			highp vec2 size = texture_size / maps;
-			highp vec2 chosen = clamp( floor( shadowCoord.xy * maps ), vec2( 0.0 ), maps - 1.0 );
-			umbrage_tile = chosen * size;
-			highp vec3 at = vec3( shadowCoord.xy * texture_size - umbrage_tile, shadowCoord.z );
+			highp vec2 size = vec2( textureSize( shadowMap, 0 ) );
+			highp vec3 at = vec3( shadowCoord.xy * size, shadowCoord.z );
 			float shadow = umbrage_${filter.name}_three( shadowMap, size, at.xy, at.z${further} );
 			umbrage_receiver = vec4( at, shadow );${probe ? `
-			umbrage_color = umbrage_probe_color_three( at, size, abs( shadowBias ), chosen.x );` : ''}
+			umbrage_color = umbrage_probe_color_three( at, size, abs( shadowBias ), 0.0 );` : ''}
 			return mix( 1.0, shadow, shadowIntensity );
 		}`;
     const place = '#ifdef USE_SHADOWMAP';

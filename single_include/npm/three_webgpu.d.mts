@@ -20,5 +20,6 @@ export interface Options {
 
 /** A light's filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). Maps are single textures: spot
  *  and directional lights. CSMShadowNode clones shadows without their filterNode.
- *  @throws Error   a filter or an argument that does not fit; while a shader is built: a missing glsl, compatibility mode */
+ *  @throws Error   a filter or an argument that does not fit; while a shader is built: a missing glsl, compatibility mode,
+ *                  a point light, reversed depth before r187 */
 export function shadow_filter(options: Options): any;

@@ -6,7 +6,7 @@
 //     import * as wgsl from 'umbrage/wgsl';
 //     import { shadow_filter } from 'umbrage/three/webgpu';
 //     light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 });
-import { NearestFilter } from 'three/webgpu';
+import { NearestFilter, REVISION } from 'three/webgpu';
 import * as TSL from 'three/tsl';
 import { bind as bind_glsl, disc_rotation as rotation_glsl, text } from '../umbrage.mjs';
 import { bind, disc_rotation, functions, probe_color } from '../wgsl.mjs';
@@ -63,6 +63,9 @@ export function shadow_filter({ wgsl, glsl, arguments: own, probe, receiver } = 
         must(where, in_wgsl || glsl !== undefined, 'glsl must be given for the WebGL 2 fallback', glsl);
         must(where, renderer.backend.compatibilityMode !== true,
             'the device must have core features: compatibility mode cannot load depths', 'compatibility mode');
+        must(where, shadowCoord !== undefined, 'the light must have one map: a spot, a directional light or a SunLight', 'a point light');
+        must(where, !renderer.reversedDepthBuffer || shadow.camera?.reversedDepth !== false,
+            'three.js must be r187 or later for reversed depth, as it drew maps of forward depth before', `r${REVISION}`);
         must(where, depthTexture.isArrayTexture !== true, 'the map must be one texture', 'an array');
         depthTexture.compareFunction = null;  // depths as they are
         depthTexture.minFilter = depthTexture.magFilter = NearestFilter;

@@ -29,7 +29,7 @@ function make_scene(engine, { soft, cascades, spot, size = 96 } = {}) {
     const camera = new BABYLON.FreeCamera('camera', new Vector3(5, 4.5, 7), scene);
     camera.setTarget(new Vector3(0, 0.6, 0));
     camera.fov = 0.7;
-    camera.minZ = 0.1;
+    camera.minZ = cascades ? 5 : 0.1;  // so that each cascade has receivers
     camera.maxZ = 60;
     new BABYLON.HemisphericLight('sky', new Vector3(0, 1, 0), scene).intensity = 0.5;
     const position = new Vector3(-4, 6, -2.5), direction = new Vector3(4, -6, 2.5);
@@ -43,7 +43,7 @@ function make_scene(engine, { soft, cascades, spot, size = 96 } = {}) {
         : new BABYLON.ShadowGenerator(map_size, light, true);
     generator.bias = 0.002;
     generator.normalBias = 0.01;
-    if (cascades) Object.assign(generator, { numCascades: 2, lambda: 0, shadowMaxZ: 60, cascadeBlendPercentage: 0, ...cascades });
+    if (cascades) Object.assign(generator, { numCascades: 3, lambda: 0, shadowMaxZ: 17, cascadeBlendPercentage: 0 });
     if (soft) {
         generator.useContactHardeningShadow = true;
         generator.contactHardeningLightSizeUVRatio = size / map_size;
@@ -80,34 +80,57 @@ async function picture(made) {
     return canvas.toDataURL();
 }
 
-/** A plugin of materials: their color is the receiver as the addon's own function saw it. */
-class Receiver extends BABYLON.MaterialPluginBase {
-    constructor(material) { super(material, 'Receiver', 200, { RECEIVER: true }, true, true); }
-    getClassName() { return 'Receiver'; }
+/** A plugin of materials: their color is a value of the shader, such as the receiver as the addon's own function saw it. */
+class Shown extends BABYLON.MaterialPluginBase {
+    constructor(material, value) {
+        super(material, 'Shown', 200, { [`SHOWN_${value.length}`]: true }, true, true);  // programs are kept by their defines
+        this.value = value;
+    }
+    getClassName() { return 'Shown'; }
     isCompatible() { return true; }
     getCustomCode(stage) {
         return stage !== 'fragment' ? null : { CUSTOM_FRAGMENT_MAIN_END:
-            `#ifdef SHADOWS\n${in_webgl ? 'gl_FragColor' : 'fragmentOutputs.color'} = umbrage_receiver;\n#endif` };
+            `#ifdef SHADOWS\n${in_webgl ? 'gl_FragColor' : 'fragmentOutputs.color'} = ${this.value};\n#endif` };
     }
 }
 
-async function floats_of(made) {
-    const { engine, scene, camera, generator } = made;
-    for (const mesh of scene.meshes) new Receiver(mesh.material);
-    const target = new BABYLON.RenderTargetTexture('receivers', { width, height }, scene,
+/** The value of each pixel, four floats. */
+async function shown(made, value) {
+    const { scene, camera } = made;
+    for (const mesh of scene.meshes) new Shown(mesh.material, value);
+    const target = new BABYLON.RenderTargetTexture('shown', { width, height }, scene,
         { generateMipMaps: false, type: BABYLON.Constants.TEXTURETYPE_FLOAT });
     Object.assign(target, { renderList: scene.meshes, activeCamera: camera, clearColor: new BABYLON.Color4(0, 0, 0, 0) });
     scene.customRenderTargets.push(target);
     await draw(made);
-    const receivers = await target.readPixels(), map = generator.getShadowMap();
+    return target.readPixels();
+}
+
+async function floats_of(made) {
+    const { engine, generator } = made, receivers = await shown(made, 'umbrage_receiver'), map = generator.getShadowMap();
     const texture = generator.useContactHardeningShadow ? map.getInternalTexture() : map.depthStencilTexture;
-    const layered = generator instanceof BABYLON.CascadedShadowGenerator, { underlyingResource } = texture._hardwareTexture;
-    return { receivers, depths: in_webgl ? depths_in_webgl(engine._gl, underlyingResource, map_size, layered)
-        : await depths_in_webgpu(engine._device, underlyingResource, map_size, layered) };
+    const { underlyingResource } = texture._hardwareTexture;
+    return { receivers, depths: in_webgl ? depths_in_webgl(engine._gl, underlyingResource, map_size, generator.numCascades)
+        : await depths_in_webgpu(engine._device, underlyingResource, map_size, generator.numCascades) };
+}
+
+/** The first number of a softness as the addon makes it of each cascade, in floats. */
+function per_code({ generator }) {
+    const [float, bits] = [new Float32Array(1), new Uint32Array(1)];
+    return Array.from({ length: generator.numCascades ?? 1 }, (_, i) => {
+        float[0] = generator.contactHardeningLightSizeUVRatio * map_size;
+        if (generator.numCascades) {
+            float[0] *= Math.fround(generator._lightSizeUVCorrection[2 * i]);
+            float[0] *= Math.fround(generator._depthCorrection[i]);
+        }
+        bits.set(new Uint32Array(float.buffer));
+        bits[0] &= 0xffff0000;
+        return new Float32Array(bits.buffer)[0] / 256 * soft.arguments.softness[0];
+    }).join();
 }
 
 export const done = (async () => {
-    const pictures = {}, floats = {}, said = {}, cascades = {};
+    const pictures = {}, floats = {}, said = {}, cascades = true, reversed = true;
     const stores = [BABYLON.ShaderStore.IncludesShadersStore, BABYLON.ShaderStore.IncludesShadersStoreWGSL];
     const texts = () => stores.map(store => store.shadowsFragmentFunctions + store.oitFragment).join('');
     const own_text = texts();
@@ -125,18 +148,27 @@ export const done = (async () => {
         ['own.spot', null, {}, { spot: true }],
         ['castano_dyadic5.spot', 'castano_dyadic5', {}, { spot: true }],
         ['pcss16.spot', 'pcss16', soft, { spot: true, soft: true }],
-        ['own.reversed', null, {}, { reversed: true }],
-        ['castano_dyadic5.reversed', 'castano_dyadic5', {}, { reversed: true }],
-        ['pcss16.reversed', 'pcss16', soft, { soft: true, reversed: true }],
+        ['own.reversed', null, {}, { reversed }],
+        ['castano_dyadic5.reversed', 'castano_dyadic5', {}, { reversed }],
+        ['pcss16.reversed', 'pcss16', soft, { soft: true, reversed }],
+        ['castano_dyadic5.reversed_cascades', 'castano_dyadic5', {}, { cascades, reversed }],
+        ['pcss16.reversed_cascades', 'pcss16', soft, { soft: true, cascades, reversed }],
+        ['castano_dyadic5.reversed_spot', 'castano_dyadic5', {}, { spot: true, reversed }],
+        ['pcss16.reversed_spot', 'pcss16', soft, { spot: true, soft: true, reversed }],
     ]) {
         const engine = await started(scene.reversed);
         if (filter) install(engine, { ...filters(filter), ...options });
         pictures[name] = await picture(make_scene(engine, scene));
         if (filter) {
-            const { receivers, depths } = await floats_of(make_scene(engine, scene));
+            const made = make_scene(engine, scene), { receivers, depths } = await floats_of(made);
             floats[`${name}.receivers`] = base64(receivers);
             floats[`${name}.map`] = base64(depths);
-            if (!scene.soft) said[`${name}.compare`] = scene.reversed ? 'greater' : 'less';  // as Babylon.js sets its samplers
+            if (scene.cascades) {
+                const layers = await shown(make_scene(engine, scene), in_webgl ? 'vec4(index1)' : 'vec4f(f32(index1))');
+                floats[`${name}.layers`] = base64(layers.filter((_, i) => i % 4 === 0));
+            }
+            if (scene.soft) said[`${name}.per_code`] = per_code(made);
+            else said[`${name}.compare`] = scene.reversed ? 'greater' : 'less';  // as Babylon.js sets its samplers
             uninstall(engine);
         }
         engine.dispose();

@@ -44,7 +44,10 @@ page.on('console', m => { if (m.type() === 'error') complaints.push(m.text().sli
 page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
 page.on('pageerror', e => complaints.push(String(e?.stack ?? e).slice(0, 2000)));
 await page.goto(`http://127.0.0.1:${server.address().port}/${page_name}`);
-const { pictures, floats, said } = await page.evaluate(() => window.done).catch(error => {
+const limit = new Promise((_, stop) => {
+    setTimeout(() => stop(new Error(`${page_name} has not finished in 15 minutes`)), 900_000);
+});
+const { pictures, floats, said } = await Promise.race([page.evaluate(() => window.done), limit]).catch(error => {
     console.log(complaints.join('\n'));
     throw error;
 });
@@ -57,11 +60,13 @@ for (const [name, url] of Object.entries(pictures))
 for (const [name, text] of Object.entries(floats)) writeFileSync(join(folder, name), Buffer.from(text, 'base64'));
 let failed = 0;
 const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what}`); };
-for (const name of wants.filters) {
-    const files = ['receivers', 'map'].map(kind => join(folder, `${name}.${kind}`));
+const compared = Object.keys(floats).filter(name => name.endsWith('.receivers')).map(name => name.replace(/\.receivers$/, ''));
+for (const name of new Set([...wants.filters, ...compared])) {
+    const [receivers, map, layers] = ['receivers', 'map', 'layers'].map(kind => join(folder, `${name}.${kind}`));
     try {
         const [per_code, compare] = [said[`${name}.per_code`] ?? 0.0234375, said[`${name}.compare`] ?? 'less_equal'];
-        process.stdout.write(execFileSync(twin, [name, ...files, width, height, map_size, per_code, compare], { encoding: 'utf8' }));
+        process.stdout.write(execFileSync(twin, [name, receivers, map, width, height, map_size, per_code, compare,
+            ...(floats[`${name}.layers`] ? [layers] : [])], { encoding: 'utf8' }));
     } catch (error) { check(false, error.stdout || error.message); }
 }
 for (const [name, part] of Object.entries(wants.said)) check(String(said[name]).includes(part), `${name}: ${said[name]}`);

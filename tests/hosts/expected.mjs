@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Of each page: its host, the flags that give a browser its API in software, filters that C++ computes again, and what
-// the page must say. No set of flags gives WebGL and WebGPU together.
+// Of each page: its host, the flags that give a browser its API in software, filters that C++ must compute again besides all
+// that the page sends, and what the page must say. No set of flags gives WebGL and WebGPU together.
 const webgl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 
 const webgpu = ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader'];
+const three_filters = ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.spot', 'pcss16.spot'];
 const three_webgpu = {
     host: 'three',
-    filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16'],
+    filters: three_filters,
     said: {
+        reversed: 'true',
+        point: 'umbrage/three/webgpu: shadow_filter: the light must have one map: a spot, a directional light or a SunLight; '
+            + 'got a point light',
         moments: 'umbrage/three/webgpu: shadow_filter: filter must read depths through one coordinate; got ',
         other: 'glsl must be the same filter in GLSL; got pcss16',
         none: 'filter must be a filter of this package, such as pcss16; got undefined',
@@ -18,17 +22,25 @@ const three_webgpu = {
 const babylon = {
     host: '@babylonjs/core',
     filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades',
-        'castano_dyadic5.reversed', 'pcss16.reversed', 'castano_dyadic5.spot', 'pcss16.spot'],
+        'castano_dyadic5.reversed', 'pcss16.reversed', 'castano_dyadic5.spot', 'pcss16.spot', 'castano_dyadic5.reversed_cascades',
+        'pcss16.reversed_cascades', 'castano_dyadic5.reversed_spot', 'pcss16.reversed_spot'],
     said: { later: 'true', off: 'true', restored: 'true' },
 };
 
-const playcanvas = { host: 'playcanvas', filters: ['hard', 'disc16', 'pcss16'], said: { restored: 'true' } };
+const playcanvas = {
+    host: 'playcanvas',
+    filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16', 'castano_dyadic5.cascades', 'pcss16.cascades', 'disc16.clustered',
+        'disc16.clustered_point'],
+    said: { restored: 'true' },
+};
+const playcanvas_pcss = 'umbrage/playcanvas: install: lights must be directional lights with SHADOW_PCSS_32F for pcss16; got ';
 
 export const expected = {
     'three.html': {
         host: 'three',
         flags: webgl,
-        filters: ['hard', 'castano_dyadic5', 'disc16', 'pcss16'],
+        filters: [...three_filters, 'castano_dyadic5.reversed', 'pcss16.reversed', 'castano_dyadic5.reversed_spot',
+            'pcss16.reversed_spot'],
         said: {
             restored: 'true',
             untouched: 'true',
@@ -47,7 +59,16 @@ export const expected = {
     'playcanvas.html': { ...playcanvas, flags: webgpu },
     'playcanvas.html#webgl': {
         ...playcanvas, flags: webgl,
-        filters: [...playcanvas.filters, 'castano_dyadic5', 'castano_dyadic5.cascades', 'castano_dyadic5.spot'],
+        filters: [...playcanvas.filters, 'castano_dyadic5.clustered', 'castano_dyadic5.clustered_point', 'castano_dyadic5.spot'],
+        said: {
+            ...playcanvas.said,
+            'hard.own.point.refused': 'SHADOW_PCF3_* or SHADOW_PCF5_* for hard; got omni with shadow type SHADOW_PCF3_32F',
+            'hard.own.point.kept': 'true',
+            'pcss16.own_pcss.spot.refused': `${playcanvas_pcss}spot with shadow type SHADOW_PCSS_32F`,
+            'pcss16.own_pcss.spot.kept': 'true',
+            'pcss16.own_pcss.point.refused': `${playcanvas_pcss}omni with shadow type SHADOW_PCSS_32F`,
+            'pcss16.own_pcss.point.kept': 'true',
+        },
     },
     'three_webgpu.html': { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
     'three_webgpu.html#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },

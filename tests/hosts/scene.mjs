@@ -7,7 +7,8 @@ export const width = 480, height = 320, map_size = 512;
 export function make_scene(THREE, light) {
     const scene = new THREE.Scene();
     scene.background = new THREE.Color(0x8899aa);
-    const camera = new THREE.PerspectiveCamera(40, width / height, 0.1, 60);
+    const [z_near, z_far] = light.isSunLight ? [5, 25] : [0.1, 60];  // its two cascades share what the camera sees
+    const camera = new THREE.PerspectiveCamera(40, width / height, z_near, z_far);
     camera.position.set(5, 4.5, 7);
     camera.lookAt(0, 0.6, 0);
     const add = (geometry, color, x, y, z) => {
@@ -27,7 +28,7 @@ export function make_scene(THREE, light) {
     scene.add(new THREE.HemisphereLight(0xffffff, 0x666666, 0.9));
     light.position.set(-4, 6, -2.5);
     light.castShadow = true;
-    light.shadow.mapSize.set(map_size, map_size);
+    light.shadow.mapSize.set(light.isSunLight ? map_size / 2 : map_size, map_size);  // two maps in one texture, or one
     light.shadow.bias = -0.002;
     light.shadow.normalBias = 0.03;
     scene.add(light);

@@ -17,7 +17,7 @@ function drawn(reversed = false) {
 }
 
 /** (x, y) in texels, depth and visibility of each pixel, as the addon's own function saw them. */
-function receivers(renderer, scene, camera) {
+function receivers(renderer, { scene, camera }) {
     scene.background = null;
     scene.traverse(({ material }) => {
         if (!material) return;
@@ -36,9 +36,9 @@ function receivers(renderer, scene, camera) {
     return pixels;
 }
 
-function depths_of(renderer, light, camera) {
+function depths_of(renderer, { light, camera }) {
     const quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), new THREE.ShaderMaterial({
-        uniforms: { map: { value: light.shadow.map.depthTexture } },
+        uniforms: { map: { value: light.shadow.map.depthTexture } }, depthTest: false,
         vertexShader: 'void main() { gl_Position = vec4(position, 1.0); }',
         fragmentShader: 'uniform highp sampler2D map;\n'
             + 'void main() { gl_FragColor = vec4(texelFetch(map, ivec2(gl_FragCoord.xy), 0).x); }' }));
@@ -58,16 +58,37 @@ const refusal = call => { try { call(); return 'accepted'; } catch (error) { ret
 export const done = (async () => {
     const pictures = {}, floats = {}, said = {};
     const own_text = chunks();
-    for (const filter of [null, hard, castano_dyadic5, disc16, pcss16]) {
-        const renderer = drawn(), { scene, camera, light } = make_scene(THREE, directional(THREE));
-        light.shadow.radius = filter === disc16 ? 3 : 1;
-        const name = filter?.name ?? 'own';
+    const lights = { directional: () => directional(THREE), spot: () => new THREE.SpotLight(0xffffff, 200, 0, 0.6) };
+    const scenes = {  // filter, light, reversed depth
+        own: [null, 'directional'],
+        hard: [hard, 'directional'],
+        castano_dyadic5: [castano_dyadic5, 'directional'],
+        disc16: [disc16, 'directional'],
+        pcss16: [pcss16, 'directional'],
+        'castano_dyadic5.spot': [castano_dyadic5, 'spot'],
+        'pcss16.spot': [pcss16, 'spot'],
+        'castano_dyadic5.reversed': [castano_dyadic5, 'directional', true],
+        'pcss16.reversed': [pcss16, 'directional', true],
+        'castano_dyadic5.reversed_spot': [castano_dyadic5, 'spot', true],
+        'pcss16.reversed_spot': [pcss16, 'spot', true],
+    };
+    if (Number(THREE.REVISION) >= 186) {  // the first that has this light
+        const { SunLight } = await import('/modules/three/examples/jsm/lights/SunLight.js');
+        lights.sun = () => new SunLight(0xffffff, 2.2);
+        Object.assign(scenes, {  // not pcss16, which SwiftShader compiles for minutes: three has two calls for this light
+            'own.sun': [null, 'sun'], 'castano_dyadic5.sun': [castano_dyadic5, 'sun'], 'disc16.sun': [disc16, 'sun'],
+            'castano_dyadic5.reversed_sun': [castano_dyadic5, 'sun', true] });
+    }
+    for (const [name, [filter, light, reversed]] of Object.entries(scenes)) {
+        const renderer = drawn(reversed), made = make_scene(THREE, lights[light]());
+        made.light.shadow.radius = filter === disc16 ? 3 : 1;
         if (filter) install(THREE, renderer, { filter, arguments: filter === pcss16 ? { softness: [0.0234375, 16, 256] } : {} });
-        renderer.render(scene, camera);
+        renderer.render(made.scene, made.camera);
         pictures[name] = picture(renderer);
         if (filter) {
-            floats[`${name}.receivers`] = base64(receivers(renderer, scene, camera));
-            floats[`${name}.map`] = base64(depths_of(renderer, light, camera));
+            floats[`${name}.receivers`] = base64(receivers(renderer, made));
+            floats[`${name}.map`] = base64(depths_of(renderer, made));
+            if (reversed) said[`${name}.compare`] = 'greater_equal';
             uninstall(THREE);
         }
         renderer.dispose();
@@ -85,17 +106,6 @@ export const done = (async () => {
     pictures.probe = picture(renderer);
     uninstall(THREE, { scene: spot.scene });
 
-    if (Number(THREE.REVISION) >= 186) {  // the first that has this light
-        const { SunLight } = await import('/modules/three/examples/jsm/lights/SunLight.js');
-        const sun = make_scene(THREE, new SunLight(0xffffff, 2.2)), own = drawn();
-        own.render(sun.scene, sun.camera);
-        pictures.sun_own = picture(own);
-        const ours = drawn(), again = make_scene(THREE, new SunLight(0xffffff, 2.2));
-        install(THREE, ours, { filter: castano_dyadic5 });
-        ours.render(again.scene, again.camera);
-        pictures.sun = picture(ours);
-        uninstall(THREE);
-    }
     said.moments = refusal(() => install(THREE, renderer, { filter: vsm }));
     said.no_filter = refusal(() => install(THREE, renderer, { filter: 'pcss16' }));
     said.argument = refusal(() => install(THREE, renderer, { filter: pcss16, arguments: { softnes: 1 } }));

@@ -13,6 +13,7 @@ rmSync(folder, { recursive: true, force: true });
 mkdirSync(modules, { recursive: true });
 cpSync(umbrage, join(modules, 'umbrage'), { recursive: true });
 const load = path => import(pathToFileURL(join(modules, path)).href);
+const { end_of_body } = await load('umbrage/npm/options.mjs');
 const glsl = await load('umbrage/umbrage.mjs'), wgsl = await load('umbrage/wgsl.mjs');
 
 let failed = 0;
@@ -21,6 +22,58 @@ const check = (what, good) => {
     console.log(`${good ? 'ok' : 'FAILED'}: ${what}`);
 };
 const refusal = call => { try { call(); return 'accepted'; } catch (error) { return error.message; } };
+
+/** Babylon.js itself gives point lights another filter, so that they never reach a function that is replaced. */
+async function lights_of_babylon() {
+    const modules = ['Engines/nullEngine', 'Lights/directionalLight', 'Lights/pointLight', 'Lights/spotLight',
+        'Lights/Shadows/shadowGenerator', 'Maths/math.vector', 'scene'].map(name => load(`@babylonjs/core/${name}.js`));
+    const { DirectionalLight, NullEngine, PointLight, Scene, ShadowGenerator, SpotLight, Vector3 } =
+        Object.assign({}, ...await Promise.all(modules));
+    const engine = new NullEngine(), scene = new Scene(engine), down = new Vector3(0, -1, 0);
+    engine._features.supportShadowSamplers = true;  // as engines have it
+    for (const [light, point] of [[new DirectionalLight('', down, scene)], [new SpotLight('', down, down, 1, 1, scene)],
+        [new PointLight('', down, scene), true]])
+        for (const [use, kind] of [['usePercentageCloserFiltering', 'PCF'], ['useContactHardeningShadow', 'PCSS']]) {
+            const generator = new ShadowGenerator(64, light);
+            generator[use] = true;
+            check(`babylon, ${light.getClassName()}: ${use} ${point ? 'is Poisson sampling' : `is ${kind}`}`,
+                generator.filter === ShadowGenerator[`FILTER_${point ? 'POISSONSAMPLING' : kind}`]);
+        }
+    scene.dispose();
+}
+
+/** Each light with each shadow type is reached by a filter, or refused. */
+function lights_of_playcanvas(pc, addon, device_of) {
+    const names = ['SHADOW_PCF1_32F', 'SHADOW_PCF3_16F', 'SHADOW_PCF3_32F', 'SHADOW_PCF5_16F', 'SHADOW_PCF5_32F', 'SHADOW_VSM_16F',
+        'SHADOW_PCSS_32F'];
+    const pcf = names.slice(1, 5).join();
+    const lights = {  // clustered or not, type: shadow types that castano_dyadic5 reaches, and pcss16
+        'false directional': [pcf, 'SHADOW_PCSS_32F'], 'true directional': [pcf, 'SHADOW_PCSS_32F'],
+        'false spot': [pcf, ''], 'true spot': [pcf, ''],
+        'false omni': ['', ''], 'true omni': [pcf, ''],
+    };
+    for (const [what, reached] of Object.entries(lights))
+        for (const [i, filter] of [glsl.castano_dyadic5, glsl.pcss16].entries()) {
+            const [clustered, type] = what.split(' '), said = [];
+            const accepted = names.filter(name => {
+                const scene = { clusteredLightingEnabled: clustered === 'true', lighting: { shadowType: pc[name] } };
+                const light = { type, shadowType: pc[name], system: { app: { scene } } }, device = device_of(false);
+                const refused = refusal(() => addon.install(device, { glsl: filter, lights: [light] }));
+                if (refused !== 'accepted') said.push(refused);
+                addon.uninstall(device);
+                return refused === 'accepted';
+            });
+            check(`playcanvas, clustered ${what}: ${filter.name} reaches ${accepted.join(' ') || 'none'}`, accepted.join() === reached[i]
+                && said.every(text => text.startsWith('umbrage/playcanvas: install: lights must be ') && text.includes(`${type} with `)));
+            if (type !== 'directional') console.log(`    ${said.at(-1)}`);
+        }
+}
+
+/** Functions in a text by their names, to their closing brace. */
+const functions_of = (text, names) => names.map(name => {
+    const [head] = text.match(new RegExp(`\\b${name}\\([^{;]*{`)) ?? [''], begin = text.indexOf(head);
+    return head && text.slice(begin, end_of_body(text, begin + head.length));
+});
 
 /** Each host: its addon, an engine of it, its chunks as a map, names of replaced functions, and the reason of a refusal. */
 const hosts = {
@@ -32,9 +85,12 @@ const hosts = {
             { isWebGPU: { value: isWebGPU }, version: { value: version }, useReverseDepthBuffer: { value: false } });
         const old = refusal(() => addon.install(engine(false, 1), { glsl: glsl.hard }));
         check(`babylon, WebGL 1: ${old}`, old.endsWith('engine must have WebGL 2 or WebGPU; got WebGL 1'));
+        await lights_of_babylon();
         return {
             addon, engine, first: 'shadowsFragmentFunctions', unknown: 'another text of computeShadowWithPCF3',
-            replaced: { pcf: 'computeShadowWithPCF3', pcss: 'computeShadowWithCSMPCSS64' }, chunks: kept => {
+            replaced: { pcf: 'computeShadowWithPCF3', pcss: 'computeShadowWithCSMPCSS64' },
+            kept: ['computeShadowCube', 'computeShadowWithPoissonSamplingCube', 'computeShadowWithPCF1', 'computeShadowWithCSMPCF1'],
+            chunks: kept => {
                 const store = kept.isWebGPU ? ShaderStore.IncludesShadersStoreWGSL : ShaderStore.IncludesShadersStore;
                 return { get: name => store[name], set: (name, text) => { store[name] = text; }, keys: () => Object.keys(store) };
             },
@@ -54,13 +110,15 @@ const hosts = {
         const early = refusal(() => addon.install(bare(false), { glsl: glsl.hard }));
         check(`playcanvas, before its app: ${early}`,
             early.endsWith('device must belong to an app that was initialized; got no chunks'));
+        const engine = isWebGPU => {
+            const device = bare(isWebGPU);
+            chunks_of(device).add(chunks[isWebGPU ? 'wgsl' : 'glsl']);
+            return device;
+        };
+        lights_of_playcanvas(pc, addon, engine);
         return {
-            addon, first: 'shadowPCF3PS', unknown: 'another text of _getShadowPCF3x3', chunks: chunks_of,
-            replaced: { pcf: '_getShadowPCF5x5', pcss: 'PCSSDirectional' }, engine: isWebGPU => {
-                const device = bare(isWebGPU);
-                chunks_of(device).add(chunks[isWebGPU ? 'wgsl' : 'glsl']);
-                return device;
-            },
+            addon, kept: ['getShadowPCF1x1', 'getShadowVSM16'], first: 'shadowPCF3PS', unknown: 'another text of _getShadowPCF3x3', chunks: chunks_of,
+            replaced: { pcf: '_getShadowPCF5x5', pcss: 'PCSSDirectional' }, engine,
         };
     },
 };
@@ -73,7 +131,7 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
     }
     mkdirSync(join(modules, needed, '..'), { recursive: true });
     symlinkSync(join(node_modules, needed), join(modules, needed));
-    const { addon, engine: made, first, unknown, replaced, chunks: chunks_of } = await hosts[name]();
+    const { addon, engine: made, first, unknown, replaced, kept, chunks: chunks_of } = await hosts[name]();
     for (const [language, { castano_dyadic5, pcss16, vsm, snippets }] of Object.entries({ glsl, wgsl })) {
         ++tried;
         const engine = made(language === 'wgsl'), chunks = chunks_of(engine), where = `${name}, ${language}`;
@@ -87,6 +145,8 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
         check(`${where}: PCF is replaced`, body(replaced.pcf) === 'castano_dyadic5');
         addon.install(engine, { [language]: pcss16, arguments: { softness: [0.125, 16, 256] }, probe: true });
         check(`${where}: both kinds are replaced`, body(replaced.pcf) === 'castano_dyadic5' && body(replaced.pcss) === 'pcss16');
+        const others = [own, texts()].map(text => functions_of(JSON.parse(text).map(([, chunk]) => chunk).join('\n'), kept));
+        check(`${where}: ${kept.join(', ')} as before`, others[0].every((text, i) => text && text === others[1][i]));
         check(`${where}: softness and probe`, texts().includes('(0.125, 16.0, 256.0)') && texts().includes('umbrage_color, 1.0'));
         addon.install(engine, { [language]: snippets.tent3 });
         check(`${where}: a second filter`, body(replaced.pcf) === 'tent3' && body(replaced.pcss) === 'pcss16');

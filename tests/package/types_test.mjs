@@ -92,7 +92,7 @@ shadow_filter({});
 declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device;
 babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, scene });
 babylon.uninstall(engine, { scene });
-playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16 });
+playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, lights: [{ type: 'directional', shadowType: 6 }] });
 playcanvas.uninstall(device);
 // @ts-expect-error a filter in another language
 babylon.install(engine, { wgsl: pcss16 });
