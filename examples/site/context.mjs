@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tools that every part of the site is built with: libraries from npm, and files into the site.
-import { spawnSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, resolve } from 'node:path';
@@ -13,8 +13,8 @@ export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 /// Escapes text for HTML, attributes included.
 export const escape = text => text.replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
-/// Where Debian's emscripten finds acorn.
-export const emscripten = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
+/// Environment of Debian's emscripten, which looks for acorn where Debian's Node has it.
+const emscripten = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
 
 /// What the site needs and this machine lacks, in words; nothing when all is here.
 export function missing(node_modules) {
@@ -53,6 +53,17 @@ export async function make_context({ out, node_modules, work, museum }) {
         highlight(code, language) {
             const grammar = prism.languages[{ msl: 'cpp', sh: 'bash', ts: 'typescript', js: 'typescript' }[language] ?? language];
             return grammar ? prism.highlight(code, grammar, language) : escape(code);
+        },
+
+        /// Builds a CMake project of this folder by emscripten; only what has changed, the second time.
+        /// @return  the folder of what was built
+        wasm(source, ...settings) {
+            const build = join(work, source.replace(/\//g, '_')), run = (program, ...given) =>
+                execFileSync(program, given, { env: emscripten, stdio: ['ignore', 'ignore', 'inherit'] });
+            if (spawnSync('ccache', ['--version']).status === 0) settings.push('CMAKE_CXX_COMPILER_LAUNCHER=ccache');
+            run('emcmake', 'cmake', '-G', 'Ninja', '-S', join(root, 'examples/site', source), '-B', build, ...settings.map(setting => `-D${setting}`));
+            run('cmake', '--build', build);
+            return build;
         },
 
         /// Bundles a TypeScript file of this folder with what it imports, the npm package included.

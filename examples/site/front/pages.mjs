@@ -2,10 +2,8 @@
 //
 // The front page: the live scene, one sentence, and the way to each part.
 import { execFileSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { emscripten } from '../context.mjs';
 import { page } from '../page.mjs';
 
 const ways = [
@@ -44,17 +42,10 @@ const live = `
 </div>
 </section>`;
 
-/** WebAssembly and scenes, by Debian's emscripten. */
+/// WebAssembly of the lookups, and the scenes as files.
 function make_scene(context) {
-    const work = join(context.work, 'scene');
-    const run = (program, ...given) => execFileSync(program, given, { env: emscripten, stdio: ['ignore', 'ignore', 'inherit'] });
-    const glm = ['/usr/include', '/usr/local/include'].find(folder => existsSync(join(folder, 'glm/glm.hpp')));
-    if (!glm) throw new Error('The site needs GLM in /usr/include or /usr/local/include');
-    if (!existsSync(join(work, 'build.ninja')))
-        run('emcmake', 'cmake', '-G', 'Ninja', '-S', join(context.root, 'examples/site/scene'), '-B', work, `-DGLM=${glm}`,
-            ...process.env.CMAKE_CXX_COMPILER_LAUNCHER ? [`-DCMAKE_CXX_COMPILER_LAUNCHER=${process.env.CMAKE_CXX_COMPILER_LAUNCHER}`] : []);
-    run('cmake', '--build', work);
-    run('node', '--no-experimental-fetch', join(work, 'write_scenes.js'), work);  // its loader would fetch a file
+    const work = context.wasm('scene');
+    execFileSync('node', ['--no-experimental-fetch', join(work, 'write_scenes.js'), work]);  // its loader would fetch a file
     for (const file of ['check.wasm', 'garden.scene', 'outdoor.scene']) context.copy(join(work, file), `scene/${file}`);
 }
 

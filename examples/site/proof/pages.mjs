@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The page that proves the shaders on the visitor's GPU.
+import { join } from 'node:path';
+
 import { page } from '../page.mjs';
-import { build_wasm, is_sample } from './wasm.mjs';
+
+/// True for a page that tries a sample of the functions, as tests build it: a quarter of the time.
+const is_sample = process.env.UMBRAGE_PROOF_SAMPLE === '1';
 
 const box = (id, name, words) => `<label class="box"><input type="checkbox" id="${id}" checked> <span>${name} <small>${words}</small></span></label>`;
 
@@ -20,14 +24,10 @@ ${box('webgl2', 'WebGL 2', 'GLSL 300 es')}${box('webgpu', 'WebGPU', 'WGSL')}${bo
 <noscript><p class="notice">The proof is a script. This browser runs none.</p></noscript>
 <div id="notices"></div>`;
 
-const missing = `
-<p class="notice">This copy of the site was built without the C++ versions: emscripten was missing. Build it where
-<code>emcc</code> is installed, by <code>make site</code>.</p>`;
-
-const body = has_wasm => `
+const body = `
 <h1>Prove it on your GPU</h1>
 <p class="lead">Your GPU runs each shader function beside its C++ version, which is WebAssembly here. The page compares the bits.</p>
-${has_wasm ? controls : missing}
+${controls}
 ${is_sample ? '<p class="faint">This copy of the site tries a sample of the functions.</p>' : ''}
 <div id="results"></div>
 <section id="report" class="prose" hidden>
@@ -51,12 +51,10 @@ See the proof fail: <a href="?fault=floor(=ceil(&amp;only=encode&amp;run">each <
 </section>`;
 
 export async function pages(context) {
-    const wasm = build_wasm(context);
-    if (wasm) {
-        context.copy(wasm, 'proof/proof.wasm');
-        for (const script of ['main', 'worker']) await context.bundle(`proof/${script}.ts`, `proof/${script}.js`);
-    }
+    const built = context.wasm('proof/wasm', `sample_of_entries=${is_sample ? 'ON' : 'OFF'}`);
+    context.copy(join(built, 'proof.wasm'), 'proof/proof.wasm');
+    for (const script of ['main', 'worker']) await context.bundle(`proof/${script}.ts`, `proof/${script}.js`);
     return [{ path: 'proof/index.html', html: page({
-        path: 'proof/index.html', title: 'Prove it on your GPU', body: body(wasm), scripts: wasm ? ['proof/main.js'] : [],
+        path: 'proof/index.html', title: 'Prove it on your GPU', body, scripts: ['proof/main.js'],
         description: 'Runs every shader function of umbrage on your GPU beside its C++ version, and compares the bits.' }) }];
 }
