@@ -17,6 +17,7 @@ namespace parity {
     return hash % every == 0;
 }
 
+/// Compilers draw the arguments of a call in their own order: two draws stand in braces, or in statements of their own.
 class random {
 public:
     explicit random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15u) {}
