@@ -16,6 +16,7 @@
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #     make fuzz SECONDS=60   random input against models, under sanitizers, that long for each target
+#     make tsan    functions that take a hook for threads, under the thread sanitizer, for longer than make test
 #     make release       what a release attaches, with SHA256SUMS: build/release
 #     make release-check makes it twice, by two compilers at two places, and compares the bytes
 #
@@ -77,7 +78,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -242,6 +243,13 @@ release-check:
 asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan
+
+# All functions that take a hook for threads, under the thread sanitizer, for some minutes.
+tsan:
+	$(call install,$(unit_packages))
+	cmake -G Ninja -S . -B build/tsan -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON -D UMBRAGE_ALL_BUILDS=ON -D UMBRAGE_TESTS_LEFT_OUT=.
+	cmake --build build/tsan --target thread_hooks
+	build/tsan/tests/threads/thread_hooks 10
 
 # Ours against what else there is: a table and build/bench.json; then curves over map size, kernel size, triangles and
 # threads: build/plots/*.svg, their points in build/bench-series.tsv.
