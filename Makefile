@@ -16,6 +16,7 @@
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #     make fuzz SECONDS=60   random input against models, under sanitizers, that long for each target
+#     make fuzz-accept SEED=1 COUNT=1000   shaders of random snippets and maps: glslang, Tint and naga must accept them
 #     make tsan    functions that take a hook for threads, under the thread sanitizer, for longer than make test
 #     make release       what a release attaches, with SHA256SUMS: build/release
 #     make release-check makes it twice, by two compilers at two places, and compares the bytes
@@ -78,7 +79,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
+.PHONY: test unit gpu hosts lint format newest-clang demo pictures gallery bench bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -217,7 +218,7 @@ bench-shaders:
 
 # What it finds lies in build/fuzz/NAME-crash-*: minimize it, put it into tests/fuzz/corpus/NAME, mend.
 SECONDS := 60
-fuzz_targets := depth_pass encodings fits shadow texts visibility
+fuzz_targets := depth_pass encodings fits meshes pages shadow tables texts visibility
 fuzz:
 	$(call install,$(unit_packages) clang-14)
 	@mkdir -p build
@@ -230,6 +231,14 @@ fuzz:
 	        found/$$target $(CURDIR)/tests/fuzz/corpus/$$target 2>&1 | grep -E "^fuzz: |ERROR|SUMMARY|number_of_executed_units"; \
 	    ls $$target-* > /dev/null 2>&1 && status=1; \
 	done; exit $$status
+
+SEED := 1
+COUNT := 1000
+fuzz-accept:
+	$(call install,$(unit_packages) $(node_packages) chromium glslang-tools)
+	$(from_npm)
+	cmake --preset dev -D SEED=$(SEED) -D COUNT=$(COUNT)
+	cmake --build --preset dev --target fuzz_accept
 
 release:
 	$(call install,$(unit_packages) $(node_packages))
