@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fits of lights: each holds its receivers, cascades the part of the camera's view that is theirs, warps what the camera
-// sees of a scene. All are finite, or refused.
+// Fits of lights: each holds its receivers. Cascades hold the part of the camera's view that is theirs, warps what the
+// camera sees of a scene. All are finite, or refused.
 #include <array>
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages of a virtual shadow map: a cache keeps to its slots and draws what a view needs, the table says where a page is,
-// a page's light shows the root's texels, and images of receivers have the bits of each page's map alone.
+// Pages of a virtual shadow map: a cache keeps to its slots and draws what a view needs. The table says where a page
+// is, a page's light shows the root's texels, and a receiver has the bits of its page's map alone.
 #include <cmath>
 #include <map>
 #include <set>
