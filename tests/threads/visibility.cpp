@@ -75,7 +75,7 @@ blob shadow_of_a_light(const hook& parallel) {
 }  // namespace
 
 std::vector<function> visibilities() {
-    return {{"visibility by blocks", [](const hook& h) { return filtered(filters::pcf_2x2{}, seen.view(), h); }},
+    return {{"visibility by blocks", [](const hook& h) { return filtered(filters::hard{}, seen.view(), h); }},
             {"visibility by bounds", [](const hook& h) { return filtered(filters::box{3}, seen.view(), h); }},
             {"visibility by any callable",
              [](const hook& h) {
@@ -87,7 +87,7 @@ std::vector<function> visibilities() {
             {"visibility along planes",
              [](const hook& h) {
                  const sloped_receivers receivers{seen.view(), seen.slope, seen.slope};
-                 return filtered(filters::pcss{.softness = {1.0f, 16.0f, 64.0f}}, receivers, h);
+                 return filtered(filters::hard{}, receivers, h);
              }},
             {"visibility of pages", paged},
             {"shadow: draw, store, visibility", shadow_of_a_light}};
