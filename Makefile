@@ -18,6 +18,8 @@
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #     make fuzz SECONDS=60   random input against models, under sanitizers, that long for each target
+#     make fuzz-accept SEED=1 COUNT=1000   shaders of random snippets and maps: glslang, Tint and naga must accept them
+#     make tsan    functions that take a hook for threads, under the thread sanitizer, for longer than make test
 #     make release       what a release attaches, with SHA256SUMS: build/release
 #     make release-check makes it twice, by two compilers at two places, and compares the bytes
 #
@@ -82,7 +84,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan bench-packing bench-shaders single-header readme fuzz release release-check compile-time clean
+.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -245,7 +247,7 @@ bench-shaders:
 
 # What it finds lies in build/fuzz/NAME-crash-*: minimize it, put it into tests/fuzz/corpus/NAME, mend.
 SECONDS := 60
-fuzz_targets := depth_pass encodings fits shadow texts visibility
+fuzz_targets := depth_pass encodings fits meshes pages shadow tables texts visibility
 fuzz:
 	$(call install,$(unit_packages) clang-14)
 	@mkdir -p build
@@ -259,6 +261,14 @@ fuzz:
 	    ls $$target-* > /dev/null 2>&1 && status=1; \
 	done; exit $$status
 
+SEED := 1
+COUNT := 1000
+fuzz-accept:
+	$(call install,$(unit_packages) $(node_packages) chromium glslang-tools)
+	$(from_npm)
+	cmake --preset dev -D SEED=$(SEED) -D COUNT=$(COUNT)
+	cmake --build --preset dev --target fuzz_accept
+
 release:
 	$(call install,$(unit_packages) $(node_packages))
 	cmake -D UMBRAGE=. -D CXX=g++ -D OUT=build/release -P tests/release/release.cmake
@@ -267,10 +277,18 @@ release-check:
 	$(call install,$(unit_packages) $(node_packages) clang-14)
 	cmake -D UMBRAGE=$(CURDIR) -D CXX=g++ -D OTHER_CXX=clang++-14 -D WORK=build/release-check -P tests/release/again.cmake
 
-# The unit tests under the address and undefined behavior sanitizers.
+# The unit tests under the address and undefined behavior sanitizers. Those of filters' fast forms, a fifth of the build,
+# are left to fuzz_visibility, which holds the forms to the same model under the same sanitizers.
 asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan
+
+# All functions that take a hook for threads, under the thread sanitizer, for some minutes.
+tsan:
+	$(call install,$(unit_packages))
+	cmake -G Ninja -S . -B build/tsan -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON -D UMBRAGE_ALL_BUILDS=ON -D UMBRAGE_TESTS_LEFT_OUT=.
+	cmake --build build/tsan --target thread_hooks
+	build/tsan/tests/threads/thread_hooks 10
 
 # Ours against what else there is: a table and build/bench.json; then curves over map size, kernel size, triangles and
 # threads: build/plots/*.svg, their points in build/bench-series.tsv.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth pass: no order of triangles and no pieces of work change a bit, and depths lie between near and far.
+// The depth pass: no order of triangles, pieces of work or threads change a bit, and depths lie between near and far.
 #include <algorithm>
 #include <vector>
 
@@ -39,10 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             fuzz::must(depth >= 0.0f && depth <= 1.0f, "a depth lies within 0 and 1");
 
         std::vector<glm::uvec3> other(triangles.rbegin(), triangles.rend());
-        const auto pieces = [&](int count, const auto& piece) {  // from the last to the first, one by one
-            for (int i = count; i > 0; --i) piece(i - 1, i);
-        };
-        rasterize_depth(turned, {positions, other}, to_clip, clip, cull, pieces, at_near);
+        rasterize_depth(turned, {positions, other}, to_clip, clip, cull, fuzz::pieces(in), at_near);
         fuzz::must(std::ranges::equal(once.texels(), turned.texels()), "neither order nor pieces change a depth");
 
         const auto half = static_cast<std::ptrdiff_t>(triangles.size() / 2);

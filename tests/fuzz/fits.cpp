@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Fits of lights: a directional fit holds its receivers, cascades are finite, and a spot fit answers or refuses.
+// Fits of lights: each holds its receivers. Cascades hold the part of the camera's view that is theirs, warps what the
+// camera sees of a scene. All are finite, or refused.
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -11,21 +13,20 @@
 
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
+#include <umbrage/light/sweep.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "input.hpp"
 
 namespace {
 
 using namespace umbrage;
-
-std::array<glm::dvec3, 8> corners_of(const bounding_box<double>& box) {
-    std::array<glm::dvec3, 8> all;
-    for (unsigned i = 0; i < 8; ++i)
-        all[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
-    return all;
-}
 
 /// A box as a user has one: its sides are ordinary, or its numbers are anything.
 bounding_box<double> box_of(fuzz::input& in) {
@@ -34,18 +35,69 @@ bounding_box<double> box_of(fuzz::input& in) {
     return {glm::min(a, b), glm::max(a, b)};
 }
 
-/// Every corner in front of the light lies within clip space, with room for rounding of the world's numbers.
-void must_hold(const light_space<double>& light, const bounding_box<double>& box, const char* model) {
+/// Every point in front of the light lies within clip space, with room for rounding of the world's numbers.
+/// @param depths   false: the near and the far plane do not count
+void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& points, const char* model,
+               bool depths = true) {
     const double nearest = light.clip.range == depth_range::zero_to_one ? 0.0 : -1.0;
     const glm::dmat4 to_clip = light.projection * light.view, rows = glm::transpose(to_clip);
-    for (const glm::dvec3& corner : corners_of(box)) {
-        const glm::dvec4 at = to_clip * glm::dvec4(corner, 1.0);
+    for (const glm::dvec3& point : points) {
+        if (glm::length(point) > 1e9) continue;  // such a world has no digits left for its scene
+        const glm::dvec4 at = to_clip * glm::dvec4(point, 1.0);
         const auto room = [&](glm::length_t axis) {
-            return 1e-6 * at.w + 1e-13 * (glm::length(corner) + 1.0) * glm::length(glm::dvec3(rows[axis]));
+            return 1e-6 * at.w + 1e-13 * (glm::length(point) + 1.0) * glm::length(glm::dvec3(rows[axis]));
         };
         fuzz::must(at.w > 0.0 && std::abs(at.x) <= at.w + room(0) && std::abs(at.y) <= at.w + room(1), model);
-        fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);
+        if (depths) fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);
     }
+}
+
+frustum<double> camera_of(fuzz::input& in) {
+    return {.position = glm::dvec3(in.vec3(-50, 50)),
+            .direction = glm::dvec3(in.vec3(-1, 1)),
+            .tan_half_x = in.number(0.1f, 2),
+            .tan_half_y = in.number(0.1f, 2),
+            .z_near = in.number(0.01f, 1),
+            .z_far = in.number(2, 500)};
+}
+
+void cascades(fuzz::input& in, const cascade_fit<double>& fit) {
+    const auto splits = practical_splits<3>(fit.camera.z_near, fit.camera.z_far, double(in.number(0, 1)));
+    const auto part = [&](std::size_t i) {
+        frustum<double> slice = fit.camera;
+        slice.z_near = splits[i], slice.z_far = splits[i + 1];
+        return slice;
+    };
+    const auto stable = make_stable_cascades<3>(fit, splits);
+    for (std::size_t i = 0; i < stable.size(); ++i)
+        must_hold(stable[i].light, hull(part(i)).points, "a stable cascade holds its slice", false);
+    const auto tight = make_tight_cascades<3>(fit, splits);
+    for (std::size_t i = 0; i < tight.size(); ++i)
+        must_hold(tight[i].light, hull(intersection(part(i), fit.scene)).points, "a tight cascade holds what is seen");
+    const auto warp = [](const warp_fit<double>& of_slice) { return fit_light_space_perspective(of_slice); };
+    const auto warped = make_warped_cascades<3>(fit, splits, warp);
+    for (std::size_t i = 0; i < warped.size(); ++i)
+        must_hold(warped[i].light, hull(intersection(part(i), fit.scene)).points,
+                  "a warped cascade holds what is seen");
+}
+
+void warps(fuzz::input& in, const warp_fit<double>& fit) {
+    const auto holds = [&](const warped_light<double>& warped, const char* model) {
+        fuzz::must(warped.strength >= 0.0 && warped.strength < 1.0, "a warp's strength lies within 0 and 1");
+        must_hold(warped.light, fit.receivers->points, model);
+    };
+    fuzz::answered([&] { holds(fit_light_space_perspective(fit), "a light-space perspective holds what is seen"); });
+    fuzz::answered([&] { holds(fit_light_space_perspective(fit, double(in.number(0, 50))), "at any distance"); });
+    fuzz::answered([&] { holds(fit_trapezoidal(fit, double(in.number(0, 50))), "a trapezoid holds what is seen"); });
+    fuzz::answered([&] { holds(fit_perspective(fit, double(in.number(0, 20))), "a perspective holds what is seen"); });
+    const glm::dvec4 plane(glm::dvec3(in.vec3(-1, 1)), in.number(-20, 20));
+    fuzz::answered([&] {
+        if (const auto warped = fit_plane_optimal(fit, plane))
+            fuzz::must(detail::all_finite(warped->light.projection * warped->light.view), "a plane's map is finite");
+    });
+    const light_position<double> from{.position = glm::dvec3(in.vec3(-50, 50)), .z_near = in.number(0.05f, 1)};
+    fuzz::answered([&] { static_cast<void>(fit_perspective(fit, from, double(in.number(0, 20)))); });
+    fuzz::answered([&] { static_cast<void>(fit_plane_optimal(fit, plane, from)); });
 }
 
 }  // namespace
@@ -60,27 +112,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             .direction = direction, .up = up, .receivers = box, .margin = in.number(0, 0.5f), .clip = clip};
         if (in.chance(2)) fit.casters = casters;
         if (in.chance(2)) fit.snap_texels = {in.within(-1, 2048), in.within(-1, 2048)};
-        must_hold(fit_directional_light(fit), box, "a directional fit holds its receivers");
+        must_hold(fit_directional_light(fit), hull(box).points, "a directional fit holds its receivers");
     });
     fuzz::answered([&] {
-        const frustum<double> camera{.position = glm::dvec3(in.vec3(-50, 50)),
-                                     .direction = glm::dvec3(in.vec3(-1, 1)),
-                                     .tan_half_x = in.number(0.1f, 2),
-                                     .tan_half_y = in.number(0.1f, 2),
-                                     .z_near = in.number(0.01f, 1),
-                                     .z_far = in.number(2, 500)};
-        const cascade_fit<double> fit{.camera = camera,
-                                      .direction = direction,
-                                      .up = up,
-                                      .scene = box,
-                                      .map_size = {in.within(0, 4096), in.within(0, 4096)},
-                                      .margin = in.number(0, 8),
-                                      .overlap = in.number(0, 0.5f),
-                                      .clip = clip};
-        const auto splits = practical_splits<4>(camera.z_near, camera.z_far, double(in.number(0, 1)));
-        for (const auto& c : make_stable_cascades<4>(fit, splits))
-            fuzz::must(detail::all_finite(glm::dvec3(c.scale)), "a cascade's numbers are finite");
-        static_cast<void>(make_tight_cascades<4>(fit, splits));
+        cascades(in, {.camera = camera_of(in),
+                      .direction = direction,
+                      .up = up,
+                      .scene = box,
+                      .map_size = {in.within(0, 4096), in.within(0, 4096)},
+                      .margin = in.number(0, 8),
+                      .overlap = in.number(0, 0.5f),
+                      .clip = clip});
+    });
+    fuzz::answered([&] {
+        const frustum<double> camera = camera_of(in);
+        warp_fit<double> fit{.camera = camera, .direction = direction, .margin = in.number(0, 0.5f), .clip = clip};
+        fit.receivers = intersection(camera, box);
+        if (in.chance(2)) fit.casters = casters;
+        if (fit.receivers->points.empty()) fit.receivers = camera;
+        warps(in, fit);
     });
     fuzz::answered([&] {
         const spot_fit<double> fit{.position = glm::dvec3(in.vec3(-50, 50)),

@@ -3,7 +3,9 @@
 // Bytes of a fuzzer as numbers, and how a target reports what is wrong. libFuzzer finds what aborts.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +15,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -77,6 +81,37 @@ private:
     const std::uint8_t* bytes_;
     std::size_t size_;
 };
+
+/// Hook for threads, see images/parallel.hpp: pieces of one length, from the last to the first or on three threads.
+class pieces {
+public:
+    explicit pieces(input& in) : length_(in.within(1, 9)), on_threads_(in.chance(8)) {}
+
+    template <class Piece>
+    void operator()(int count, const Piece& piece) const {
+        const auto run = [&](int i) { piece(i * length_, std::min((i + 1) * length_, count)); };
+        const int last = (count + length_ - 1) / length_ - 1;
+        if (!on_threads_)
+            for (int i = last; i >= 0; --i) run(i);
+        else {
+            std::atomic<int> next = 0;
+            std::vector<std::jthread> threads;
+            for (int i = 0; i < 3; ++i)
+                threads.emplace_back([&] {
+                    for (int k = next++; k <= last; k = next++) run(k);
+                });
+        }
+    }
+
+private:
+    int length_;
+    bool on_threads_;
+};
+
+/// True for floats of one value and sign, and for two NaN.
+[[nodiscard]] inline bool same(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (a != a && b != b);
+}
 
 /// Calls what may refuse its arguments: a clear message is an answer, anything else is not.
 template <class Use>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Visibility of whole images: each receiver has the bits that the filter gives it alone, and lies within 0 and 1.
+// Visibility of whole images: each receiver has the bits that the filter gives it alone, and lies within 0 and 1. Every
+// filter over floats, every encoding, every kind of receiver.
 #include <type_traits>
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/encode.hpp>
+#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shadow/look.hpp>
 
@@ -16,53 +18,145 @@ namespace {
 
 using namespace umbrage;
 
-template <class Filter, class Encoding>
-void compare(fuzz::input& in, const Filter& filter, const Encoding& encoding, image_view<const float> depths) {
+/// Receivers of an image in all four forms: x, y and depth, with slopes of their planes.
+struct receiver_images {
+    image<float> x, y, depth, slope_x, slope_y;
+
+    receiver_images(fuzz::input& in, glm::ivec2 size, glm::vec2 reach)
+        : x(size), y(size), depth(size), slope_x(size), slope_y(size) {
+        for (float& v : x.texels()) v = in.number(-3, reach.x + 3);
+        for (float& v : y.texels()) v = in.number(-3, reach.y + 3);
+        for (float& v : depth.texels()) v = in.number(-0.1f, 1.1f);
+        for (float& v : slope_x.texels()) v = in.number(-0.1f, 0.1f);
+        for (float& v : slope_y.texels()) v = in.number(-0.1f, 0.1f);
+    }
+    [[nodiscard]] glm::vec3 operator[](glm::ivec2 p) const { return {x[p], y[p], depth[p]}; }
+};
+
+/// Runs a filter over an image, and over each receiver alone.
+/// @param at       (pixel) -> receiver
+/// @param slope    (pixel) -> slope of its plane, or nullptr
+template <class Encoding, class Filter, class Receivers, class At, class Slope>
+void compare(fuzz::input& in, image_view<const float> depths, const Encoding& encoding, const Receivers& receivers,
+             glm::ivec2 size, const Filter& filter, const At& at, const Slope& slope) {
     image<typename Encoding::texel> map(depths.size);
     encode(depths, map, encoding);
-    const glm::ivec2 size(in.within(1, 40), in.within(1, 3));
-    image<glm::vec3> receivers(size);
-    const glm::vec2 reach(depths.size);
-    for (glm::vec3& r : receivers.texels())
-        r = {in.number(-3, reach.x + 3), in.number(-3, reach.y + 3), in.number(-0.1f, 1.1f)};
     const auto outside = in.chance(2) ? outside_map::bordered : outside_map::clamped;
     image<float> out(size);
-    visibility(map, encoding, receivers, filter, out, serial{}, outside);
+    visibility(map, encoding, receivers, filter, out, fuzz::pieces(in), outside);
     for (glm::ivec2 p(0); p.y < size.y; ++p.y)
         for (p.x = 0; p.x < size.x; ++p.x) {
-            const glm::vec3 r = receivers[p];
+            const glm::vec3 r = at(p);
             const auto alone = [&](const auto& map_texels) {
-                return detail::filtered(filter, decoded(map_texels, encoding), glm::vec2(r), r.z, p);
+                const auto texels = decoded(map_texels, encoding);
+                if constexpr (std::is_null_pointer_v<Slope>)
+                    return detail::filtered(filter, texels, glm::vec2(r), r.z, p);
+                else
+                    return detail::filtered(filter,
+                                            apply_receiver_plane(texels, slope(p), glm::vec2(r), encoding.direction),
+                                            glm::vec2(r), r.z, p);
             };
             const float one =
                 outside == outside_map::bordered ? alone(bordered(map, encoding.cleared())) : alone(clamped(map));
-            fuzz::must(out[p] == one, "an image's receiver has the bits of the filter alone");
+            fuzz::must(fuzz::same(out[p], one), "an image's receiver has the bits of the filter alone");
             fuzz::must(one >= 0.0f && one <= 1.0f, "a visibility lies within 0 and 1");
         }
+}
+
+template <class Encoding, class Filter>
+void by_points(fuzz::input& in, image_view<const float> depths, const receiver_images& all, const Encoding& encoding,
+               const Filter& filter) {
+    image<glm::vec3> points(all.x.size());
+    for (std::size_t i = 0; i < points.texels().size(); ++i)
+        points.texels()[i] = {all.x.texels()[i], all.y.texels()[i], all.depth.texels()[i]};
+    compare(
+        in, depths, encoding, points.view(), points.size(), filter, [&](glm::ivec2 p) { return all[p]; }, nullptr);
+}
+
+void by_planes(fuzz::input& in, image_view<const float> depths, const receiver_images& all, const depth32f& encoding) {
+    const receiver_planes planes{all.x, all.y, all.depth};
+    compare(
+        in, depths, encoding, planes, all.x.size(), filters::box{in.within(0, 6), {encoding.direction}},
+        [&](glm::ivec2 p) { return all[p]; }, nullptr);
+}
+
+void by_depths(fuzz::input& in, image_view<const float> depths, const receiver_images& all, const depth32f& encoding) {
+    depth_receivers seen{all.depth, glm::mat4(1), in.number(0, 0.1f)};
+    for (glm::length_t i = 0; i < 16; ++i)
+        if (in.chance(3)) seen.matrix[i / 4][i % 4] = in.number(-1, 1);
+    compare(
+        in, depths, encoding, seen, all.depth.size(), filters::hard{{encoding.direction}},
+        [&](glm::ivec2 p) { return receiver_at(seen, p); }, nullptr);
+}
+
+template <class Filter>
+void along_planes(fuzz::input& in, image_view<const float> depths, const receiver_images& all, const depth32f& encoding,
+                  const Filter& filter) {
+    const sloped_receivers sloped{{all.x, all.y, all.depth}, all.slope_x, all.slope_y};
+    compare(
+        in, depths, encoding, sloped, all.x.size(), filter, [&](glm::ivec2 p) { return all[p]; },
+        [&](glm::ivec2 p) { return glm::vec2(all.slope_x[p], all.slope_y[p]); });
+}
+
+/// A filter with settings of its own.
+template <class Filter>
+Filter varied(fuzz::input& in, Filter filter) {
+    if constexpr (requires { filter.softness.per_code; })
+        filter.softness = {in.tame(0, 1), static_cast<float>(in.within(0, 32)), static_cast<float>(in.within(32, 128))};
+    else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.tame(0, 6);
+    else if constexpr (requires { filter.radius; }) filter.radius = in.within(0, 6);
+    return filter;
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     fuzz::input in(bytes, size);
-    const glm::ivec2 map_size(in.within(1, 20), in.within(1, 20));
-    image<float> depths(map_size);
-    for (float& d : depths.texels()) d = in.tame(0, 1);
+    image<float> depths({in.within(1, 80), in.within(1, 20)});
+    const int coarse = in.within(1, 100);
+    std::uint32_t state = in.bits();
+    for (float& d : depths.texels()) {
+        state = state * 1664525u + 1013904223u;
+        d = static_cast<float>(static_cast<int>(state >> 8) % (coarse + 1)) / static_cast<float>(coarse);
+    }
     const auto direction = in.chance(2) ? depth_direction::forward : depth_direction::reversed;
-    const auto for_each_filter = [](const auto& use) {
-        filters::all::for_each([&](const auto& filter) {
-            if constexpr (detail::point_filter<std::decay_t<decltype(filter)>>) use(filter);
+    const receiver_images receivers(in, {in.within(1, 70), in.within(1, 3)}, glm::vec2(depths.size()));
+    const depth32f floats{.direction = direction};
+    const auto one_of = [&](const auto& use_each, const auto& use) {
+        int count = 0;
+        use_each([&](const auto&) { ++count; });
+        int left = in.within(0, count - 1);
+        use_each([&](const auto& value) {
+            if (left-- == 0) fuzz::answered([&] { use(value); });
         });
     };
-    int count = 0;
-    for_each_filter([&](const auto&) { ++count; });
-    int chosen = in.within(0, count - 1);
-    for_each_filter([&](auto filter) {
-        if (chosen-- == 0) {
-            filter.is_lit.direction = direction;
-            fuzz::answered([&] { compare(in, filter, depth32f{.direction = direction}, depths); });
-            fuzz::answered([&] { compare(in, filter, rg<11>{.direction = direction}, depths); });
-        }
-    });
+    switch (in.within(0, 5)) {
+        case 0:
+            one_of([](const auto& use) { for_each_encoding(use); },
+                   [&](auto encoding) {
+                       encoding = {.direction = direction};
+                       by_points(in, depths, receivers, encoding, filters::hard{.is_lit = {direction}});
+                   });
+            break;
+        case 1: fuzz::answered([&] { by_planes(in, depths, receivers, floats); }); break;
+        case 2: fuzz::answered([&] { by_depths(in, depths, receivers, floats); }); break;
+        case 3:
+            one_of([](const auto& use) { filters::soft::for_each(use); },
+                   [&](const auto& of_list) {
+                       auto filter = varied(in, of_list);
+                       filter.is_lit.direction = direction;
+                       along_planes(in, depths, receivers, floats, filter);
+                   });
+            break;
+        default:
+            one_of([](const auto& use) { filters::all::for_each(use), filters::soft::for_each(use); },
+                   [&](const auto& of_list) {
+                       auto filter = varied(in, of_list);
+                       if constexpr (requires { filter.is_lit.direction = direction; })
+                           filter.is_lit.direction = direction;
+                       else if (direction == depth_direction::reversed) return;  // compares forward depth alone
+                       by_points(in, depths, receivers, floats, filter);
+                   });
+    }
     return 0;
 }

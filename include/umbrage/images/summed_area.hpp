@@ -134,6 +134,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     const bool is_large = detail::past_cache(sums);
     detail::strip_starts<value, Sum> starts(values, strips, columns);
     parallel(strips, [&](int first, int last) {
+        if (first == last) return;
         const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
         const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
         detail::band_sums<Sum> band(length, values.data + left, sums.data + left);

@@ -14,6 +14,11 @@
 #if !defined(__GNUC__) && !defined(__clang__)
 #include <atomic>
 #endif
+#if __has_include(<sched.h>)
+#include <sched.h>
+#else
+#include <thread>
+#endif
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/simd/dispatch.hpp>
@@ -102,12 +107,25 @@ inline int exchange_acquire(int value, int& with) {
 inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
 #endif
 
+/// Lets another thread run on this processor. <thread> would take longer to compile than <sched.h>, which most standard
+/// headers include.
+inline void yield_processor() {
+#if __has_include(<sched.h>)
+    sched_yield();
+#else
+    std::this_thread::yield();
+#endif
+}
+
 /// Takes a lock that others hold for microseconds. It is 1 while a thread has it; store_release(0, lock) releases it.
+/// After that time the holder may not be running, as with more threads than processors: it then gets this processor.
 inline void take_lock(int& lock) {
-    while (exchange_acquire(1, lock) != 0)
-        while (load_acquire(lock) != 0) {
+    constexpr int patience = 1 << 10;  // a pause takes 10 to 40 ns
+    for (int spins = 0; exchange_acquire(1, lock) != 0;)
+        for (; load_acquire(lock) != 0; ++spins) {
+            if (spins >= patience) yield_processor();
 #if defined(__GNUC__) && defined(__x86_64__)
-            __builtin_ia32_pause();
+            else __builtin_ia32_pause();
 #endif
         }
 }

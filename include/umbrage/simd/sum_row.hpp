@@ -65,7 +65,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
     using few = lanes_of<Sum, Lanes>;
     constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
     constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry;
+    few carry{};
     for (int i = 0; i < Lanes; ++i) carry[i] = before;
     const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few sums, there;
