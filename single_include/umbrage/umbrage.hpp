@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -217,8 +216,8 @@ namespace umbrage::glsl {
 ///   c  Within the bound on every implementation, or within snippet::within of C++
 ///
 /// The bound is n 2^-23 S, measured from the result in real arithmetic. n is snippet::operations.
-/// S is the formula with the magnitude of every value and a plus for every minus. A quotient a / b has
-/// S(a) S(b) / b^2, a root of a has S(a) / sqrt(a), and min and max have the larger S.
+/// S is the formula with the magnitude of every value and a plus for every minus. A quotient a / b has S(a) S(b) / b^2.
+/// A root of a has S(a) / sqrt(a). min and max have the larger S.
 /// The C++ function's comment gives S where its formula does not show it.
 /// If denormals are flushed, a product counts at least 2^-103 times its factors above 1.
 /// If a comparison or floor decides, the bound applies to the value compared. Within it either side is allowed.
@@ -228,6 +227,7 @@ enum class tier { a, b, c };
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
 enum class version { v100, v110, v120, v130, v150, v300_es, v310_es, v320_es, v330, v430, v450, v460, vulkan };
 
+/// Dialects of GLSL that texts are written in, oldest first.
 inline constexpr std::array versions{version::v100,    version::v110,    version::v120,    version::v130, version::v150,
                                      version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
                                      version::v450,    version::v460,    version::vulkan};
@@ -274,8 +274,8 @@ enum class hook {
 
 struct snippet;
 
-/// GLSL text of a snippet: a literal, or the function that makes it. The function runs only when the text is needed,
-/// which saves compile time in every file that includes the header.
+/// GLSL text of a snippet: a literal, or the function that makes it. The function runs only when the text is needed. So
+/// files that include the header compile faster.
 class snippet_text {
 public:
     constexpr snippet_text(const char* written) : written_(written) {}
@@ -404,9 +404,15 @@ namespace umbrage {
 /// Seen from the light, x points right and y up. `right` looks down -z, `left` looks down +z.
 /// A mesh keeps its winding: a triangle that is clockwise for the light is clockwise in NDC with y up.
 enum class handedness { right, left };
-enum class depth_range { unset, zero_to_one, minus_one_to_one };  ///< range of z/w from the near to the far plane
-enum class depth_direction { forward, reversed };                 ///< reversed: depth is larger at the near plane
-enum class texture_origin { bottom, top };                        ///< place of texel (0, 0): at NDC y = -1, or y = +1
+
+/// Range of z/w from the near to the far plane.
+enum class depth_range { unset, zero_to_one, minus_one_to_one };
+
+/// Direction in which depth grows. `reversed`: it is larger at the near plane.
+enum class depth_direction { forward, reversed };
+
+/// Place of texel (0, 0): at NDC y = -1 (`bottom`), or at y = +1 (`top`).
+enum class texture_origin { bottom, top };
 
 /// Value of texels outside the map.
 enum class outside_map {
@@ -437,6 +443,7 @@ inline constexpr clip_space direct3d_clip_space{
 /// Right-handed world with z/w in [0, 1] and the first texel at the top. It fits WebGPU in three.js and glTF viewers.
 /// It also fits right-handed worlds under Direct3D. For a left-handed world in WebGPU or Metal use direct3d_clip_space.
 inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one, .origin = texture_origin::top};
+/// Clip space of Metal, the same as that of WebGPU.
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 /// Left-handed world with y up, reversed depth and the first texel at the top.
@@ -445,6 +452,7 @@ inline constexpr clip_space unity_clip_space{.hand = handedness::left,
                                              .range = depth_range::zero_to_one,
                                              .direction = depth_direction::reversed,
                                              .origin = texture_origin::top};
+/// Clip space of Unity under OpenGL.
 inline constexpr clip_space unity_opengl_clip_space{.hand = handedness::left, .range = depth_range::minus_one_to_one};
 
 /// Unity's clip space, in a world whose up axis is z: pass .up = {0, 0, 1} to the setup functions.
@@ -461,6 +469,7 @@ struct named_clip_space {
     std::string_view name;
     clip_space value;
 };
+/// Clip spaces of the APIs and engines by name.
 inline constexpr named_clip_space clip_spaces[]{{"opengl_clip_space", opengl_clip_space},
                                                 {"vulkan_clip_space", vulkan_clip_space},
                                                 {"direct3d_clip_space", direct3d_clip_space},
@@ -487,6 +496,7 @@ constexpr void require_given(clip_space clip, const char* function, const char* 
 }  // namespace detail
 
 /// Depth of the far plane, the value to clear a map to.
+/// @exactness   A: 1, or 0 where depth is reversed
 [[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
     return direction == depth_direction::forward ? 1.0f : 0.0f;
 }
@@ -560,6 +570,7 @@ template <class Elements>
 }  // namespace detail
 
 /// Clamps to [0, 1].
+/// @param v         any value, NaN included
 /// @param cleared   depth of the far plane: 1, or 0 for reversed depth
 /// @edge        NaN of either sign: cleared. -0: +0
 /// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : cleared))
@@ -686,6 +697,7 @@ template <real T, class Compare = less_equal>
 /// Visibility from one comparison.
 /// @param receiver   receiver depth, with the bias already applied
 /// @param stored     depth from the map
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           1 when lit, 0 in shadow
 /// @exactness        A
 template <real T, class Compare = less_equal>
@@ -938,6 +950,7 @@ enum class unorm_store { rounds, truncates };
 
 /// Channel that a UNORM target stores.
 /// @param c     any value, clamped to [0, 1]
+/// @param mode  what the target does between two channels
 /// @edge        NaN: 0, as graphics APIs require
 template <int Bits = 8, real T>
 requires unorm_bits<Bits>
@@ -1133,6 +1146,7 @@ struct unorm_target {
 
     /// Texel that a UNORM store makes of the values.
     /// @param values   as a shader writes them
+    /// @param mode     what the target does between two channels
     template <class Values>
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);
@@ -1184,7 +1198,7 @@ enum class store_format {
     values,    ///< values, written to a UNORM target as they are; its rounding is part of the format
 };
 
-/// Largest distances from a depth in [0, 1) to what it decodes to after encoding.
+/// Largest distances from a depth in [0, 1) to its decoded value.
 struct decoding_error {
     double below = 0.0;  ///< a receiver's bias must cover it where depth runs forward
     double above = 0.0;  ///< a receiver's bias must cover it where depth is reversed
@@ -1306,7 +1320,7 @@ consteval bool is_filter() {
 //
 // The reach is the filter radius in texels. A filter compares a receiver with texel centers up to its reach away in x
 // and y. There a plane of slope (a, b) may be nearer to the light by reach (|a| + |b|). The stored depth may be nearer
-// still by the encoding's error. The bias covers both, and 9/10 of it leaves some receiver dark.
+// still by the encoding's error. The bias covers both. With 9/10 of it some receivers are dark.
 // Also called: the Bias sliders of Unity, Unreal and Godot, adaptive depth bias, optimal bias (acne_free_bias);
 // peter-panning, light gap (peter_panning_distance).
 // See also: slope.hpp for the slope, receiver_plane.hpp.
@@ -1357,7 +1371,10 @@ template <real T>
 }
 
 /// Smallest depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
-/// @param more   texels to add to the reach, for rasterizer_snap and for coordinates that round
+/// @param slope      change of depth per texel in x and y
+/// @param filter     a filter of filters.hpp, for its reach
+/// @param encoding   an encoding of encodings.hpp, for its error
+/// @param more       texels to add to the reach, for rasterizer_snap and for coordinates that round
 [[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
                                              const known_encoding auto& encoding, float more = 0.0f) {
     const decoding_error both = encoding.error();
@@ -1512,6 +1529,7 @@ template <class T>
 
 namespace umbrage {
 
+/// Matrices of a light, and the clip space that they lead to.
 template <real T>
 struct light_space {
     glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)
@@ -1673,6 +1691,7 @@ template <real T>
 /// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
 /// @param z_near, z_far            distances, world units, 0 < z_near < z_far. With an infinite z_far there is no far
 ///                                 plane: depth nears the far depth with distance, forward or reversed
+/// @param clip                     clip space that the matrix leads to
 /// @throws std::invalid_argument   values outside these ranges; clip unset; a matrix that would not be finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
 template <real T>
@@ -1687,6 +1706,7 @@ template <real T>
 ///
 /// @param low, high        x and y of the box's corners, world units, low < high
 /// @param z_near, z_far    distances in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param clip             clip space that the matrix leads to
 /// @throws std::invalid_argument   an empty or non-finite box; clip unset; a matrix that would not be finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
@@ -1753,10 +1773,12 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel.
-/// @param normal   surface normal, any length. Zero: the caller has none, and biases in the depth pass
-/// @return         slope as from plane_slope
-/// @edge           zero normal: (0, 0)
-/// @exactness      C, n = 27: S as plane_slope
+/// @param plane_matrix   from make_plane_matrix
+/// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
+/// @param world          point on the surface, world units
+/// @return               slope as from plane_slope
+/// @edge                 zero normal: (0, 0)
+/// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {
@@ -2060,6 +2082,7 @@ namespace umbrage {
 
 /// Matrix from the world to texels and depth, before the division by w.
 ///
+/// @param light      light of the map
 /// @param map_size   map size in texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives UV coordinates
 /// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space; reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
@@ -2089,6 +2112,8 @@ template <real T>
 ///
 /// The origin may change from frame to frame. A world point keeps its place in a stable map to 1/100 texel while it and
 /// the map are within 10,000 texels of each origin.
+/// @param light    light of the map
+/// @param map_size map size in texels, each >= 1
 /// @param origin   world position near the camera, such as an engine's floating origin
 /// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite in float
 [[nodiscard]] inline glm::mat4 texture_matrix(const light_space<double>& light, glm::ivec2 map_size,
@@ -2102,6 +2127,7 @@ template <real T>
 }
 
 /// Light in float for points relative to an origin, from a light in double. Use it in the depth pass.
+/// @param light    light in world units
 /// @param origin   world position near the camera, such as an engine's floating origin
 /// @return         light space. A view that is a rotation stays one: large terms cancel in the projection
 /// @throws std::invalid_argument  matrices that would not be finite in float
@@ -2131,7 +2157,7 @@ template <real T>
 inline const std::array<glm::vec<2, T>, 4> default_taps{
     {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
-/// One texture matrix per tap, for hardware and shaders that cannot offset a projective coordinate afterwards.
+/// One texture matrix per tap, for hardware and shaders that cannot offset a projective coordinate later.
 ///
 /// @param texture_matrix   matrix from the world to texels
 /// @param offsets          offsets of the taps, in texels
@@ -2174,7 +2200,7 @@ template <real T>
 /// @param coordinate   result of shadow_coordinate, before the division by w
 /// @param offset       offset of the tap, in texels
 /// @return             coordinate before the division by w
-/// @accuracy           after the division, within 3 ulp of adding the offset afterwards (worst seen 1.9)
+/// @accuracy           after the division, within 3 ulp of adding the offset later (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
 /// @exactness          B, n = 2
 template <real T>
@@ -2290,6 +2316,7 @@ template <real T>
     return {edge, depth};
 }
 
+/// Sizes that a bias is measured with, at a point of a map.
 template <real T>
 struct light_measures {
     glm::vec<2, T> units{T(0)};  ///< as from make_light_units, for a w of 1 at every point. x is the longest edge of
@@ -2321,6 +2348,7 @@ template <real T>
 
 /// Length in texels across the light, converted to world units.
 ///
+/// @param texels  length in the map, in texels
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate
 /// @return        world units, 2^-64 to 2^64
@@ -2335,6 +2363,7 @@ template <real T>
 
 /// Length in world units along the light, converted to depth z/w.
 ///
+/// @param world   length along the light, world units
 /// @param units   result of make_light_units
 /// @param w       w of the point's shadow_coordinate, > 0
 /// @return        depth, 0 to 1
@@ -2494,7 +2523,8 @@ inline constexpr const snippet* normal_offset_snippets[]{&normal_offset};
 
 namespace umbrage {
 
-enum class depth_format { unorm16, unorm24, float32 };  ///< format of the depth buffer
+/// Format of the depth buffer.
+enum class depth_format { unorm16, unorm24, float32 };
 
 /// Bias that the rasterizer has to add.
 struct raster_bias {
@@ -2506,6 +2536,7 @@ struct raster_bias {
     depth_direction direction = depth_direction::forward;
 };
 
+/// Arguments of glPolygonOffset and glPolygonOffsetClamp.
 struct polygon_offset {
     float factor, units;  ///< glPolygonOffset
     float clamp;          ///< glPolygonOffsetClamp
@@ -2634,6 +2665,7 @@ template <real T>
 
 /// Fetch callable that applies the receiver's plane to every texel.
 /// @param fetch       ivec2 texel -> stored depth
+/// @param slope       change of depth per texel in x and y, from receiver_plane_slope
 /// @param coord       position that the filter is called with, in texels
 /// @param direction   depth direction of the map, which gives its cleared depth
 template <std::invocable<glm::ivec2> Fetch>
@@ -2925,6 +2957,7 @@ template <class T>
 
 /// True if a texel lies inside the map.
 /// @param size    size of the map, in texels
+/// @param at      texel index, integers
 /// @exactness     A
 [[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
@@ -2971,6 +3004,7 @@ struct bordered_texels {
 };
 
 /// Fetch of a map with a border value.
+/// @param map      image or view
 /// @param border   value of texels outside the map; the far plane's, cleared_depth(clip), lights the outside
 template <class Map, class Texel = detail::texel_of<Map>>
 [[nodiscard]] bordered_map<Texel> bordered(const Map& map, std::type_identity_t<Texel> border) {
@@ -3067,6 +3101,8 @@ template <real T>
 
 /// True if a filter compares the receiver. It returns lit without a comparison for coordinates outside texel space and
 /// for depths beyond the far plane.
+/// @param coord    receiver position in the map, in texels
+/// @param receiver receiver depth in [0, 1], with the bias already applied
 /// @param is_lit   the comparison; one without beyond_far_plane has no far plane
 /// @exactness      A
 template <real T, class Compare = less_equal>
@@ -3076,6 +3112,8 @@ template <real T, class Compare = less_equal>
 
 /// Stored depth of a texel, by the fetch callable that filters take.
 /// @param fetch   ivec2 texel -> depth, e.g. bordered(map), or decoded(map, rg<11>{}) for packed maps
+/// @param texel   texel index, integers
+/// @exactness     A: the fetched value
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
@@ -3093,15 +3131,20 @@ template <real T, class Fetch>
 }
 
 /// Visibility from one comparison with a texel.
-/// @param fetch   ivec2 texel -> stored depth
-/// @return        1 when lit, 0 in shadow
-/// @exactness     A
+/// @param fetch      ivec2 texel -> stored depth
+/// @param texel      texel index, integers
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           1 when lit, 0 in shadow
+/// @exactness        A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     return compare(receiver, T(fetch(texel)), is_lit);
 }
 
 /// Visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), the four texels of one gather.
+/// Parameters as for lit.
+/// @exactness   A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
     const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
@@ -3111,6 +3154,7 @@ template <real T, class Fetch, class Compare = less_equal>
 
 /// True if a receiver lies in a prefiltered map or a table. Receivers elsewhere are lit.
 /// @param size      size of the map, in texels
+/// @param coord     receiver position in the map, in texels
 /// @param outside   clamped: always true, and receivers outside use the map's edge
 /// @exactness       A
 template <real T>
@@ -3302,13 +3346,16 @@ inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, 
 
 namespace umbrage {
 
-/// Ends and center of a quantization step [x, x + 1) * 2^-Bits: the depth to which a code x decodes. With the upper
-/// edge, no surface shadows itself from quantization alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared
-/// depth 1 then decodes to 1.
+/// Lower end of a quantization step [x, x + 1) 2^-Bits, as the depth to which a code x decodes.
 template <real T>
 inline constexpr T lower_edge = T(0);
+
+/// Center of a quantization step, as the depth to which its code decodes.
 template <real T>
 inline constexpr T center = T(0.5);
+
+/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself by quantization
+/// alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared depth 1 decodes to 1.
 template <real T>
 inline constexpr T upper_edge = T(1);
 
@@ -3369,6 +3416,8 @@ template <real T>
 }
 
 /// Depth from clip coordinates, z / w.
+/// @param z         third component of the clip position
+/// @param w         fourth component of the clip position
 /// @param cleared   cleared_depth of the clip space: 1, or 0 where depth is reversed
 /// @edge            w <= 0 (not in front of the light) or NaN: cleared, the far plane
 /// @exactness       C, n = 3: one division. S = |z / w|
@@ -3461,6 +3510,7 @@ template <real T>
 }
 
 /// Orthographic depth, as of a directional light, from the distance along the light's axis.
+/// @param z_view          distance along the axis, world units
 /// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (z - n) / (f - n)
@@ -3907,8 +3957,10 @@ template <int Bits, real T>
 
 namespace glsl {
 
+/// Name of the snippet of encode_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
+/// GLSL text of encode_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string encode_rg_text() {
     return detail::filled(R"GLSL(
@@ -3929,8 +3981,10 @@ inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .needs = list<&saturate>,
                                    .source = encode_rg_text<Bits>};
 
+/// Name of the snippet of decode_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
+/// GLSL text of decode_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string decode_rg_text() {
     return detail::filled(R"GLSL(
@@ -4020,8 +4074,10 @@ template <int Bits, real T>
 
 namespace glsl {
 
+/// Name of the snippet of level_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name level_rg_name("level_rg$b", {{'b', Bits}});
+/// GLSL text of level_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string level_rg_text() {
     return detail::filled(R"GLSL(
@@ -4041,8 +4097,10 @@ inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .scaled = true,
                                   .source = level_rg_text<Bits>};
 
+/// Name of the snippet of receiver_rg<Bits>.
 template <int Bits>
 inline constexpr detail::short_name receiver_rg_name("receiver_rg$b", {{'b', Bits}});
+/// GLSL text of receiver_rg<Bits>.
 template <int Bits>
 [[nodiscard]] std::string receiver_rg_text() {
     return detail::filled(R"GLSL(
@@ -4099,6 +4157,7 @@ template <int Bits, class Texel = glm::u8vec2>
 /// Size of the table as a texture.
 template <int Bits>
 inline constexpr int rg_table_width = Bits <= 11 ? 1 << Bits : 2048;
+/// Size of the table, in texels.
 template <int Bits>
 inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_table_width<Bits>};
 
@@ -4117,8 +4176,10 @@ template <int Bits, real T, class Fetch>
 
 namespace glsl {
 
+/// Name of the snippet of encode_rg_table<Bits>.
 template <int Bits>
 inline constexpr detail::short_name encode_rg_table_name("encode_rg$b_table", {{'b', Bits}});
+/// GLSL text of encode_rg_table<Bits>.
 template <int Bits>
 [[nodiscard]] std::string encode_rg_table_text() {
     return detail::filled(R"GLSL(
@@ -4376,8 +4437,10 @@ struct rgb24 {
 
 namespace umbrage {
 
+/// Largest radius of a disc, in texels.
 inline constexpr float max_disc_radius = 4095.0f / 16.0f;
 
+/// Point of a disc, in 1/16 of its radius.
 struct disc_point {
     int x, y;
     [[nodiscard]] operator glm::ivec2() const { return {x, y}; }
@@ -4712,6 +4775,7 @@ template <real T>
 
 /// Distance of a depth from the near plane, as a code of 16 bits.
 /// @param depth   in [0, 1]; clamped
+/// @param is_lit  less_equal, or greater_equal for reversed depth
 /// @return        integer, 0 .. 65535; 0 at the near plane, also where depth is reversed
 /// @edge          NaN: 65535, as the far plane
 /// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
@@ -4753,6 +4817,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
 /// @param radius     in 1/16 texel, an integer, 0 .. 4095
 /// @param rotation   from disc_rotation
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
 /// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane
 /// @exactness        A: a sum below 2^21
@@ -5179,8 +5244,8 @@ template <real T, class Fetch, class Compare = less_equal>
     return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
-/// The same filter as the DirectX SDK ShadowMap sample writes it: unrounded weights, and an epsilon added to the stored
-/// depth instead of a bias on the receiver.
+/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded, and it adds an epsilon to the
+/// stored depth instead of a bias to the receiver.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
 ///                   texel outside the map
@@ -5323,20 +5388,26 @@ struct pcf_2x2_dx_sdk {
 namespace umbrage {
 
 /// Weighted comparisons around a point, as a linear comparison sampler returns them. Other maps use pcf_2x2.
-/// @param coord   in texels, no NaN. Outside texel space it is clamped
-/// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128: the hardware's weight along each axis is within 1/256 of this one. With b bits
-///                of weight the bound is 2^(1 - b). Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), other
-///                APIs state none
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times
+/// @param coord      in texels, no NaN. Outside texel space it is clamped
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @formula          pcf_2x2 at clamp(coord, -32767, 32767)
+/// @exactness        C, within 1/128: the hardware's weight along each axis is within 1/256 of this one. With b bits
+///                   of weight the bound is 2^(1 - b). Direct3D has 8, Vulkan at least 4 (subTexelPrecisionBits), other
+///                   APIs state none
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
 }
 
 /// lit_filtered at a point in [0, 1] over the map, as a sampler takes it when the map fills its texture.
-/// @param size   size of the map, in texels
-/// @param uv     from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness    C, within 1/128, as lit_filtered
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times
+/// @param size       size of the map, in texels
+/// @param uv         from (0, 0) to (1, 1) over the map, no NaN
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @exactness        C, within 1/128, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
     return lit_filtered(fetch, uv * size, receiver, is_lit);
@@ -5582,6 +5653,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
 /// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
 /// @param rotation   from disc_rotation
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their depths)
 /// @edge             coord outside texel space or NaN, receiver beyond the far plane, NaN rotation: no blockers. NaN
 ///                   receiver: every point blocks. Depths that are not finite give a sum that is not finite
@@ -5607,7 +5679,9 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 ///
 /// Without a blocker, found is (0, 0) and the radius is that of a blocker at the near plane. The search needs no more.
 /// @param found      (number of blockers, sum of their depths)
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           in texels, from min_radius / 16 to max_radius / 16. NaN: min_radius / 16
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2
@@ -5746,6 +5820,7 @@ namespace umbrage {
 /// @param coord      receiver in texels of the shadow map, as passed to the filter
 /// @param receiver   receiver depth, as passed to the filter
 /// @param place      maps a receiver to its bounds, from make_filter_bounds
+/// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           1 where all texels are lit, 0 where none is, else -1: call the filter
 /// @formula          [receiver <= smallest] where it equals [receiver <= largest], else -1; both read
 ///                   at floor((floor(256 coord) + place.x) place.y)
@@ -5799,6 +5874,7 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 
 namespace umbrage {
 
+/// Largest radius of a box, in texels.
 inline constexpr int max_box_radius = 8;
 
 /// Number of lit texels in the box around the receiver's texel.
@@ -6195,8 +6271,8 @@ struct cube_axes {
     glm::ivec3 forward, up;
 };
 
-/// Faces by index: +x, -x, +y, -y, +z, -z. A right-handed view of 90 degrees along a face has NDC x of 2 s - 1 and
-/// NDC y of 2 t - 1, see cube_coordinate.
+/// Faces by index: +x, -x, +y, -y, +z, -z. In a right-handed view of 90 degrees along a face, NDC x is 2 s - 1 and y is
+/// 2 t - 1: see cube_coordinate.
 /// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
 inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
                                                   {{-1, 0, 0}, {0, -1, 0}},
@@ -6488,12 +6564,14 @@ inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_
 namespace umbrage {
 
 /// Visibility from one comparison with a texel of a cube map. The texel may lie beyond an edge of its face.
-/// @param fetch   returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places them
-/// @param size    edge of a face, in texels
-/// @param texel   (s, t, face), integers
-/// @return        (1 when lit or 0 in shadow, 1)
-/// @edge          beyond a corner, where there is no texel: (0, 0)
-/// @exactness     A
+/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles lie as from cube_tile
+/// @param size       edge of a face, in texels
+/// @param texel      (s, t, face), integers
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           (1 when lit or 0 in shadow, 1)
+/// @edge             beyond a corner, where there is no texel: (0, 0)
+/// @exactness        A
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
     const glm::vec<3, T> n = cube_neighbor(texel, size);
@@ -6599,8 +6677,8 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
 //     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
-// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel takes 4 gathers for 3 x 3
-// weights, 9 for 5 x 5 and 16 for 7 x 7.
+// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
+// takes 9, and 7 x 7 takes 16.
 //
 // A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
 // in proportion to the distance that the kernel has moved.
@@ -6608,6 +6686,7 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 
 namespace umbrage {
 
+/// Largest width of a kernel, in texels.
 inline constexpr int max_window = 15;
 
 /// Row of kernel weights, the same along both axes. Make it with make_window_row.
@@ -6654,6 +6733,7 @@ struct window_row {
 }
 
 /// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param row       from make_window_row, or one of windows.hpp
 /// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
 /// @param weights   receives row.touched() of them
 /// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
@@ -7089,6 +7169,8 @@ inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>
 
 }  // namespace detail
 
+/// GLSL text of tent<size>.
+/// @param size   2, 3 or 7
 [[nodiscard]] inline std::string tent_text(int size) {
     if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
     if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
@@ -7102,6 +7184,8 @@ inline constexpr snippet tent{
     .needs = detail::window_needs<Size>,
     .source = {tent_text, Size}};
 
+/// GLSL text of binomial<size>.
+/// @param size   5 or 7
 [[nodiscard]] inline std::string binomial_text(int size) {
     return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
                      : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
@@ -7113,6 +7197,8 @@ inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .needs = detail::window_needs<Size>,
                                   .source = {binomial_text, Size}};
 
+/// GLSL text of castano<size>.
+/// @param size   5 or 7
 [[nodiscard]] inline std::string castano_text(int size) {
     return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
                                            "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
@@ -7127,6 +7213,7 @@ inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .needs = detail::window_needs<Size>,
                                  .source = {castano_text, Size}};
 
+/// GLSL text of castano_dyadic<5>.
 template <int Size>
 [[nodiscard]] std::string castano_dyadic_text() {
     return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
@@ -7138,6 +7225,7 @@ inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                                         .needs = detail::window_needs<Size>,
                                         .source = castano_dyadic_text<Size>};
 
+/// GLSL text of quadratic_b_spline.
 [[nodiscard]] inline std::string quadratic_b_spline_text() {
     return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
                             "floor(s * s * (1.0 / 32.0))");
@@ -7356,13 +7444,14 @@ inline constexpr const snippet* exp2_snippets[]{&power_of_two, &exp2_polynomial,
 //     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
 //     lit = umbrage::reduce_light_bleeding(lit, 0.2f);
 //
-// Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, one
-// behind the other: at distances a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
+// Before the reduction, no receiver is darker than its lit fraction of depths. Light bleeds behind two casters, at
+// distance a between them and b behind the farther one, by up to (a / (a + 2 b))^2.
 // Also called: ChebyshevUpperBound (chebyshev); light bleeding reduction, linstep (reduce_light_bleeding).
 
 namespace umbrage {
 
 /// Depth that grows with the distance from the light, in either depth direction of the map. Prefiltered maps store it.
+/// @param depth     depth in [0, 1]
 /// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @formula         1 - depth where depth is reversed, else depth
 /// @exactness       B, n = 1
@@ -7395,6 +7484,7 @@ template <real T>
 }
 
 /// Visibility above a threshold, stretched to [0, 1]. Removes light bleeding, but makes shadow edges darker and harder.
+/// @param visibility  in [0, 1]
 /// @param amount      visibility that becomes 0, in [0, 1]; 0.2 is usual
 /// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
 /// @exactness         C, n = 5: a division. S = (visibility + amount) (1 + amount) / (1 - amount)^2
@@ -7493,6 +7583,7 @@ template <real T>
 /// Texel of an exponential shadow map.
 /// @param depth      in [0, 1]; clamped
 /// @param exponent   0 to 63
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @edge             NaN: 2^exponent, as the far plane and a cleared texel
 /// @formula          exponential_warp(to_forward_depth)
 /// @exactness        B, n = 36
@@ -7504,6 +7595,8 @@ template <real T>
 /// Visibility from a mean of texels of an exponential shadow map.
 /// @param m          mean of texels
 /// @param receiver   receiver depth, with the bias already applied
+/// @param exponent   same as for the texels
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility in [0, 1], before reduce_light_bleeding: at least the lit fraction, minus 2^-20 (1e-6)
 /// @edge             NaN m or receiver: 0. Receiver nearer than 0: as lit as at 0
 /// @formula          min(m 2^(-exponent (2 d - 1)), 1), d = to_forward_depth(receiver)
@@ -7608,6 +7701,7 @@ namespace umbrage {
 /// Texel of two components: a power of depth and its square.
 /// @param depth      in [0, 1]; clamped
 /// @param exponent   0 to 55
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @edge             NaN: as the far plane and a cleared texel
 /// @formula          (w, w^2), w = exponential_warp(to_forward_depth)
 /// @exactness        B, n = 73
@@ -7620,6 +7714,7 @@ template <real T>
 /// Texel of four components: a growing and a falling power of depth, and their squares.
 /// @param depth       in [0, 1]; clamped
 /// @param exponents   exponents of the growing and the falling power, 0 to 55
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @edge              NaN: as the far plane and a cleared texel
 /// @formula           (w, w^2, n, n^2), w = exponential_warp(d, exponents.x), n = -exponential_warp(d, -exponents.y)
 /// @exactness         B, n = 73
@@ -7648,6 +7743,7 @@ template <real T>
 /// @param exponent   same as for the texels
 /// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it: a minimum
 ///                   deviation of depth times 2 ln(2) exponent
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge             NaN receiver: 0
 /// @formula          chebyshev(m, w, (deviation w)^2), w = exponential_warp(to_forward_depth(saturate(receiver)))
@@ -7667,6 +7763,7 @@ template <real T>
 /// @param receiver    receiver depth in [0, 1], with the bias already applied; clamped
 /// @param exponents   same as for the texels
 /// @param deviations  minimum standard deviations, relative to the receiver's powers, from make_evsm
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @return            visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge              NaN receiver: 0
 /// @formula           the smaller of decode_evsm2's results for the two powers
@@ -7847,6 +7944,7 @@ template <real T>
 /// @param receiver       receiver depth, with the bias already applied
 /// @param min_variance   >= 0; 1e-6 for 32-bit floats. It covers the variance that slopes and rounding add. Without it,
 ///                       surfaces shadow themselves
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
 /// @return               visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge                 NaN receiver: 0
 /// @formula              chebyshev(m, to_forward_depth(receiver), min_variance)
@@ -8022,6 +8120,7 @@ template <real T>
 /// @param receiver       receiver depth, with the bias already applied
 /// @param min_variance   1e-7 or more
 /// @param amount         as for reduce_light_bleeding, 0 to 1/2
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
 /// @edge                 NaN receiver, or |receiver| >= 2^20: 0
 /// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
 ///                       d = to_forward_depth(receiver)
@@ -8042,6 +8141,7 @@ template <real T>
 /// @param exponent    same as for the texels, at most 55
 /// @param deviation   as for decode_evsm2, 0.005 or more
 /// @param amount      as for reduce_light_bleeding, 0 to 0.3
+/// @param cleared     cleared depth: 1, or 0 where depth is reversed
 /// @edge              NaN receiver, or |receiver| >= 2^20: 0
 /// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
 ///                    w = exponential_warp(to_forward_depth(clamp(receiver, 0, 1)), exponent)
@@ -8186,14 +8286,14 @@ inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, 
 //     glm::vec4 texel = umbrage::encode_msm(depth);
 //     float visibility = umbrage::decode_msm(blurred, receiver, umbrage::msm_bias_32);
 //
-// Four 16-bit channels store optimized moments (Peters and Klein's 16-bit transform), which use each channel's full
-// range:
+// Four 16-bit channels store optimized moments (Peters and Klein's 16-bit transform), which use all of each channel:
 //
 //     glm::vec4 held = umbrage::to_optimized_moments(texel);
 //     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
-// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. That one
-// has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to the light.
+// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. The
+// distribution has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to
+// the light.
 // Also called: MSM, 4MSM, Hamburger MSM (encode_msm, decode_msm); optimized moments, 16-bit moment quantization
 // (to_optimized_moments, from_optimized_moments).
 
@@ -8307,6 +8407,7 @@ template <real T>
 }
 
 /// Moments with the bias applied, as moment_atoms takes them.
+/// @param b         moments of depths, or their mean
 /// @param bias      msm_bias_32, msm_bias_16
 /// @formula         b + ((0, bias.y, 0, bias.y) - b) bias.x
 /// @exactness       B, n = 3
@@ -8319,6 +8420,7 @@ template <real T>
 /// @param b         mean of texels
 /// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32, msm_bias_16
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and the error below
 /// @edge            NaN receiver: 0. Moments of fewer than three depths, or NaN: 1 where the receiver is no farther
 ///                  than their mean, else 0. Numbers that are not moments: 0 to 1, decided by rounding near poles
@@ -8486,7 +8588,7 @@ namespace umbrage {
 
 /// Smallest fraction of depths nearer to the light than the receiver, over distributions of depths in [-1, 1].
 ///
-/// That distribution has four depths: both ends, the receiver's depth z and one more, f.
+/// The distribution has four depths: both ends, the receiver's depth z and one more, f.
 /// This holds where one of moment_atoms lies outside [-1, 1].
 /// @param b         moments, biased
 /// @param z         the receiver's depth on [-1, 1]
@@ -8535,6 +8637,7 @@ template <real T>
 /// @param b         mean of texels
 /// @param receiver  receiver depth in [0, 1], with the bias already applied; clamped
 /// @param bias      msm_bias_32
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
 /// @return          visibility in [0, 1]: at least the lit fraction, minus bias.x and rounding. At most decode_msm's
 ///                  result, except for rounding
 /// @edge            receiver at the near end: 1. NaN receiver: 0. Moments of fewer than three depths, or NaN: as
@@ -8620,7 +8723,7 @@ inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_m
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
 // In a shader, bind the snippet to the map of moments. It reads texels one by one and weights them in steps of 1/256,
-// so any float texture will do. Where the sampler can filter the texture, or reads from its mip chain, call the decoder
+// so any float texture will do. If the sampler can filter the texture, or reads its mip chain, call the decoder
 // instead: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
 
 namespace umbrage {
@@ -8662,11 +8765,13 @@ template <real T, class Fetch, class Decode>
 }  // namespace detail
 
 /// Visibility from a blurred map of encode_vsm's texels.
-/// @param fetch      returns a texel, from glm::ivec2: bordered(map), which is lit outside, clamped(map) or your own
-/// @param coord      receiver position, in texels: (0.5, 0.5) is the first center. Outside texel space or NaN: lit
-/// @param receiver   receiver depth, with the bias already applied. Beyond the far plane: lit. NaN: in shadow
-/// @formula          decode_vsm of fetch_bilinear
-/// @exactness        C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
+/// @param fetch          returns a texel, from glm::ivec2: bordered(map), which is lit outside, or clamped(map)
+/// @param coord          receiver position, in texels: (0.5, 0.5) is the first center. Outside texel space or NaN: lit
+/// @param receiver       receiver depth, with the bias already applied. Beyond the far plane: lit. NaN: in shadow
+/// @param min_variance   as for decode_vsm
+/// @param cleared        cleared depth: 1, or 0 where depth is reversed
+/// @formula              decode_vsm of fetch_bilinear
+/// @exactness            C, n = 165: a division. S is decode_vsm's with S of fetch_bilinear for the texels
 template <real T, class Fetch>
 [[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T cleared = T(1)) {
     return detail::look_up(fetch, coord, receiver, cleared,
@@ -8926,6 +9031,7 @@ namespace detail {
 /// Mean of texels in a row, with the weights of a row of Pascal's triangle.
 /// @param fetch     returns a texel, float or vector, from glm::ivec2. Called Taps times, also for texels outside the
 ///                  map
+/// @param texel     index of the central texel, integers
 /// @param step      (1, 0) along x, (0, 1) along y
 /// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
 ///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
@@ -8942,7 +9048,8 @@ template <int Taps, class Fetch>
 }
 
 /// Mean of the 2x2 texels behind one texel of the next mip level.
-/// @param texel     index in the next level. Where a level's size is odd, its last column or row counts twice
+/// @param fetch     returns a texel, float or vector, from glm::ivec2. Called 4 times
+/// @param texel     index in the next level. If a level's size is odd, its last column or row counts twice
 /// @formula         ((a + b) + (c + d)) / 4
 /// @exactness       B, n = 8;  A for multiples of 2^-22 below 1
 template <class Fetch>
@@ -8955,8 +9062,11 @@ template <class Fetch>
 
 namespace glsl {
 
+/// Name of the snippet of blur_row<Taps>.
 template <int Taps>
 inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
+/// GLSL text of blur_row<taps>.
+/// @param taps   3, 5 or 7
 [[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(
@@ -9493,6 +9603,8 @@ template <real T>
 }
 
 /// Blend of two cascades' visibilities.
+/// @param nearer    visibility in the pixel's cascade
+/// @param farther   visibility in the next cascade
 /// @param weight    weight of the farther cascade, 0 to 1
 /// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
 /// @exactness       B, n = 3; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
@@ -9680,6 +9792,7 @@ template <real T>
 }
 
 /// One of four columns.
+/// @param columns  scales or offsets of the cascades, one a column
 /// @param number   index of the column, 0 to 3
 /// @edge           above 3: the last column
 /// @exactness      A
@@ -9701,9 +9814,10 @@ template <real T>
 }
 
 /// True if a filter at a coordinate stays inside the map, between the near and the far plane.
-/// @param size    size of the map, in texels
-/// @param reach   filter radius, in texels
-/// @exactness     B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
+/// @param coordinate   position in the cascade's map: texels, texels, depth
+/// @param size         size of the map, in texels
+/// @param reach        filter radius, in texels
+/// @exactness          B, n = 2, S = size + reach: differences, exact where size and reach are multiples of 1/16
 template <real T>
 [[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
     const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
@@ -9966,6 +10080,7 @@ template <std::size_t Count, real T>
 
 namespace umbrage {
 
+/// Directional light with a map of a given place and size.
 template <real T = float>
 struct directional_light {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
@@ -10098,6 +10213,7 @@ template <real T>
 
 }  // namespace detail
 
+/// Corners of a frustum, in world units.
 using eight_corners = std::array<glm::dvec3, 8>;
 
 namespace detail {
@@ -10126,6 +10242,7 @@ template <real T>
     return detail::corners_for("corners", f);
 }
 
+/// Matrices of a camera, from which make_frustum takes its frustum.
 template <real T = float>
 struct camera_matrices {
     glm::mat<4, 4, T> view{T(1)};                  ///< world to view space of the camera, or of the head
@@ -10361,6 +10478,7 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 
 namespace umbrage {
 
+/// Point light with two paraboloid maps.
 template <real T = float>
 struct dual_paraboloid_light {
     glm::vec<3, T> position{T(0)};
@@ -10507,6 +10625,7 @@ inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coor
 
 namespace umbrage {
 
+/// Point light with the six maps of a cube.
 template <real T = float>
 struct point_light {
     glm::vec<3, T> position{T(0)};
@@ -10583,6 +10702,7 @@ template <real T>
 
 /// Direction in a face's own axes.
 /// @param face   0 to 3
+/// @param d      direction from the light, any length
 /// @return       (aside, up, away), see tetrahedron_plane
 /// @exactness    A: selects
 template <real T>
@@ -10625,6 +10745,7 @@ template <real T>
 
 /// Vector from face 0's part of the map, rotated to another face's part by quarter turns.
 /// @param face   0 to 3
+/// @param v      vector in face 0's part of the map
 /// @exactness    A: selects
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> tetrahedron_turned(int face, glm::vec<2, T> v) {
@@ -10814,14 +10935,15 @@ inline constexpr const snippet* tetrahedron_snippets[]{
 //
 //     if (umbrage_tetrahedron_face_of(floor(gl_FragCoord.xy), 1024.0) != face) discard;
 //
-// Or clip in a vertex shader. The clip distances of face 0 are -y - x and -y + x of gl_Position if the first row is at
-// NDC y = -1. For the other faces rotate them by quarter turns.
+// Or clip in a vertex shader. If the first row is at NDC y = -1, the clip distances of face 0 are -y - x and -y + x of
+// gl_Position. For the other faces rotate them by quarter turns.
 //
 // A border along the sides of a triangle extends it beyond its face, so that filters need no other face: see
 // point_light.hpp.
 
 namespace umbrage {
 
+/// Point light with the four triangular maps of a tetrahedron.
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};
@@ -10866,6 +10988,7 @@ template <real T>
 ///
 /// The first texel is at (0, 0) in every clip space. The projection is a mirror if clip is either left-handed or has
 /// its first row at the top, but not both.
+/// @param light   position, range and map size
 /// @param tiles   any four triangles, in texels. For lookups use the texture_matrix of faces[tetrahedron_face(...)]
 /// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order; clip unset; matrices
 ///                                that would not be finite
@@ -10923,6 +11046,7 @@ template <real T = float>
 
 namespace umbrage {
 
+/// Spot light with a map over its whole cone.
 template <real T = float>
 struct spot_light {
     glm::vec<3, T> position{T(0)};
@@ -11183,16 +11307,17 @@ template <real T>
 
 /// Debug color of a receiver's position in a map.
 ///
-/// @param at       position in the map: x and y in texels, z depth before the bias
-/// @param size     size of the map, in texels
-/// @param bias     bias of the receiver, in depth
-/// @param number   index of the map, an integer from 0 to 65535: a cascade, a face or a page
-/// @return         RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
-///                 Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
-///                 Cyan: beyond the far plane. Blue: in front of the near plane.
-///                 Red: bias at its limit of 1, which removes all shadows
-/// @formula        bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
-/// @exactness      A
+/// @param at          position in the map: x and y in texels, z depth before the bias
+/// @param size        size of the map, in texels
+/// @param bias        bias of the receiver, in depth
+/// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
+/// @param direction   depth direction of the map
+/// @return            RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
+///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                    Cyan: beyond the far plane. Blue: in front of the near plane.
+///                    Red: bias at its limit of 1, which removes all shadows
+/// @formula           bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @exactness         A
 template <real T>
 [[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
                                          depth_direction direction = depth_direction::forward) {
@@ -11360,6 +11485,7 @@ private:
 
 namespace umbrage::filters {
 
+/// List of the filters that need no size of the light.
 using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
 
 /// Filters that also know the size of the light. Their maps must store z/w.
@@ -11393,9 +11519,19 @@ bool with_filter(std::string_view name, Use&& use) {
 //     };
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
-// parallel_for(count, piece) must call piece(first, last) so that the pieces cover 0 .. count once, in any order and on
-// any threads. It returns when all are done. Pieces are bands of rows, or strips of columns. The result has the same
-// bits for all pieces.
+// The contract of parallel_for(count, piece), for count >= 0:
+//   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
+//                 Some may be empty
+//   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
+//   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
+//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running then.
+//                 Results are unspecified, and arguments may be used again
+//   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
+//   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
+// A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
+// call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
+// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles. The
+// result has the same bits for all pieces.
 
 namespace umbrage {
 
@@ -11513,8 +11649,8 @@ void out_of_line(isa_constant<Set>, const Body& body) {
     else on_avx2(body);
 }
 
-/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. Where they
-/// do not, which depends on chance on a stack, a loop over them can take several times as long.
+/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. A loop over
+/// an array that starts elsewhere, as may happen on a stack, can take several times as long.
 inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
@@ -12029,6 +12165,12 @@ UMBRAGE_END_STRICT_MATH
 //
 
 #if !defined(__GNUC__) && !defined(__clang__)
+# include <atomic>
+#endif
+#if __has_include(<sched.h>)
+# include <sched.h>
+#else
+# include <thread>
 #endif
 
 namespace umbrage::detail {
@@ -12114,12 +12256,25 @@ inline int exchange_acquire(int value, int& with) {
 inline void store_release(int value, int& to) { std::atomic_ref(to).store(value, std::memory_order_release); }
 #endif
 
+/// Lets another thread run on this processor. <thread> would take longer to compile than <sched.h>, which most standard
+/// headers include.
+inline void yield_processor() {
+#if __has_include(<sched.h>)
+    sched_yield();
+#else
+    std::this_thread::yield();
+#endif
+}
+
 /// Takes a lock that others hold for microseconds. It is 1 while a thread has it; store_release(0, lock) releases it.
+/// After that time the holder may not be running, as with more threads than processors: it then gets this processor.
 inline void take_lock(int& lock) {
-    while (exchange_acquire(1, lock) != 0)
-        while (load_acquire(lock) != 0) {
+    constexpr int patience = 1 << 10;  // a pause takes 10 to 40 ns
+    for (int spins = 0; exchange_acquire(1, lock) != 0;)
+        for (; load_acquire(lock) != 0; ++spins) {
+            if (spins >= patience) yield_processor();
 #if defined(__GNUC__) && defined(__x86_64__)
-            __builtin_ia32_pause();
+            else __builtin_ia32_pause();
 #endif
         }
 }
@@ -12220,7 +12375,7 @@ UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, floa
     }
 }
 
-/// Any number of weighted sums, otherwise as blur_block.
+/// Any number of weighted sums, in the way of blur_block.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
     const float* const center = tap(0);
@@ -12332,7 +12487,7 @@ void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& pa
 }  // namespace umbrage
 
 // ---- umbrage/images/depth_span.hpp
-// Range of distances that a camera sees, so that cascades cover no more than that.
+// Range of distances that a camera sees, for cascades that cover no more.
 //
 //     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
 //     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
@@ -12351,6 +12506,7 @@ struct depth_span {
 
 /// Smallest and largest depth of an image.
 /// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, are skipped
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @exactness        A: selects, never computes
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
@@ -12389,6 +12545,7 @@ template <class ParallelFor = serial>
 
 /// Range of distances along a camera's axis, from the depths it saw. It is wider by 1/1000, for rounding of the depths.
 /// @param seen             depths in [0, 1] of a perspective camera
+/// @param direction        depth direction of the camera's image
 /// @param z_near, z_far    near and far plane of the camera, 0 < z_near < z_far; z_far may be infinite
 /// @return                 x < y within z_near .. z_far, world units
 /// @edge                   nothing seen: (z_near, z_far)
@@ -12436,9 +12593,10 @@ enum class cull_mode { none, front, back };
 enum class near_plane { clips, clamps };
 
 /// Matrix with which an instance of a mesh is drawn.
-/// @param model       model to world
-/// @exactness         the product in double, rounded once. Far from the world's origin a float product would lose the
-///                    digits that remain after the camera's or the light's position is subtracted
+/// @param world_to_clip   projection * view
+/// @param model           model to world
+/// @exactness             the product in double, rounded once. Far from the world's origin a float product would lose
+///                        the digits that remain after the camera's or the light's position is subtracted
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
@@ -12645,7 +12803,7 @@ UMBRAGE_END_STRICT_MATH
 //
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
 //
-// For many texels of one triangle, this computes what they share only once:
+// For many texels of one triangle, this computes their common values only once:
 //
 //     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
 //     for (int x = first; x < last; ++x) use(weights({x, y}));
@@ -12657,7 +12815,11 @@ namespace umbrage {
 /// Perspective-correct weights of a triangle's vertices at texel centers.
 class triangle_weights {
 public:
-    /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+    /// @param size            size of the image, in texels
+    /// @param mesh            triangles, world units
+    /// @param world_to_clip   projection * view
+    /// @param clip            clip space that the matrix leads to
+    /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
@@ -13039,8 +13201,8 @@ public:
 
 private:
     /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
-    /// and back. That is for rows in one set of the cache or, at less cost, in two. So the choice costs at most twice
-    /// the best one. 0: rows do not contend. 8 rows never do.
+    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
+    /// twice the best one. 0: rows do not contend. 8 rows never do.
     [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
         if (rows.size.y <= 8) return 0;
         return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
@@ -13907,7 +14069,7 @@ private:
         if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// Draws in batches what for_each(add) adds by add(a, b, c, unsigned triangle).
+    /// Draws in batches the triangles that for_each(add) adds by add(a, b, c, unsigned triangle).
     template <class Draw, class ForEach>
     void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;
@@ -14049,7 +14211,7 @@ UMBRAGE_END_STRICT_MATH
 //     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
 //     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
 //
-// A camera pass keeps the nearest triangle per texel and interpolates afterwards:
+// A camera pass keeps the nearest triangle per texel, and then interpolates:
 //
 //     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
 //         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
@@ -14160,6 +14322,7 @@ namespace umbrage {
 /// @param mesh       from tessellate: edges between its vertices are drawn as straight lines
 /// @param light      from make_dual_paraboloid_light
 /// @param map        0 or 1
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  as rasterize_depth
 /// @exactness        vertices C: square roots in double. Then as rasterize_depth
 template <class ParallelFor = serial>
@@ -14199,8 +14362,8 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
 namespace umbrage::detail {
 
 /// saturate(), with NaN as `highest` or, where depth is reversed, as 0. Values that do not become 0 are one range of
-/// bits, which one comparison finds: signed integers above -infinity's, negative NaNs included, or unsigned
-/// ones up to infinity's.
+/// bits, so one comparison finds them. These bits are signed integers above those of -infinity, or unsigned ones up to
+/// those of infinity.
 template <depth_direction Direction>
 struct saturated {
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
@@ -14463,6 +14626,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
 /// Decodes an image of texels.
 /// @param texels     any texels of the encoding
 /// @param depth      receives the depths: same size, other memory
+/// @param encoding   encoding of the texels, with the depth direction
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>
@@ -14618,6 +14782,7 @@ struct reached_texels {
 
 namespace umbrage {
 
+/// Bounds of the depths that a filter may read, texel by texel.
 struct filter_bounds {
     image<glm::vec2> bounds;  ///< smallest and largest depth; x is NaN where a texel is, y where all are
     glm::vec2 place;          ///< for bounds_lit
@@ -14667,11 +14832,13 @@ template <class ParallelFor = serial>
 
 namespace umbrage {
 
+/// Box with sides along the axes of the world.
 template <real T>
 struct bounding_box {
     glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; a flat box is allowed
 };
 
+/// Sphere in world space.
 template <real T>
 struct bounding_sphere {
     glm::vec<3, T> center{T(0)};
@@ -14938,6 +15105,7 @@ template <class Reach>
 /// near plane that clamps keeps casters between it and the light.
 /// @param bounds    in the mesh's space
 /// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
+/// @param clip      clip space that the matrix leads to
 /// @param at_near   as for the depth pass
 /// @edge            low above high, or a radius below 0: false, nothing is there. Bounds not finite: true. to_clip not
 ///                  finite: false, nothing is drawn
@@ -15041,12 +15209,14 @@ struct seen_point {
     glm::dvec3 normal{0, 1, 0};  ///< any length > 0
 };
 
+/// Settings of choose_light.
 struct choice_terms {
     glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
     glm::ivec2 map_size{1};   ///< texels, each >= 1
     double better = 0.1;      ///< share by which another light must be better to replace the present one, 0 .. 1
 };
 
+/// Light to use, and how well each light does.
 struct light_choice {
     std::size_t kept = 0;     ///< index of the light to use
     std::vector<double> p95;  ///< per light: pixels that a texel's longer axis covers at 95 of 100 points, at most.
@@ -15058,6 +15228,7 @@ struct light_choice {
 /// @param lights   one or more, of any kinds
 /// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
 ///                 skipped
+/// @param terms    camera's matrix, size of the map, and the margin
 /// @param before   index of the present light: light_choice::kept
 /// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
 ///                                is not finite
@@ -15232,8 +15403,8 @@ public:
     Sum *base, *line;
 };
 
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table. That row is `line` plus
-/// `base`, or for integers `line` itself, which then includes all rows above.
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table. The stored row is `line` plus
+/// `base`. For integers it is `line` alone, which then includes all rows above.
 /// @param before     sum of the row's texels to the left
 /// @param next_row   row after `from`
 /// @return           `before` plus the sum of all texels, in full blocks
@@ -15243,7 +15414,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
     using few = lanes_of<Sum, Lanes>;
     constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
     constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry;
+    few carry{};
     for (int i = 0; i < Lanes; ++i) carry[i] = before;
     const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few sums, there;
@@ -15385,7 +15556,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large
 }
 
 /// Sums of each row up to where strips begin. The thread that has summed a strip passes them to the next one. Pieces
-/// run when and where a scheduler likes, so none may wait for another. A thread adds up again what is not there yet.
+/// run when and where a scheduler likes, so none may wait for another. A thread adds up missing sums again.
 template <class From, class Sum>
 class strip_starts {
 public:
@@ -15453,6 +15624,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     const bool is_large = detail::past_cache(sums);
     detail::strip_starts<value, Sum> starts(values, strips, columns);
     parallel(strips, [&](int first, int last) {
+        if (first == last) return;
         const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
         const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
         detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
@@ -15524,6 +15696,7 @@ struct moment_table {
 ///
 /// @param map         depths; NaN counts as far
 /// @param of          settings. The largest box has n texels within the map
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @return            two halves, each with one column and row more than the map. A texel has the sum of 65535
 ///                    to_optimized_moments(encode_msm), rounded, over all texels before its column and row: modulo 2^16
 ///                    on the left, over 2^16 on the right
@@ -15569,6 +15742,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without two halves; radius below 0 or above the table's
 template <class ParallelFor = serial>
@@ -15618,6 +15792,7 @@ struct contrast_stretch {
 
 /// Range of a map's depths, without the texels to which nothing was drawn.
 ///
+/// @param map       depths, any values
 /// @param cleared   texels of this value are skipped, as are NaN and infinities
 /// @param outliers  share of the depths to drop at each end, 0 <= outliers < 1/2
 /// @return          the range
@@ -15646,10 +15821,13 @@ struct overlay_placement {
     texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
 };
 
-/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off what does
-/// not fit.
+/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off the part
+/// that does not fit.
 ///
-/// @param color   color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
+/// @param picture   picture to draw into
+/// @param map       depths, any values
+/// @param place     size of the overlay, and the row order of both images
+/// @param color     color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
 /// @throws std::invalid_argument  negative size
 template <class Color>
 void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
@@ -15677,11 +15855,11 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 // Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form states what it needs of a map, and the smallest width and height that it can take. blocks() makes its blocks
+// A form states its needs of a map, and the smallest width and height that it accepts. blocks() makes its blocks
 // from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
-// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters again what may be
-// outside a bordered map, by the filter's reach(). A form may name another, by_bounds, which runs where bounds_pay():
-// see hierarchical.hpp.
+// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters receivers within
+// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where bounds_pay(): see
+// hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
 // finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
@@ -15908,8 +16086,8 @@ template <class T>
 [[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
 /// Prefetches the texels of a block, of which neighbors mostly share a cache line. The machine cannot guess them where
-/// a block starts on another row of the map. Where receivers run diagonally across the map, they come to the rows above
-/// and below.
+/// a block starts on another row of the map. Receivers that run diagonally across the map come to the rows above and
+/// below.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)
@@ -16517,7 +16695,7 @@ template <int Lanes>
 struct plane_rows {
     static constexpr int chunk = Lanes;
     float slope, x, first, cleared;
-    alignas(32) float beside[24];  ///< per row: what its distance from the receiver adds to the plane
+    alignas(32) float beside[24];  ///< per row: depth that its distance from the receiver adds to the plane
 
     /// @param column, row   first texel
     /// @param rows          number of rows of texels, at most 24
@@ -16782,8 +16960,8 @@ struct every_texel_form<filters::disc> {
 
 namespace umbrage::detail {
 
-/// Taps on the receivers' own texels, clamped to the map: floor(coord + offset), as in four_tap. That differs from
-/// floor(coord) + offset where the sum rounds up to an integer. Filters over neighbors move the texel instead.
+/// Taps on the receivers' own texels, clamped to the map: floor(coord + offset), as in four_tap. The result differs
+/// from floor(coord) + offset where the sum rounds up to an integer. Filters over neighbors move the texel instead.
 struct placed_tap {
     alignas(64) std::int32_t offsets[block];
 
@@ -17843,6 +18021,7 @@ struct page {
 
 /// Page of a level that holds a point.
 /// @param coord   position, 1 to 2 across the root, without 2
+/// @param level   a page's side is the root's over 2^level
 template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
     const double across = std::ldexp(1.0, level);
@@ -18263,6 +18442,7 @@ template <class = on_use>
 
 namespace umbrage {
 
+/// Square of a directional light that virtual shadow map pages divide.
 template <real T = float>
 struct page_root {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
@@ -18369,6 +18549,8 @@ namespace umbrage {
 
 /// Clears pages and draws them.
 ///
+/// @param atlas   depths, of page_atlas_size
+/// @param size    size of a page, with its gutter
 /// @param root    light of the root, in double, so that a page's matrix rounds only once
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
@@ -18386,6 +18568,7 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// Writes the finest page of each cell to a table.
+/// @param cache   cache with the pages that are drawn
 /// @param table   image of page_table_size. Receives a page_entry for each of the cache's finest cells; row 1 is the
 ///                root's first. Cells without a page, and cells around the root, are zero
 /// @throws std::invalid_argument  a table of another size
@@ -18890,6 +19073,7 @@ struct msm_hausdorff {
     }
 };
 
+/// List of the filters of prefiltered maps.
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters
@@ -19153,6 +19337,7 @@ void visibility(image_view<const typename Prefilter::texel> map, const Prefilter
 
 namespace umbrage {
 
+/// Mesh whose edges are short as seen from a light.
 struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
     std::vector<glm::uvec3> triangles;
@@ -19353,6 +19538,7 @@ struct variance_table {
 ///
 /// @param map         depths; NaN counts as far
 /// @param of          settings. The largest box has n texels within the map
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @return            one column and row more than the map. A texel has the sums over all texels before its column and
 ///                    row: of codes modulo 2^16 and over 2^16, then the same of their squares
 /// @throws std::invalid_argument  empty map; bits or radius out of range; n 2^bits > 2^24; n (s^2 / 4 + 1) >= 2^32,
@@ -19407,6 +19593,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without texels; radius below 0 or above the table's
 template <class ParallelFor = serial>
@@ -19449,6 +19636,7 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
 
 namespace umbrage {
 
+/// Receivers and casters that a map of a directional light is fitted to.
 template <real T = float>
 struct directional_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
@@ -19570,6 +19758,7 @@ struct cascade {
     T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
 };
 
+/// Camera, light and scene that cascades are fitted to.
 template <real T = float>
 struct cascade_fit {
     frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far
@@ -19672,9 +19861,8 @@ template <std::size_t Count, real T, class Light>
 /// Each map covers the sphere around its slice, whose size does not depend on the view, and moves by integer texels.
 /// Depth spans the scene and is scaled alike in all cascades, so a constant bias is equal in world units. In the depth
 /// pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100 texel.
-///
+/// @param fit      camera, light and scene
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
-/// @return         cascades from near to far
 /// @accuracy       offsets are integers up to 2^23 texels from the world's origin. A world point keeps its place in its
 ///                 texel, exactly if it is farther from the origin than the map is wide. Else its coordinate rounds, in
 ///                 float by 2^-14 texel (6e-5) on maps of 1024, which may change a filter's weights by 1/256
@@ -19702,7 +19890,6 @@ template <std::size_t Count, real T>
 }
 
 /// Cascades of the highest resolution: each map covers the part of the scene inside its slice.
-///
 /// A slice that misses the scene gets a map of the whole slice. Texels change size and place as the camera moves, so
 /// edges shimmer. The margin is fit.margin or more.
 /// Parameters, result and errors are those of make_stable_cascades.
@@ -19791,9 +19978,10 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 }  // namespace detail
 
 /// Uniforms of up to four cascades, for cascade_column and cascade_by_projection. Warped cascades: see warped.hpp.
-/// @param fade   fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
-///               cascade_fit::overlap must be at least as large
-/// @return       uniforms. With fewer than four cascades, no point falls into the missing ones by depth or projection
+/// @param cascades   from make_stable_cascades or make_tight_cascades
+/// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
+///                   cascade_fit::overlap must be at least as large
+/// @return           uniforms. With fewer than four cascades, no point falls into a missing one by depth or projection
 /// @throws std::invalid_argument  fade out of range
 template <real T, std::size_t Count>
 requires(Count >= 1 && Count <= 4)
@@ -19852,6 +20040,7 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 
 namespace umbrage {
 
+/// Camera, receivers and casters that a warped map is fitted to.
 template <real T = float>
 struct warp_fit {
     frustum<T> camera{};                          ///< camera that the map is for
@@ -19864,6 +20053,7 @@ struct warp_fit {
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
+/// Light whose map is warped towards the camera.
 template <real T>
 struct warped_light {
     light_space<T> light;  ///< light for the depth pass and texture_matrix; the smallest w of the receivers is 1
@@ -20076,6 +20266,7 @@ struct warped_cascade_uniforms {
 };
 
 /// Uniforms of warped cascades.
+/// @param cascades   from make_warped_cascades
 /// @param map_size   size of each map, texels
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large
@@ -20127,6 +20318,7 @@ template <std::size_t Count>
 
 namespace umbrage {
 
+/// Receivers and casters that the map of a spot light is fitted to.
 template <real T = float>
 struct spot_fit {
     glm::vec<3, T> position{T(0)};
@@ -20243,6 +20435,7 @@ template <real T = float>
 
 namespace umbrage {
 
+/// Position of a point light or spot light whose map is warped.
 template <real T = float>
 struct light_position {
     glm::vec<3, T> position{T(0)};
@@ -20416,6 +20609,7 @@ template <real T = float>
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
+/// @param fit        camera, light, receivers and casters
 /// @param distance   distance n from the warp's center to the nearest receivers, > 0, in world units along the
 ///                   camera's view
 ///                   across the light. Smaller values give more texels to close receivers. Infinity gives no warp.
@@ -20467,6 +20661,7 @@ enum class light_image {
     none       ///< image among the receivers or too close to them, or no perspective: another map
 };
 
+/// Perspective shadow map (PSM), and how the camera sees its light.
 template <real T>
 struct perspective_light : warped_light<T> {
     light_image seen_as = light_image::none;  ///< none: the light has another map
@@ -20636,6 +20831,7 @@ template <real T, class Instead>
 /// The map changes without a jump while camera and light move, and between the kinds of image too. It blends into
 /// fit_light_space_perspective while the visible receivers fill 120 to 150 degrees around the light's image.
 ///
+/// @param fit     camera, light, receivers and casters
 /// @param slide   distance to move the camera back for the warp, world units, > 0: the smallest distance to receivers.
 ///                Smaller values give more of the map to close receivers
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
@@ -20658,6 +20854,8 @@ template <real T = float>
 /// source, and behind it a sink.
 ///
 /// @param fit    its direction is the light's axis
+/// @param from   position of the light, and its near plane
+/// @param slide  as for a directional light
 /// @return       warped light. If the light stands among the visible receivers: light_image::none, and the view along
 ///               its axis without a warp
 /// @edge         receivers without points: a map of the space right in front of the light
@@ -20796,6 +20994,8 @@ template <real T = float>
 
 /// Map of a point light in which a plane lies as the camera sees it.
 /// @param fit   its direction is the light's axis
+/// @param plane as for a directional light
+/// @param from  position of the light, and its near plane
 /// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near; z_near not above 0;
 ///                                errors of fit_plane_optimal above
 template <real T>
@@ -20826,6 +21026,7 @@ namespace umbrage {
 ///
 /// Under lights 6 to 14 degrees above a ground it can resolve far less than a map without a warp: see choose_light.
 ///
+/// @param fit     camera, light, receivers and casters
 /// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
 /// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
 ///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
@@ -21776,7 +21977,7 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
-/// Checks a binding for what would not compile in any language.
+/// Checks a binding for errors that would not compile in any language.
 /// @throws std::invalid_argument   a name, map or snippet that do not fit together
 template <class = umbrage::detail::on_use>
 void check(const snippet& what, std::string_view name, const binding& map) {
@@ -21863,7 +22064,9 @@ struct bound {
 };
 
 /// Snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param what   snippet to bind
 /// @param name   letters, digits, single underscores between them; may be empty
+/// @param map    map that it reads
 /// @throws std::invalid_argument   another name; a map that does not support what the snippet needs
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
@@ -21945,7 +22148,7 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// Parameters without those that a text declares itself: the layer, or the origin, of a map that it chooses.
+/// Parameters, without those that the text declares: the layer or the origin of a map that it chooses.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
     std::string rest;
@@ -22057,7 +22260,7 @@ template <class = umbrage::detail::on_use>
 }  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/compose.hpp
-// Composition of bound snippets into one text, in any language: each part once, after what it needs.
+// Composition of bound snippets into one text, in any language: each part once, after its needs.
 //
 
 namespace umbrage::glsl::detail {
@@ -22254,7 +22457,7 @@ template <class Use = umbrage::detail::on_use>
 
 namespace umbrage::glsl {
 
-/// Macros that every text relies on. Each can be defined otherwise beforehand.
+/// Macros that every text relies on. A shader can define each of them before.
 inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -22685,7 +22888,7 @@ inline constexpr word vocabulary[]{
 
 namespace umbrage::glsl::detail {
 
-/// Differences of a near language from GLSL.
+/// Differences of a language like GLSL from it.
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
@@ -22697,7 +22900,7 @@ struct near_language {
     std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
 };
 
-/// Printer of functions in a near language.
+/// Printer of functions in a language like GLSL.
 template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
@@ -23128,8 +23331,8 @@ template <class Use = umbrage::detail::on_use>
 //
 //     float stored = umbrage::decode_base255(umbrage::load_unorm(texel));
 //
-// Below 1.0 the largest error is 2^-23 (1.2e-7). The format has two faults: 1.0 decodes to 0, and a store that
-// truncates makes errors up to 2^-7.98 (4e-3), where nearby depths change their order. The repaired writer has neither
+// Below 1.0 the largest error is 2^-23 (1.2e-7). The format has two faults. 1.0 decodes to 0. A store that truncates
+// makes errors up to 2^-7.98 (4e-3), and changes the order of nearby depths. The repaired writer has neither
 // fault, and works with the same reader. Only the reader's rounding remains. Depths k / 2^24 keep their order. Two
 // pairs of other neighboring floats decode out of order, by 1 ulp.
 // Also called: EncodeFloatRGBA, packDepth, Aras' packing, Babylon.js pack, bgfx packFloatToRgba (write_base255,
@@ -23561,7 +23764,7 @@ struct threejs_rg {
 
 // ---- umbrage/depth/foreign/threejs_legacy.hpp
 // RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. One channel
-// holds a fraction, and how an 8-bit store rounds it is part of the format.
+// holds a fraction, and its rounding by an 8-bit store is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm(umbrage::write_threejs_legacy(depth));
 //     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm(texel));
@@ -23580,7 +23783,7 @@ namespace umbrage {
 
 /// Values of a depth in the layout of r73 to r166: A most significant, channels scaled by 256/255.
 /// @return        UNORM values
-/// @edge          depth > 255/256: A exceeds 1, and the store clamps it. This is the format's fault
+/// @edge          depth > 255/256: A exceeds 1, and the store clamps it. The format has this fault
 /// @exactness     B, n = 7: S of R, G, B, A is at most 256/255 depth times 2^25, 2^18, 2^10, 3
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
@@ -23734,6 +23937,7 @@ struct threejs_legacy_repaired {
 
 namespace umbrage {
 
+/// List of all encodings.
 using encodings =
     list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
             threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
@@ -23888,7 +24092,7 @@ namespace umbrage::glsl {
 
 namespace detail {
 
-/// Snippets in order, each once, after what it needs.
+/// Snippets in order, each once, after its needs.
 template <class = umbrage::detail::on_use>
 class collection {
 public:
@@ -24317,7 +24521,7 @@ public:
     /// @param functions   functions that the text may call; its own are added
     printer(std::string_view text, signatures& functions) : expressions<>(text, functions), functions_(functions) {}
 
-    /// Adds the signatures of the text's functions. Where several share a name, their first type becomes a part of it.
+    /// Adds the signatures of the text's functions. If several share a name, their first type becomes a part of it.
     void declare() {
         std::vector<head> all;
         while (next().kind != piece::end) {
@@ -25141,6 +25345,7 @@ struct cascaded_maps {
 template <real T, std::size_t Count>
 cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_maps<(Count > 4 ? 2 : 1)>;
 
+/// Setup of an array of cascades.
 template <real T, std::size_t Count>
 struct set_up_for<std::array<cascade<T>, Count>> {
     using type = cascaded_maps<(Count > 4 ? 2 : 1)>;
@@ -25221,6 +25426,7 @@ struct cube_maps {
                                                     &glsl::shadow_coordinate, &glsl::receiver_slope, &glsl::cube_tile>;
 };
 
+/// Setup of a point light.
 template <real T>
 struct set_up_for<point_light<T>> {
     using type = cube_maps;
@@ -25478,6 +25684,7 @@ struct single_map {
         glsl::list<&glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
 };
 
+/// Setup of a light with one map.
 template <real T>
 struct set_up_for<light_space<T>> {
     using type = single_map;
@@ -25599,6 +25806,8 @@ public:
 
     /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
     /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
+    /// @param mesh     casters, world units
+    /// @param parallel cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
     template <class ParallelFor = serial>
     void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
@@ -25613,7 +25822,7 @@ public:
         }
     }
 
-    /// Encodes drawn depths as texels of the map. Blur a prefilter's map afterwards, one map at a time (blur.hpp).
+    /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
     /// @throws std::invalid_argument  depths or a map of another size
     template <class ParallelFor = serial>
     void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
@@ -25643,6 +25852,7 @@ public:
 
     /// Visibility of an image of receivers.
     /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param map               image of size(), texels of the encoding
     /// @param out               receives visibility, 1 lit; same size as points
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  images of different sizes; a map of another size
@@ -25653,7 +25863,7 @@ public:
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
     /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
     /// light_units_at converts it to world units.
-    /// @return   difference of depth from 0 to 1, in the point's map. Where two maps blend: the larger one
+    /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
@@ -25831,6 +26041,7 @@ template <class SetUp>
 ///
 /// The target has the encoding's format, without sRGB and without blending. Clear it to cleared(). A depth texture
 /// needs no such function.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 template <class SetUp, class Filter, class Encoding>
@@ -25852,6 +26063,7 @@ template <class SetUp, class Filter, class Encoding>
 /// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
 /// number): the light's projection, the vertex, the light's position and the number of the half. They need a
 /// tessellated mesh.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 6; dual paraboloids C
@@ -25912,11 +26124,11 @@ namespace detail {
 /// has the same four.
 [[nodiscard]] constexpr float known_distance(float k) { return (k + 1.0f) * (1.0f / 34.0f); }
 
-/// Tolerance that tells known depths apart: below half of their distance, with room for rounding.
+/// Tolerance that separates known depths: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
 /// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
-/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only tell known depths apart.
+/// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only separate known depths.
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;
@@ -25957,6 +26169,7 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Reads a map of known depths through the shadow's own filter.
 ///
+/// @param of       the shadow
 /// @param map      calibration_map(of) as the host has it, or a map that was just cleared
 /// @param number   number of the light's map, >= 0
 /// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map
@@ -26085,6 +26298,7 @@ namespace umbrage {
 
 /// Debug color of a world position under a shadow. Reads no map.
 ///
+/// @param of              the shadow
 /// @param world, normal   position and normal, as for the shadow
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
@@ -26213,6 +26427,7 @@ template <class SetUp, class Filter, class Encoding>
 
 /// Shadow as functions of a shader: umbrage_<name>(world, normal), and its declarations. Filters with a rotated disc
 /// take the position in pixels as a third argument: gl_FragCoord.xy.
+/// @param of      the shadow
 /// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
 /// @param slots   bindings, and the type of the texture
 /// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter
@@ -26348,6 +26563,7 @@ struct paraboloid_maps {
                                                     &glsl::dual_paraboloid_slope, &glsl::cascade_tile>;
 };
 
+/// Setup of a light with paraboloid maps.
 template <real T>
 struct set_up_for<dual_paraboloid_light<T>> {
     using type = paraboloid_maps;
@@ -26448,6 +26664,7 @@ struct tetrahedron_map {
                    &glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
 };
 
+/// Setup of a light with the map of a tetrahedron.
 template <real T>
 struct set_up_for<tetrahedron_light<T>> {
     using type = tetrahedron_map;
@@ -26573,6 +26790,7 @@ struct warped_maps {
                    &glsl::cascade_column, &glsl::cascade_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
 };
 
+/// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>
 struct set_up_for<std::array<warped_cascade<T>, Count>> {
     static_assert(
