@@ -13,14 +13,14 @@
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
 //   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
-//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running then.
-//                 Results are unspecified, and arguments may be used again
+//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
+//                 then. Results are unspecified, and arguments may be used again
 //   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
 // A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
 // call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
-// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles. The
-// result has the same bits for all pieces.
+// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
+// The result has the same bits for all pieces.
 #pragma once
 
 namespace umbrage {
