@@ -8291,9 +8291,8 @@ inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, 
 //     glm::vec4 held = umbrage::to_optimized_moments(texel);
 //     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
-// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. The
-// distribution has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to
-// the light.
+// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. It has
+// three depths: the receiver's and two others. The shadow is the share of the others that is nearer to the light.
 // Also called: MSM, 4MSM, Hamburger MSM (encode_msm, decode_msm); optimized moments, 16-bit moment quantization
 // (to_optimized_moments, from_optimized_moments).
 
@@ -8722,9 +8721,8 @@ inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_m
 //
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
-// In a shader, bind the snippet to the map of moments. It reads texels one by one and weights them in steps of 1/256,
-// so any float texture will do. If the sampler can filter the texture, or reads its mip chain, call the decoder
-// instead: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
+// In a shader, bind the snippet to the map of moments, any float texture. It weights texels in steps of 1/256. If the
+// sampler filters, call umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
 
 namespace umbrage {
 
@@ -11524,14 +11522,14 @@ bool with_filter(std::string_view name, Use&& use) {
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
 //   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
-//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running then.
-//                 Results are unspecified, and arguments may be used again
+//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
+//                 then. Results are unspecified, and arguments may be used again
 //   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
 // A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
 // call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
-// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles. The
-// result has the same bits for all pieces.
+// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
+// The result has the same bits for all pieces.
 
 namespace umbrage {
 

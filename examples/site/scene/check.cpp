@@ -136,7 +136,8 @@ void site_map(int encoding, int reversed, int width, int height) {
     });
 }
 
-/// Visibility and place of every receiver. Kinds and filters are counted as the package's lists; `width` is the picture's.
+/// Visibility and place of every receiver, in a picture of that width. Kinds and filters are counted as in the
+/// package's lists.
 void site_visibility(int kind, int filter, int reversed, int width) {
     const auto direction = direction_of(reversed);
     with_filter(filter, [&](const auto& f) {

@@ -2,10 +2,10 @@
 //
 // Writes the scenes of the examples as files for a page:  node write_scenes.js FOLDER
 //
-// A file is, in little endian: the point that cameras look at, as three floats; the number of parts, as a 32-bit integer;
-// for each its numbers of vertices, triangles and places, as 32-bit
-// integers; the vertices' positions as three floats each, their normals as four signed bytes, their colors as four bytes,
-// square roots of linear ones; three indices a triangle, of 32 bits; a 4 x 4 matrix a place, column by column.
+// A file is, in little endian: the point that cameras look at, as three floats; the number of parts, as a 32-bit
+// integer; for each part its numbers of vertices, triangles and places, as 32-bit integers; the vertices' positions as
+// three floats each, their normals as four signed bytes, their colors as four bytes, square roots of linear ones; three
+// indices a triangle, of 32 bits; a 4 x 4 matrix a place, column by column.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

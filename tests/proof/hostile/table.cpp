@@ -5,7 +5,7 @@
 // Runs the builds of a program, tier_a, images or fits, and compares their digests with the reference's, computed by
 // strict arithmetic rounding to nearest. Every line must agree, in every rounding mode, but for two things IEEE 754 and
 // flushing machines leave no choice in: rounding downwards, the sign of a zero is not looked at; where denormals are
-// flushed, inputs that are denormal may count as zero. A machine without a mode, such as WebAssembly, prints no line of it.
+// flushed, inputs that are denormal may count as zero. A machine without a mode, as WebAssembly, prints no line of it.
 #include <algorithm>
 #include <array>
 #include <cstdio>

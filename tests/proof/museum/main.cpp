@@ -2,10 +2,10 @@
 //
 //     museum                   the tests: every old formula fails, those of umbrage do not, and MUSEUM.md says so
 //     museum --page MUSEUM.md  writes the page again
-//     museum --draw FOLDER     draws each test, FOLDER/1_then.pgm, FOLDER/1_ours.pgm ..., and writes FOLDER/encodings.tsv
+//     museum --draw FOLDER     draws each test: 1_then.pgm, 1_ours.pgm ...; encodings.tsv has the errors of encodings
 //
-// A pixel of a drawing is 0 where all inputs are right, else 1 to 255: brighter for larger errors, up to the worst of the
-// old formula.
+// A pixel of a drawing is 0 where all inputs are right, else 1 to 255: brighter for larger errors, up to the worst of
+// the old formula.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 

@@ -4,9 +4,8 @@
 //
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
-// In a shader, bind the snippet to the map of moments. It reads texels one by one and weights them in steps of 1/256,
-// so any float texture will do. If the sampler can filter the texture, or reads its mip chain, call the decoder
-// instead: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
+// In a shader, bind the snippet to the map of moments, any float texture. It weights texels in steps of 1/256. If the
+// sampler filters, call umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -10,9 +10,8 @@
 //     glm::vec4 held = umbrage::to_optimized_moments(texel);
 //     float visibility = umbrage::decode_msm(umbrage::from_optimized_moments(held), receiver, umbrage::msm_bias_16);
 //
-// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. The
-// distribution has three depths: the receiver's and two others. The shadow is the share of the others that is nearer to
-// the light.
+// Visibility is an upper bound, from the distribution with these moments that shadows the receiver the least. It has
+// three depths: the receiver's and two others. The shadow is the share of the others that is nearer to the light.
 // Also called: MSM, 4MSM, Hamburger MSM (encode_msm, decode_msm); optimized moments, 16-bit moment quantization
 // (to_optimized_moments, from_optimized_moments).
 #pragma once
