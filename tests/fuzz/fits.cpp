@@ -52,15 +52,15 @@ void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& 
     }
 }
 
+/// A camera whose sides and near plane doubles tell from its axis and its eye.
 frustum<double> camera_of(fuzz::input& in) {
-    const auto tangent = [&] {
-        return std::min(double(in.number(0.1f, 2)), 1e4);
-    };  // beyond, sides have no digits left
+    const auto tangent = [&] { return std::min(double(in.number(0.1f, 2)), 1e4); };
+    const auto distance = [](double d) { return d >= 0 && d < 1e-6 ? 1e-6 : d; };
     return {.position = glm::dvec3(in.vec3(-50, 50)),
             .direction = glm::dvec3(in.vec3(-1, 1)),
             .tan_half_x = tangent(),
             .tan_half_y = tangent(),
-            .z_near = in.number(0.01f, 1),
+            .z_near = distance(in.number(0.01f, 1)),
             .z_far = in.number(2, 500)};
 }
 
