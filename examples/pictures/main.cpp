@@ -28,6 +28,7 @@ std::vector<page> pages() {
                           {"filters", pictures::filter_strip, 156},
                           {"hardening", pictures::hardening_strip, 200},
                           {"biases", pictures::bias_strip, 156},
+                          {"depths", pictures::depth_strip, 208},
                           {"cascades", pictures::cascade_ranges, 828},
                           {"pages", pictures::page_grid, 828},
                           {"originals", pictures::originals, 480}};

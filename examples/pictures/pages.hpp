@@ -23,6 +23,9 @@ namespace pictures {
 /// The same part under one filter and six biases.
 [[nodiscard]] picture bias_strip(int side);
 
+/// The same part under depths of few bits: 8 to 24, z/w and linear, near planes, without a bias for what is lost.
+[[nodiscard]] picture depth_strip(int side);
+
 /// A view outdoors with its four cascades in colors, and their maps.
 /// @param width  width of the picture, pixels
 [[nodiscard]] picture cascade_ranges(int width);

@@ -11,7 +11,8 @@ import { curves } from './curves.mjs';
 
 /// Further pictures of the repository, each with what it shows.
 const rooms = [
-    ['Depth in few bits', [['quantization', 'Depth of 8 bits a texel makes steps on slopes. More bits cure it.']]],
+    ['Depth in few bits', [['depths', 'Shadows of 8, 11, 16 and 24 bits; of z/w and linear depth; of four near planes. No bias covers the lost digits.'],
+        ['quantization', 'Depth of 8 bits a texel makes steps on slopes. More bits cure it.']]],
     ['Filters on one edge', [['filters', 'One edge of a shadow under nine filters.'],
         ['hardening', 'Contact hardening beside rays: sharp where the mast stands, soft on the wall.']]],
     ['Biases', [['biases', 'Six ways to keep a surface from shadowing itself.']]],
