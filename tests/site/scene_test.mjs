@@ -146,9 +146,11 @@ await visit(async ({ open, check, picture, axe }) => {
     await without.waitForFunction(() => document.querySelector('#said').textContent.includes('no WebGL 2'));
     check(await without.isVisible('.instead'), 'without WebGL 2 there is a picture all the same');
 
+    // the front page as a whole
     for (const [width, dark] of [[1280, false], [390, true]]) {
         const shown = await open('', { width, dark });
         await answer(shown);
+        check(await shown.locator('nav a').count() >= 4, 'the front page has a navigation');
         const room = await shown.evaluate(() => document.documentElement.scrollWidth);
         check(room <= width, `the scene's page is ${room} pixels wide in a window of ${width}`);
         await picture(shown, `scene_${width}${dark ? '_dark' : ''}`);
