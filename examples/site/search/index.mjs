@@ -53,20 +53,17 @@ export async function search_index(context) {
     ];
 }
 
-/// The rows of INDEX.md: names people use, and the names here that they stand for, or the address of a page.
+/// The lines of INDEX.md: names people use, and the names here that they stand for, or the address of a page.
 export function known_names(context, addresses) {
-    return Array.from(
-        context.read('INDEX.md').matchAll(/^\| (.+?) \| \[(.+?)\]\((.+?)\) \|$/gm),
-        ([, names, words, target]) => {
-            const here = Array.from(words.matchAll(/`(\w+)/g), match => match[1]),
-                [file, anchor] = target.split('#');
-            return {
-                names: plain(names).split(', '),
-                here: here.length ? here : [plain(words)],
-                address: addresses.of(file).replace(/index\.html$/, '') + (anchor ? `#${anchor}` : ''),
-            };
-        },
-    );
+    return Array.from(context.read('INDEX.md').matchAll(/^- (.+?): (\[.+\))$/gm), ([, names, links]) => {
+        const here = Array.from(links.matchAll(/\[`(\w+)/g), match => match[1]);
+        const [, words, file, anchor] = /^\[(.+?)\]\((.+?)(#.+?)?\)/.exec(links);
+        return {
+            names: plain(names).split(', '),
+            here: here.length ? here : [plain(words)],
+            address: addresses.of(file).replace(/index\.html$/, '') + (anchor ?? ''),
+        };
+    });
 }
 
 /// Rows of tables in which a reader looks for a situation: first cell, second cell, and the heading above.
