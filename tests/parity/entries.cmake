@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 #
 # Sets entry_sources: every file of entries, and one that lists them. They find their place by where their file lies:
-# add_filter_pcf_box in entries/filter/pcf/box.cpp, and so on. With sample_of_entries, one file in four.
+# add_filter_pcf_box in entries/filter/pcf/box.cpp, and so on. With sample_of_entries, one file in eight.
 file(GLOB_RECURSE names CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/entries ${CMAKE_CURRENT_LIST_DIR}/entries/*.cpp)
 set(declarations "")
 set(calls "")
 set(entry_sources ${CMAKE_CURRENT_BINARY_DIR}/entries.cpp)
 foreach(name IN LISTS names)
     string(MD5 hash ${name})
-    if(sample_of_entries AND NOT hash MATCHES "^[0-3]")
+    if(sample_of_entries AND NOT hash MATCHES "^[01]")
         continue()
     endif()
     list(APPEND entry_sources ${CMAKE_CURRENT_LIST_DIR}/entries/${name})

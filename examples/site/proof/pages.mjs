@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { page } from '../page.mjs';
 
-/// True for a page that tries a sample of the functions, as tests build it: a quarter of the time.
+/// True for a page that tries a sample of the functions, as tests build it: in a fraction of the time.
 const is_sample = process.env.UMBRAGE_PROOF_SAMPLE === '1';
 
 const box = (id, name, words) => `<label class="box"><input type="checkbox" id="${id}" checked> <span>${name} <small>${words}</small></span></label>`;
