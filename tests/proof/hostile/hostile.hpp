@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cfenv>
 #include <cinttypes>
 #include <cstdint>
@@ -25,11 +24,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/config.hpp>
+
 #include "digest.hpp"
 
 namespace hostile {
 
-inline float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+inline float from_bits(std::uint32_t bits) { return umbrage::detail::bit_cast<float>(bits); }
 
 // k / most rounded to nearest, by integers.
 inline std::uint32_t unorm_bits(std::uint32_t k, std::uint32_t most = 255) {
@@ -41,7 +42,7 @@ inline std::uint32_t unorm_bits(std::uint32_t k, std::uint32_t most = 255) {
 
 // Value that is passed on unchanged. A denormal that counted as zero may still be there. A NaN has no defined bits.
 inline float passed_on(float v) {
-    const auto bits = std::bit_cast<std::uint32_t>(v);
+    const auto bits = umbrage::detail::bit_cast<std::uint32_t>(v);
     if ((bits & 0x7FFFFFFFu) > 0x7F800000u) return from_bits(0x7FC00000u);
     return from_bits((bits & 0x7F800000u) == 0 ? bits & 0x80000000u : bits);
 }
@@ -84,13 +85,14 @@ struct source {
         switch (below(4)) {
             case 0: return any();
             case 1: return classed(near(0x3F800000u));
-            case 2: return classed(std::bit_cast<std::uint32_t>(float(below((1u << 24) + 1)) * 0x1p-24f));
-            default: return classed(near(std::bit_cast<std::uint32_t>(float(1 + below(65536)) * 0x1p-16f)));
+            case 2: return classed(umbrage::detail::bit_cast<std::uint32_t>(float(below((1u << 24) + 1)) * 0x1p-24f));
+            default: return classed(near(umbrage::detail::bit_cast<std::uint32_t>(float(1 + below(65536)) * 0x1p-16f)));
         }
     }
     // A stored depth or a receiver: few values, so that they often meet exactly or one ulp apart.
     float level() {
-        return one_in(8) ? depth() : classed(near(std::bit_cast<std::uint32_t>(float(1 + below(4)) * 0.25f)));
+        return one_in(8) ? depth()
+                         : classed(near(umbrage::detail::bit_cast<std::uint32_t>(float(1 + below(4)) * 0.25f)));
     }
     // A texel coordinate: inside or beside an 8 x 8 map, on multiples of 1/256 and an ulp off, at the end of texel
     // space.
@@ -98,11 +100,13 @@ struct source {
         switch (below(8)) {
             case 0: return any();
             case 1: return classed(near((next() & 0x80000000u) | 0x47000000u));
-            case 2: return classed(std::bit_cast<std::uint32_t>(float(int(below(4096)) - 1024) * (1.0f / 256.0f)));
-            case 3: return classed(std::bit_cast<std::uint32_t>(float(int(below(16)) - 4)));
+            case 2:
+                return classed(
+                    umbrage::detail::bit_cast<std::uint32_t>(float(int(below(4096)) - 1024) * (1.0f / 256.0f)));
+            case 3: return classed(umbrage::detail::bit_cast<std::uint32_t>(float(int(below(16)) - 4)));
             default: {
                 const float v = float(int(below(12 * 65536)) - 2 * 65536) * 0x1p-16f;
-                return classed(near(std::bit_cast<std::uint32_t>(v)));
+                return classed(near(umbrage::detail::bit_cast<std::uint32_t>(v)));
             }
         }
     }

@@ -9,7 +9,6 @@
 // planes of depth are tier B too and round as the machine is told to, but to the same bits in every build.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -45,7 +44,7 @@ struct suite : raster_suite {
             where);
         const auto texels = images<texel>(sizes, [](source& s, std::size_t) {
             if constexpr (std::is_same_v<texel, float>) return s.any();
-            else return std::bit_cast<texel>(s.bytes<sizeof(texel)>());
+            else return umbrage::detail::bit_cast<texel>(s.bytes<sizeof(texel)>());
         });
         run<float>(
             "decode_" + name, [&](int s, glm::ivec2 t) { return encoding.decode(texels[std::size_t(s)][t]); },
@@ -63,7 +62,7 @@ struct suite : raster_suite {
             for (int k = 0; k < 2; ++k) {
                 const auto steps = static_cast<std::uint32_t>(map_sizes[i][k] * 256 + 2048);
                 const float on_step = float(int(s.below(steps)) - 1024) * (1.0f / 256.0f);
-                std::uint32_t coord = std::bit_cast<std::uint32_t>(s.one_in(2) ? on_step : s.coord());
+                std::uint32_t coord = umbrage::detail::bit_cast<std::uint32_t>(s.one_in(2) ? on_step : s.coord());
                 if (short_digits) coord &= 0xFFFFFE00u;  // so that a tap's offset is added exactly
                 r[k] = from_bits(coord);
             }
@@ -124,7 +123,7 @@ struct suite : raster_suite {
             bool none = true, nan = false;
             for (int y = t.y; y < std::min(t.y + (1 << levels), map.size().y); ++y)
                 for (int x = t.x; x < std::min(t.x + (1 << levels), map.size().x); ++x) {
-                    const auto bits = std::bit_cast<std::uint32_t>(map[{x, y}]);
+                    const auto bits = umbrage::detail::bit_cast<std::uint32_t>(map[{x, y}]);
                     if (is_nan(map[{x, y}])) {
                         nan = true;
                         continue;
@@ -147,7 +146,7 @@ struct suite : raster_suite {
                     for (int y = 0; y < out.size.y; ++y)
                         for (int x = 0; x < out.size.x; ++x) {
                             const float v = bounds[{x >> levels, y >> levels}];
-                            out[{x, y}] = is_nan(v) ? 0xFFFFFFFFu : std::bit_cast<std::uint32_t>(v);
+                            out[{x, y}] = is_nan(v) ? 0xFFFFFFFFu : umbrage::detail::bit_cast<std::uint32_t>(v);
                         }
                 });
     }
@@ -184,7 +183,7 @@ struct suite : raster_suite {
         const auto values = images<T>(sizes, [](source& s, std::size_t) {
             std::array<float, channels> v;
             for (float& channel : v) channel = float(int(s.below(512)) - 256);
-            return std::bit_cast<T>(v);
+            return umbrage::detail::bit_cast<T>(v);
         });
         const int radius = int(kernel.weights.size()) - 1;
         run<T>(

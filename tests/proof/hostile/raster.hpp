@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -37,7 +36,7 @@ struct raster_suite : image_suite {
             return detail::projection(matrix, {.range = range, .direction = direction}, {1000 + s, 600 - s});
         };
         const auto words = [](const detail::snapped_vertex& v) {
-            const auto depth = std::bit_cast<std::uint64_t>(v.depth);
+            const auto depth = umbrage::detail::bit_cast<std::uint64_t>(v.depth);
             return glm::uvec4(std::uint32_t(v.x), std::uint32_t(v.y), std::uint32_t(depth), std::uint32_t(depth >> 32));
         };
         run<glm::uvec4>(
