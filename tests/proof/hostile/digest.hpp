@@ -22,7 +22,9 @@ struct digest {
         unsigned_zeros = (unsigned_zeros ^ w) * prime;
     }
     void operator()(float v) {
-        const auto bits = umbrage::detail::bit_cast<std::uint32_t>(v);
+        auto bits = umbrage::detail::bit_cast<std::uint32_t>(v);
+        if ((bits & 0x7FFFFFFFu) > 0x7F800000u)
+            bits |= 0x00400000u;  // 32-bit x86 returns signalling NaNs as quiet ones
         word(bits, bits == 0x80000000u ? 0 : bits);
     }
     void operator()(bool v) { word(v); }
