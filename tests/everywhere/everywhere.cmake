@@ -31,7 +31,7 @@ set(rows
     "Windows, mingw-w64|x86_64-w64-mingw32-g++-posix|-static -O2|wine|${all}"
     "AArch64|aarch64-linux-gnu-g++|-static -O2|qemu-aarch64|${all}"
     "RISC-V, 64 bits|riscv64-linux-gnu-g++|-static -O2|qemu-riscv64|${all}"
-    "z/Architecture, big-endian|s390x-linux-gnu-g++|-static -O2|qemu-s390x|${all}"
+    "IBM Z, big-endian|s390x-linux-gnu-g++|-static -O2|qemu-s390x|${all}"
     "WebAssembly|em++|-O2|node|${all}"
     "WebAssembly, SIMD|em++|-O2 -msimd128|node|${all}")
 
@@ -49,7 +49,7 @@ function(build program name compiler flags runner)
     if(compiler MATCHES "em\\+\\+$")
         list(APPEND flags -sALLOW_MEMORY_GROWTH=1 -sENVIRONMENT=node -sEXIT_RUNTIME=1)
         string(APPEND binary .js)
-        set(runner ${runner} --no-experimental-fetch)
+        string(APPEND runner " --no-experimental-fetch") # whose fetch emscripten would take for a browser's
     elseif(compiler MATCHES "mingw")
         string(APPEND binary .exe)
     endif()

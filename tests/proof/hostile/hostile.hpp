@@ -154,7 +154,7 @@ inline void set_flushing(bool flushes) {
     state = flushes ? state | flush_to_zero : state & ~flush_to_zero;
     asm volatile("msr fpcr, %0" : : "r"(state));
 #else
-    static_cast<void>(flushes);  // WebAssembly, RISC-V and z/Architecture never flush
+    static_cast<void>(flushes);  // WebAssembly, RISC-V and IBM Z never flush
 #endif
 }
 
