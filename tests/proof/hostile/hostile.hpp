@@ -179,7 +179,7 @@ void for_each_setting(Use use) {
         bool flushes;
     } modes[] = {
         {"nearest", FE_TONEAREST, false},
-#ifdef FE_UPWARD  // which WebAssembly lacks
+#ifndef __wasm__  // which rounds to nearest alone
         {"upward", FE_UPWARD, false},
         {"downward", FE_DOWNWARD, false},
         {"to-zero", FE_TOWARDZERO, false},
