@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // A run of the proof page, as its tests look at it.
-import { existsSync } from 'node:fs';
-import { join } from 'node:path';
-
-if (!existsSync(join(process.argv[2], 'proof/proof.wasm'))) {
-    console.log('SKIPPED: the site was built without emscripten');
-    process.exit(77);
-}
 
 /// Inputs and sample of a run: every function with UMBRAGE_WHOLE=1, as make prove has it.
 export const share = process.env.UMBRAGE_WHOLE === '1' ? 'inputs=65536' : 'inputs=256&every=4';

@@ -11,11 +11,11 @@ import { pathToFileURL } from 'node:url';
 const [site, node_modules, native, sources] = process.argv.slice(2).map(path => resolve(path));
 const wasm = join(site, 'proof/proof.wasm'), count = process.env.UMBRAGE_WHOLE === '1' ? 65536 : 1024;
 if (!existsSync(wasm)) {
-    console.log('SKIPPED: the site was built without emscripten');
+    console.log('SKIPPED: the site was not built');
     process.exit(77);
 }
 const suite_module = join(mkdtempSync(join(tmpdir(), 'umbrage-')), 'suite.mjs');
-await createRequire(join(node_modules, 'x.js'))('esbuild').build({ entryPoints: [join(sources, 'proof/suite.ts')], outfile: suite_module, format: 'esm' });
+await createRequire(join(node_modules, 'x.js'))('esbuild').build({ entryPoints: [join(sources, 'proof/suite.ts')], outfile: suite_module, bundle: true, format: 'esm' });
 const { Suite } = await import(pathToFileURL(suite_module));
 const suite = await Suite.of(await WebAssembly.compile(readFileSync(wasm)));
 

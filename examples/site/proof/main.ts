@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page: its controls, its address, and a section for each API.
+import { copy } from '../clipboard';
 import { start } from './runner';
 import type { Run } from './runner';
 import type { News } from './run';
@@ -95,13 +96,8 @@ function begin(): void {
     run = start({ plan: structuredClone(plan), command: address(plan), system: navigator.userAgent }, { news: take, notice, ended });
 }
 
-async function copy(text: string, name: string): Promise<void> {
-    try {
-        await navigator.clipboard.writeText(text);
-        told.textContent = `${name} copied.`;
-    } catch {
-        told.textContent = 'The browser refused to copy.';
-    }
+async function tell_copied(text: string, name: string): Promise<void> {
+    told.textContent = await copy(text) ? `${name} copied.` : 'The browser refused to copy.';
 }
 
 for (const words of complaints) notice(words);
@@ -109,8 +105,8 @@ show_plan();
 slider.addEventListener('input', read_plan);
 for (const api of apis) boxes[api].addEventListener('change', read_plan);
 button.addEventListener('click', () => run ? run.stop() : begin());
-find('#copy').addEventListener('click', () => copy(reports.join('\n'), 'Report'));
-find('#link').addEventListener('click', () => copy(address(plan), 'Address'));
+find('#copy').addEventListener('click', () => tell_copied(reports.join('\n'), 'Report'));
+find('#link').addEventListener('click', () => tell_copied(address(plan), 'Address'));
 find('#download').addEventListener('click', () => {
     const link = element('a');
     link.href = URL.createObjectURL(new Blob([reports.join('\n')], { type: 'text/markdown' }));

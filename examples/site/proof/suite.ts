@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The parity suite as WebAssembly: wasm/proof.cpp, with the little that its C library needs of a host.
+// The parity suite as WebAssembly: wasm/proof.cpp.
+import { start, type Program } from '../wasm';
 
 export type Verdict = 'identical' | 'as promised' | 'different' | 'not run';
 
@@ -34,10 +35,8 @@ export interface Sum {
     inputs: number;
 }
 
-/** Exports of proof.cpp. Pointers are numbers. */
-interface Exports {
-    memory: WebAssembly.Memory;
-    _initialize(): void;
+/** Exports of proof.cpp. */
+interface Exports extends Program {
     buffer(size: number): number;
     text_size(): number;
     entry_count(): number;
@@ -57,29 +56,8 @@ interface Exports {
     digest(i: number, count: number): number;
 }
 
-/** Functions of WASI that a module imports. Output, which only an abort writes, is refused. */
-function host(memory: () => WebAssembly.Memory, imports: WebAssembly.ModuleImportDescriptor[]): WebAssembly.Imports {
-    const refused = 52, view = () => new DataView(memory().buffer);
-    const known: Record<string, (...all: never[]) => number> = {
-        clock_time_get: (_id: number, _precision: bigint, at: number) =>
-            (view().setBigUint64(at, BigInt(Date.now()) * 1_000_000n, true), 0),
-        environ_sizes_get: (count: number, size: number) => (view().setUint32(count, 0, true), view().setUint32(size, 0, true), 0),
-        environ_get: () => 0,
-        proc_exit: () => { throw new Error('The C++ side stopped.'); },
-    };
-    const all: Record<string, Record<string, (...all: never[]) => number>> = {};
-    for (const { module, name } of imports) (all[module] ??= {})[name] = known[name] ?? (() => refused);
-    return all;
-}
-
 export class Suite {
-    static async of(module: WebAssembly.Module): Promise<Suite> {
-        let exports: Exports;
-        const instance = await WebAssembly.instantiate(module, host(() => exports.memory, WebAssembly.Module.imports(module)));
-        exports = instance.exports as unknown as Exports;
-        exports._initialize();
-        return new Suite(exports);
-    }
+    static async of(module: WebAssembly.Module): Promise<Suite> { return new Suite(await start<Exports>(module)); }
     private constructor(private readonly c: Exports) {}
 
     get count(): number { return this.c.entry_count(); }

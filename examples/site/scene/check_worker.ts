@@ -3,6 +3,7 @@
 // Computes the shadow of a frame in C++, beside the page.
 import { encodings, filters, kinds } from '../../../single_include/module/names.mjs';
 
+import { start, type Program } from '../wasm';
 import type { Frame } from './picture';
 
 /** What C++ computed of a frame, and at how many pixels the GPU had another value. */
@@ -15,26 +16,15 @@ export interface Answer {
     milliseconds: number;
 }
 
-interface Check {
-    memory: WebAssembly.Memory;
-    _initialize(): void;
+interface Check extends Program {
     site_room(what: number, count: number): number;
     site_block(): number;
     site_map(encoding: number, reversed: number, width: number, height: number): void;
     site_visibility(kind: number, filter: number, reversed: number, width: number): void;
 }
 
-async function start(): Promise<Check> {
-    const nothing = () => 0;
-    const { instance } = await WebAssembly.instantiate(await (await fetch(new URL('check.wasm', self.location.href))).arrayBuffer(), {
-        env: { emscripten_notify_memory_growth: nothing },
-        wasi_snapshot_preview1: { proc_exit: nothing, fd_close: nothing, fd_write: nothing, fd_seek: nothing },
-    });
-    const check = instance.exports as unknown as Check;
-    check._initialize();
-    return check;
-}
-const started = start();
+const fetched = fetch(new URL('check.wasm', self.location.href)).then(answer => answer.arrayBuffer());
+const started = fetched.then(bytes => WebAssembly.compile(bytes)).then(module => start<Check>(module));
 
 function answer(c: Check, frame: Frame): Answer {
     const begin = performance.now(), pixels = frame.width * frame.height, texels = frame.map_size[0] * frame.map_size[1];

@@ -4,7 +4,7 @@
 import { read_obj } from './obj';
 import { box_of, identity, type Mesh, type Part } from './mesh';
 
-export const most_bytes = 200e6, most_triangles = 5e6;
+export const most_triangles = 5e6;
 
 /** A reason to refuse a file, in words for the visitor. */
 export class Refused extends Error {}
@@ -19,7 +19,6 @@ export interface Read {
 
 export async function load(name: string, file: ArrayBuffer): Promise<Part[]> {
     if (file.byteLength === 0) throw new Refused(`${name} is empty.`);
-    if (file.byteLength > most_bytes) throw new Refused(`${name} has ${Math.ceil(file.byteLength / 1e6)} MB. At most 200 MB are read.`);
     const kind = name.toLowerCase().match(/\.[a-z0-9]+$/)?.[0];
     let read: Read;
     if (kind === '.obj') read = read_obj(name, new TextDecoder().decode(file));

@@ -11,7 +11,7 @@ import { Picture } from './picture';
 import { read_state, write_state, type State } from './state';
 import { Text } from './text';
 
-const most_pixels = 8e5;
+const most_pixels = 8e5, most_bytes = 200e6;
 const element = <T extends HTMLElement>(name: string) => document.querySelector<T>(`#${name}`)!;
 const canvas = element<HTMLCanvasElement>('picture'), divider = element<HTMLInputElement>('divider'), verdict = element('verdict');
 const { state: first, refused } = read_state(location.search);
@@ -129,9 +129,9 @@ async function change(part: Partial<State>) {
 }
 
 function drop(file: File) {
+    if (file.size > most_bytes) return say(`${file.name} has ${Math.ceil(file.size / 1e6)} MB. At most ${most_bytes / 1e6} MB are read.`);
     const reader = new Worker('scene/load_worker.js', { type: 'module' });
     say(`Reading ${file.name} ...`);
-    if (file.size > 200e6) return say(`${file.name} has ${Math.ceil(file.size / 1e6)} MB. At most 200 MB are read.`);
     reader.onmessage = ({ data }: MessageEvent<{ parts: Part[] } | { refused: string }>) => {
         reader.terminate();
         if ('refused' in data) return say(data.refused);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Shows the text of the shadow, with a tab for each language and a button that copies it.
-import { snippets } from 'umbrage';
-
+import { copy } from '../clipboard';
 import { highlight, type Language } from '../highlight';
 import { asked_of } from './light';
 import { lines_of } from './lines';
+import { turns } from './passes';
 import type { State } from './state';
 
 export class Text {
@@ -16,11 +16,10 @@ export class Text {
     constructor(private readonly place: HTMLElement, private readonly state: () => State) {
         for (const tab of place.querySelectorAll<HTMLInputElement>('input[name=language]'))
             tab.onchange = () => { this.language = tab.value as Language; this.show(); };
-        const copy = place.querySelector('button')!;
-        copy.onclick = async () => {
-            const done = await navigator.clipboard.writeText(this.text).then(() => true, () => false);
-            copy.textContent = done ? 'Copied' : 'Not allowed: select the text';
-            setTimeout(() => { copy.textContent = 'Copy'; }, 1500);
+        const button = place.querySelector('button')!;
+        button.onclick = async () => {
+            button.textContent = await copy(this.text) ? 'Copied' : 'Not allowed: select the text';
+            setTimeout(() => { button.textContent = 'Copy'; }, 1500);
         };
     }
 
@@ -28,8 +27,7 @@ export class Text {
         const asked = asked_of(this.state()), key = this.language + JSON.stringify(asked);
         if (key === this.shown) return;
         this.shown = key;
-        const turns = snippets[asked.filter]!.filter!.arguments.some(argument => argument.name === 'rotation');
-        void lines_of(asked, this.language, turns).then(({ text, call }) => {
+        void lines_of(asked, this.language, turns(asked.filter)).then(({ text, call }) => {
             if (key !== this.shown) return;
             this.text = text;
             this.place.querySelector('pre code')!.innerHTML = highlight(text, this.language);

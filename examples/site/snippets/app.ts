@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The snippets' page: a list to search, a map's properties, the text. All that is shown is in the URL.
+import { copy } from '../clipboard';
 import { find, type Item as Found } from '../search/find';
 import { compose, load, reads_map, type Package } from './compose';
 import { show_facts, type Fact } from './facts';
@@ -214,17 +215,12 @@ function listen(): void {
         current = state.items.length - 1;
         changed();
     };
-    const copy = by_id<HTMLButtonElement>('copy'),
-        link = by_id<HTMLButtonElement>('link');
-    copy.onclick = () =>
-        void navigator.clipboard.writeText(shown).then(
-            () => done(copy, 'Copied'),
-            () => done(copy, 'Select and copy'),
-        );
-    link.onclick = () =>
-        void navigator.clipboard
-            .writeText(new URL(print(state), location.href).href)
-            .then(() => done(link, 'Link copied'));
+    const copies = (name: string, text: () => string, words: string) => {
+        const button = by_id<HTMLButtonElement>(name);
+        button.onclick = async () => done(button, (await copy(text())) ? words : 'Not allowed');
+    };
+    copies('copy', () => shown, 'Copied');
+    copies('link', () => new URL(print(state), location.href).href, 'Link copied');
     by_id('download').onclick = download;
     window.addEventListener('popstate', () => {
         read_address();
