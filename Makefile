@@ -192,7 +192,8 @@ everywhere:
 	@$(MAKE) --no-print-directory newest-clang
 	@test -f build/dev/build.ninja || cmake --preset dev
 	cmake --build --preset dev --target hostile
-	cmake -D HOSTILE=build/dev/tests/proof/hostile/hostile -D GLM=/usr/include -D OUT=$(CURDIR)/build/everywhere -D SAMPLE=$(SAMPLED) \
+	cmake -D HOSTILE=build/dev/tests/proof/hostile/hostile -D GLM=/usr/include -D OUT=$(CURDIR)/build/everywhere \
+	    -D CLANG=$(newest_clang:clang-%=clang++-%) -D SAMPLE=$(SAMPLED) \
 	    -P tests/everywhere/everywhere.cmake
 
 # The npm package's addons in every version of three.js that they support, and in Babylon.js and PlayCanvas; then from an

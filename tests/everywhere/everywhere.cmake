@@ -2,10 +2,11 @@
 #
 # Runs tier A and the functions over images on every machine that a Debian machine can be, and compares their digests:
 #
-#     cmake -D HOSTILE=program -D GLM=/usr/include -D OUT=folder [-D SAMPLE=ON] -P everywhere.cmake
+#     cmake -D HOSTILE=program -D GLM=/usr/include -D OUT=folder [-D CLANG=clang++-N] [-D SAMPLE=ON] -P everywhere.cmake
 #
-# HOSTILE is the program of tests/proof/hostile/table.cpp. A row says which compiler and flags, and what runs the program.
-# Compilers and emulators that this machine lacks are rows too, "not seen". The table is OUT/everywhere.md.
+# HOSTILE is the program of tests/proof/hostile/table.cpp, CLANG the newest clang here. A row says which compiler and
+# flags, and what runs the program. Compilers and emulators that this machine lacks are rows too, "not seen". The table is
+# OUT/everywhere.md.
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(sources ${root}/tests/proof/hostile)
 set(sample "")
@@ -36,7 +37,6 @@ set(rows
     "WebAssembly, SIMD|em++|-O2 -msimd128|node|${all}")
 
 file(STRINGS /proc/cpuinfo cpu REGEX "^flags" LIMIT_COUNT 1)
-find_program(newest_clang NAMES clang++-22 clang++-21 clang++-20 clang++-19 clang++-18 clang++-17 clang++-16 clang++-15)
 set(ENV{NODE_PATH} /usr/share/nodejs) # where Debian's emscripten finds acorn
 set(ENV{WINEDEBUG} -all)
 set(table "| machine, compiler | flags | tier A | images |\n|---|---|---|---|\n")
@@ -75,7 +75,7 @@ foreach(row IN LISTS rows)
     set(runner "${CMAKE_MATCH_4}")
     set(programs "${CMAKE_MATCH_5}")
     if(compiler STREQUAL NEWEST_CLANG)
-        set(compiler "${newest_clang}")
+        set(compiler "${CLANG}")
     endif()
     unset(found_compiler) # or the last one's stays
     unset(found_runner)
@@ -84,8 +84,8 @@ foreach(row IN LISTS rows)
         find_program(found_runner NAMES "${runner}" NO_CACHE)
     endif()
     set(why "")
-    if(NOT found_compiler)
-        set(why "not seen: no ${compiler}")
+    if(NOT compiler OR NOT found_compiler)
+        set(why "not seen: no ${compiler} here")
     elseif(runner AND NOT found_runner)
         set(why "not seen: no ${runner}")
     elseif(flags MATCHES "ISA=avx2" AND NOT cpu MATCHES " avx2 ")

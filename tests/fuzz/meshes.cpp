@@ -17,17 +17,21 @@
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 
+#include "../mesh.hpp"
 #include "input.hpp"
 
 namespace {
 
 using namespace umbrage;
 
-struct mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
-};
+using tests::mesh;
+
+/// World to clip space of a spot light over the origin.
+glm::mat4 spot_above(const clip_space& clip) {
+    const auto light = make_spot_light<float>(
+        {.position = {0, 0, 10}, .direction = {0, 0, -1}, .z_near = 1, .z_far = 30, .clip = clip});
+    return light.projection * light.view;
+}
 
 mesh mesh_of(fuzz::input& in, int most) {
     const bool any = in.chance(4);
@@ -89,9 +93,7 @@ void tessellations(fuzz::input& in) {
 void culling(fuzz::input& in) {
     const mesh m = mesh_of(in, 8);
     const clip_space clip = in.clip();
-    const auto light = make_spot_light<float>(
-        {.position = {0, 0, 10}, .direction = {0, 0, -1}, .z_near = 1, .z_far = 30, .clip = clip});
-    const glm::mat4 to_clip = light.projection * light.view;
+    const glm::mat4 to_clip = spot_above(clip);
     std::vector<glm::mat4> places(static_cast<std::size_t>(in.within(0, 4)), glm::mat4(1));
     for (glm::mat4& place : places) place[3] = glm::vec4(in.vec3(-60, 60), 1), place[0][0] = in.number(-3, 3);
     const bounding_box<float> box = bounds_of(m.view());
@@ -114,9 +116,7 @@ void culling(fuzz::input& in) {
 void camera_passes(fuzz::input& in) {
     const mesh m = mesh_of(in, 8);
     const clip_space clip = in.clip();
-    const auto light = make_spot_light<float>(
-        {.position = {0, 0, 10}, .direction = {0, 0, -1}, .z_near = 1, .z_far = 30, .clip = clip});
-    const glm::mat4 to_clip = light.projection * light.view;
+    const glm::mat4 to_clip = spot_above(clip);
     const glm::ivec2 size(in.within(1, 60), in.within(1, 60));
     const auto cull = static_cast<cull_mode>(in.within(0, 2));
     const bool forward = clip.direction == depth_direction::forward;

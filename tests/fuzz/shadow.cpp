@@ -55,6 +55,17 @@ void with_filter(fuzz::input& in, const auto& light, glm::ivec2 map_size) {
     }
 }
 
+/// Point light in maps of its own kind.
+template <class Light>
+Light at_point(fuzz::input& in, glm::vec3 position, int side, const clip_space& clip) {
+    return {.position = position,
+            .z_near = in.number(0.1f, 1),
+            .z_far = in.number(5, 50),
+            .map_size = side,
+            .border = in.within(0, 8),
+            .clip = clip};
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -81,24 +92,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                                                   .casters = bounding_box<float>{glm::vec3(-8), glm::vec3(8)},
                                                   .clip = clip}),
                     {side, in.within(0, 48)});
-            case 2:
-                return with_filter(in,
-                                   point_light<float>{.position = position,
-                                                      .z_near = in.number(0.1f, 1),
-                                                      .z_far = in.number(5, 50),
-                                                      .map_size = side,
-                                                      .border = in.within(0, 8),
-                                                      .clip = clip},
-                                   glm::ivec2(side));
+            case 2: return with_filter(in, at_point<point_light<float>>(in, position, side, clip), glm::ivec2(side));
             case 3:
-                return with_filter(in,
-                                   tetrahedron_light<float>{.position = position,
-                                                            .z_near = in.number(0.1f, 1),
-                                                            .z_far = in.number(5, 50),
-                                                            .map_size = side,
-                                                            .border = in.within(0, 8),
-                                                            .clip = clip},
-                                   glm::ivec2(side));
+                return with_filter(in, at_point<tetrahedron_light<float>>(in, position, side, clip), glm::ivec2(side));
             default: {
                 const cascade_fit<float> fit{
                     .camera = {.position = position, .direction = in.vec3(-1, 1), .z_near = 0.5f, .z_far = 40},

@@ -10,17 +10,14 @@
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 
+#include "../mesh.hpp"
 #include "functions.hpp"
 
 namespace {
 
 using namespace umbrage;
 
-struct mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
-};
+using tests::mesh;
 
 /// Grid whose triangles follow each other: threads draw it under locks.
 mesh grid() {
