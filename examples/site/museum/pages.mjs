@@ -5,22 +5,27 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { escape } from '../context.mjs';
 import { page } from '../page.mjs';
+import { plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';
 import { curves } from './curves.mjs';
 
-/// Further pictures of the repository, each with what it shows.
+/// Further pictures of the repository. Their words are those of the pages that show them.
 const rooms = [
-    ['Depth in few bits', [['depths', 'Shadows of 8, 11, 16 and 24 bits; of z/w and linear depth; of four near planes. No bias covers the lost digits.'],
-        ['quantization', 'Depth of 8 bits a texel makes steps on slopes. More bits cure it.']]],
-    ['Filters on one edge', [['filters', 'One edge of a shadow under nine filters.'],
-        ['hardening', 'Contact hardening beside rays: sharp where the mast stands, soft on the wall.']]],
-    ['Biases', [['biases', 'Six ways to keep a surface from shadowing itself.']]],
-    ['Troubles, and their cures', [['acne', 'Shadow acne.'], ['detached', 'Peter-panning: the shadow leaves its caster.'],
-        ['aliasing', 'Stair steps of a map with too few texels.'], ['shimmer', 'Shimmering: edges crawl while the camera moves.'],
-        ['leak', 'Light bleeding of variance shadow maps.'], ['seams', 'Seams between cascades.'],
-        ['thin', 'Thin casters, lost between texels.'], ['contact', 'A gap where caster and receiver touch.']]],
+    ['Depth in few bits', ['depths', 'quantization']],
+    ['Filters on one edge', ['filters', 'hardening']],
+    ['Biases', ['biases']],
+    ['Troubles, and their cures', ['acne', 'detached', 'aliasing', 'shimmer', 'leak', 'seams', 'thin', 'contact']],
 ];
+
+/// What a page of the repository says of its picture .media/NAME.png.
+function words_of(name, texts) {
+    const shown = new RegExp(`!\\[([^\\]]*)\\]\\([./]*\\.media/${name}\\.png\\)`);
+    const found = texts.map(text => shown.exec(text)).find(Boolean);
+    if (!found) throw new Error(`No page shows .media/${name}.png`);
+    return plain(found[1]);
+}
 
 const right = [24, 66, 54], slightly = [236, 190, 92], wrong = [222, 62, 44];
 
@@ -47,7 +52,8 @@ export async function pages(context) {
     const drawn = join(context.work, 'museum');
     mkdirSync(drawn, { recursive: true });
     execFileSync(context.museum, ['--draw', drawn]);
-    const { title, description, body } = (await model(context)).pages.find(each => each.source === 'MUSEUM.md');
+    const all = (await model(context)).pages, texts = all.map(each => context.read(each.source));
+    const { title, description, body } = all.find(each => each.source === 'MUSEUM.md');
     let exhibits = 0;
     const with_figures = body.replace(/<h2 id="[^"]*">(\d+)\. (.*?)<\/h2>\n/g, (heading, number, name) => {
         ++exhibits;
@@ -55,11 +61,11 @@ export async function pages(context) {
         return heading + figure(number, name.replace(/<[^>]*>/g, ''));
     });
     if (exhibits < 20) throw new Error(`MUSEUM.md shows ${exhibits} exhibits`);
-    const pictures = rooms.map(([name, shown]) => `<h2 id="${name.toLowerCase().replace(/\W+/g, '-')}">${name}</h2>\n` + shown.map(([file, words]) => {
-        const path = `.media/${file}.png`, head = readFileSync(join(context.root, path)).subarray(16, 24);
+    const pictures = rooms.map(([name, shown]) => `<h2 id="${name.toLowerCase().replace(/\W+/g, '-')}">${name}</h2>\n` + shown.map(file => {
+        const words = words_of(file, texts), path = `.media/${file}.png`, head = readFileSync(join(context.root, path)).subarray(16, 24);
         if (!context.written.includes(`pictures/${file}.png`)) context.copy(path, `pictures/${file}.png`);
-        return `<figure><img src="pictures/${file}.png" width="${head.readUInt32BE(0)}" height="${head.readUInt32BE(4)}" alt="${words}" loading="lazy">
-<figcaption>${words}</figcaption></figure>`;
+        return `<figure><img src="pictures/${file}.png" width="${head.readUInt32BE(0)}" height="${head.readUInt32BE(4)}" alt="${escape(words)}" loading="lazy">
+<figcaption>${escape(words)}</figcaption></figure>`;
     }).join('\n'));
     await context.bundle('museum/divide.ts', 'museum.js');
     const how = `<p class="legend">Each drawing is the test itself: a point is a run of the inputs tried. <span class="right">Dark</span> is right,
