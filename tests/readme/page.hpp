@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -44,6 +45,15 @@ inline umbrage::image<float> drawn_map() {
     return depths;
 }
 inline const umbrage::image<float> map = drawn_map();
+
+using page_code = void (*)();
+
+/// Code of every page, by the page's name.
+inline std::map<std::string, page_code>& pages() {
+    static std::map<std::string, page_code> all;
+    return all;
+}
+inline bool add(const char* page, page_code run) { return pages().emplace(page, run).second; }
 
 inline std::filesystem::path shaders;  ///< where shaders go
 inline int wrong = 0;
