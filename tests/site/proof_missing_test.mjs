@@ -2,7 +2,7 @@
 //
 // The proof page where something is missing: it says what, and shows the rest.
 import { finished } from './proof.mjs';
-import { visit } from './visit.mjs';
+import { visit, webgl_flags } from './visit.mjs';
 
 await visit(async ({ open, check }) => {
     const shows = async (page, words) => check(await page.getByText(words).first().isVisible(), `${page.url()} does not say: ${words}`);
@@ -50,4 +50,4 @@ await visit(async ({ open, check }) => {
     await stopped.click('#prove');
     await finished(stopped);
     check(await stopped.isVisible('#report'), 'a run that is stopped has no report');
-});
+}, webgl_flags);

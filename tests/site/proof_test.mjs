@@ -2,7 +2,7 @@
 //
 // The proof page in WebGL: its headline, its report, its address, a planted fault.
 import { check_headline, finished, share } from './proof.mjs';
-import { visit } from './visit.mjs';
+import { visit, webgl_flags } from './visit.mjs';
 
 await visit(async ({ open, check, picture, axe }) => {
     const page = await open(`proof/?on=webgl2,webgpu,webgl1&${share}&run`);
@@ -42,4 +42,4 @@ await visit(async ({ open, check, picture, axe }) => {
     check(await faulty.getByText('A fault is planted').isVisible(), 'the page does not say that a fault is planted');
     await picture(faulty, 'proof_fault');
     await axe(faulty);
-});
+}, webgl_flags);

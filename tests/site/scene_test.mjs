@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-import { visit } from './visit.mjs';
+import { visit, webgl_flags } from './visit.mjs';
 
 /** Waits for C++'s answer to what the page shows. */
 const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.receivers, null, { timeout: 120_000 });
@@ -156,4 +156,4 @@ await visit(async ({ open, check, picture, axe }) => {
         await picture(shown, `scene_${width}${dark ? '_dark' : ''}`);
         await axe(shown);
     }
-});
+}, webgl_flags);

@@ -8,6 +8,8 @@ import { join, resolve } from 'node:path';
 const [site, node_modules, chromium_path] = process.argv.slice(2).map(path => resolve(path));
 const load = createRequire(join(node_modules, 'x.js'));
 
+/// No GPU, not even one in software: the front page's scene would take a processor from tests that are not about it.
+const no_gpu_flags = ['--disable-gpu', '--disable-software-rasterizer'];
 export const webgl_flags = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
 
@@ -16,7 +18,7 @@ export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 ///
 /// visit.open(path, {width, dark, before}) gives a page, in which the function `before` runs first; visit.check(good, what)
 /// counts; visit.picture(page, name) keeps a picture beside the site; visit.axe(page) checks that axe finds nothing serious.
-export async function visit(trial, flags = webgl_flags) {
+export async function visit(trial, flags = no_gpu_flags) {
     for (const needed of ['playwright-core', 'esbuild', 'axe-core'])
         if (!existsSync(join(node_modules, needed))) skip(`no ${needed} in ${node_modules}`);
     if (!existsSync(chromium_path)) skip('no Chromium');
