@@ -114,6 +114,13 @@ template <real T>
 
 namespace detail {
 
+/// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
+/// keep its digits if the other is far away.
+[[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
+    return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
+                                           : p + (q - p) * (at_p / (at_p - at_q));
+}
+
 /// Part of a convex polygon on the inner side of a plane.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
@@ -123,7 +130,7 @@ template <class = on_use>
         const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
         const double at_p = inside(p), at_q = inside(q);
         if (!(at_p < 0.0)) kept.push_back(p);
-        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(crossing(p, at_p, q, at_q));
     }
     return kept;
 }

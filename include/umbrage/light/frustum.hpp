@@ -39,10 +39,12 @@ struct frustum {
     glm::vec<3, T> position{T(0)};
     glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< direction the camera looks; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint for the up axis; may be parallel to direction
-    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0, at most 2^20 (1e6)
     T z_near = T(0.1), z_far = T(100);            ///< distances along direction, 0 <= z_near < z_far, finite
-    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's center along cross(direction, up) and up
-    glm::vec<2, T> half_size{T(0)};  ///< half size at distance 0, world units, >= 0: for two eyes or orthographic views
+    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's center along cross(direction, up) and up,
+                                     ///< from -2^20 to 2^20
+    glm::vec<2, T> half_size{T(0)};  ///< half size at distance 0, world units, 0 to 2^20 z_far: for two eyes or
+                                     ///< orthographic views
 };
 
 namespace detail {
@@ -61,16 +63,20 @@ struct member_check {
 template <real T>
 void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
     const member_check must{function, argument};
+    constexpr T widest(0x1p20);  // beyond, the sides' corners are too far away for digits of the scene between them
     const auto opens = [](T tangent, T size) {
-        return is_finite(tangent) && (tangent > T(0) || (tangent == T(0) && size > T(0)));
+        return is_finite(tangent) && tangent <= widest && (tangent > T(0) || (tangent == T(0) && size > T(0)));
     };
     must(all_finite(f.half_size) && f.half_size.x >= T(0) && f.half_size.y >= T(0), "half_size", "finite, 0 or more",
          f.half_size);
-    must(opens(f.tan_half_x, f.half_size.x), "tan_half_x", "finite and above 0, or 0 with a half_size", f.tan_half_x);
-    must(opens(f.tan_half_y, f.half_size.y), "tan_half_y", "finite and above 0, or 0 with a half_size", f.tan_half_y);
-    must(all_finite(f.shift), "shift", "finite", f.shift);
+    constexpr auto opening = "above 0 and at most 2^20, or 0 with a half_size";
+    must(opens(f.tan_half_x, f.half_size.x), "tan_half_x", opening, f.tan_half_x);
+    must(opens(f.tan_half_y, f.half_size.y), "tan_half_y", opening, f.tan_half_y);
+    must(all_finite(f.shift) && glm::abs(f.shift.x) <= widest && glm::abs(f.shift.y) <= widest, "shift",
+         "from -2^20 to 2^20", f.shift);
     must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
     must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
+    must(greater(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
     must(all_finite(f.position), "position", "finite", f.position);
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);

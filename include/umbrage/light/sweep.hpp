@@ -116,7 +116,7 @@ template <class = on_use>
     std::size_t enough = 1024;
     for (const glm::dvec3& a : kept) {
         for (const glm::dvec3& b : beyond) {
-            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            const glm::dvec3 p = crossing(a, inside(a), b, inside(b));
             crossed.emplace_back(p[x], p[y], 0.0);
         }
         if (crossed.size() < enough) continue;

@@ -87,6 +87,23 @@ TEST_CASE("intersection: reaches as far as the linear programme over both bodies
     CHECK(intersection(polyhedron(), bounding_box<float>{}).empty());
 }
 
+TEST_CASE("intersection: a box's end far beyond the camera's view leaves the digits of what is seen") {
+    std::mt19937 random(3);
+    for (int i = 0; i < 50; ++i) {
+        const frustum<double> camera = bodies::random_frustum(random);
+        const glm::dvec3 middle = camera.position + glm::normalize(camera.direction) * (camera.z_far * 0.5);
+        const auto seen = [&](double end) {
+            bounding_box<double> box{middle - 1.0, middle + 2.0};
+            (i % 2 ? box.high : box.low)[i % 3] = i % 2 ? end : -end;
+            return hull(intersection(camera, box)).points;
+        };
+        const auto distant = seen(1e17), near_by = seen(1e5);
+        REQUIRE(!near_by.empty());
+        REQUIRE(distant.size() == near_by.size());
+        for (std::size_t k = 0; k < distant.size(); ++k) CHECK(glm::length(distant[k] - near_by[k]) < 1e-8);
+    }
+}
+
 TEST_CASE("intersection: of three bodies in any order") {
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i) {
@@ -140,6 +157,16 @@ TEST_CASE_TEMPLATE("corners, sphere_around, polyhedron, hull: a frustum that is 
         CHECK(with([&](auto& f) { f.tan_half_x = bad; }).starts_with(name + "tan_half_x "));
         CHECK(with([&](auto& f) { f.tan_half_y = bad; }).starts_with(name + "tan_half_y "));
     }
+    // the widest: sides that are farther away leave no digits of the scene
+    CHECK(with([](auto& f) { f.tan_half_x = f.tan_half_y = f.shift.x = f.shift.y = 0x1p20f; }).empty());
+    CHECK(with([](auto& f) { f.half_size = glm::vec<2, T>(0x1p20f * f.z_far); }).empty());
+    const std::string opening = " must be above 0 and at most 2^20, or 0 with a half_size; got 2.09715e+06";
+    CHECK(with([](auto& f) { f.tan_half_x = 0x1p21f; }) == name + "tan_half_x" + opening);
+    CHECK(with([](auto& f) { f.tan_half_y = 0x1p21f; }) == name + "tan_half_y" + opening);
+    CHECK(with([](auto& f) { f.shift.y = -0x1p21f; }) ==
+          name + "shift must be from -2^20 to 2^20; got (0, -2.09715e+06)");
+    CHECK(with([](auto& f) { f.half_size.y = 0x1p21f * f.z_far; }) ==
+          name + "half_size must be at most 2^20 z_far; got (0, 2.09715e+08)");
     for (T bad : {T(-1), nan}) CHECK(with([&](auto& f) { f.z_near = bad; }).starts_with(name + "z_near "));
     for (T bad : {T(0.1), T(0), nan, infinity})
         CHECK(with([&](auto& f) { f.z_far = bad; }).starts_with(name + "z_far "));
