@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -80,7 +81,8 @@ template <class = on_use>
 /// grows with the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
 /// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); receivers missing or not
-///                                finite; an invalid box of casters; clip unset; matrices that would not be finite
+///                                finite; an invalid box of casters; clip unset; matrices that would not be finite; a
+///                                light so far from the receivers or the origin that T has no digits for its map
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
@@ -118,6 +120,10 @@ template <real T = float>
     const glm::dvec2 half = (last - first) * 0.5;
     if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
+    const double rounding =
+        double(std::numeric_limits<T>::epsilon()) * (high.z + glm::length(glm::dvec3(fit.position)));
+    detail::require(detail::greater(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
+                    "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];

@@ -93,6 +93,13 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
         CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
         CHECK(with([&](auto& f) { f.position.x = infinity; }).starts_with(name + "position "));
         CHECK(with([&](auto& f) { f.receivers = bounding_box<T>{vec(nan), vec(0)}; }).find("finite") != name.npos);
+        const T far_away = T(4) / std::numeric_limits<T>::epsilon();
+        for (const vec p : {vec(0, far_away, 0), vec(far_away, far_away, 0)}) {
+            const std::string error = with([&](auto& f) { f.position = p, f.direction = -p; });
+            CHECK(error == name + "position must be near enough to the receivers and the origin for its digits; got " +
+                               detail::printed(p));
+        }
+        CHECK(with([](auto& f) { f.position.y = 1000; }).empty());
         CHECK(with([](auto& f) {
                   f.receivers = bounding_box<T>{vec(0), vec(-1)};
               }).starts_with("umbrage::hull: box.low "));
