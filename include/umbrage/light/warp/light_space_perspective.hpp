@@ -133,7 +133,7 @@ template <real T = float>
 ///                   or less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; distance not above 0; clip unset;
-///                                matrices that would not be finite
+///                                matrices that would not be finite, or not hold the receivers: see warp_fit.hpp
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' smallest y, with y
 ///                   along the view. The result is fitted to the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004

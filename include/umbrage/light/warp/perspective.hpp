@@ -46,7 +46,7 @@ enum class light_image {
     source,    ///< light in front of the camera: rays leave a point
     sink,      ///< light behind the camera: rays end in a point
     parallel,  ///< light beside the camera: rays stay parallel, or nearly
-    none       ///< image among the receivers or too close to them, or no perspective: another map
+    none       ///< image among the receivers or too close to them, no perspective, or no digits: another map
 };
 
 /// Perspective shadow map (PSM), and how the camera sees its light.
@@ -66,10 +66,11 @@ namespace detail {
         const double z = glm::dot(p - eye, ahead);
         least = lesser(least, z), greatest = greater(greatest, z);
     }
+    slide = detail::lesser(slide, 0x1p20 * greater(glm::abs(least), glm::abs(greatest)));
     const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
     const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
     require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
-            "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
+            "near enough to the camera and the origin for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     const glm::dvec2 tangents(camera.tan_half_x, camera.tan_half_y);
@@ -221,9 +222,12 @@ template <real T, class Instead>
 ///
 /// @param fit     camera, light, receivers and casters
 /// @param slide   distance to move the camera back for the warp, world units, > 0: the smallest distance to receivers.
-///                Smaller values give more of the map to close receivers
+///                Smaller values give more of the map to close receivers. 2^20 times the distance of the farthest
+///                receivers replaces larger values: hardly a warp is left there
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
 ///                degrees or more around the light, or around the point opposite
+/// @edge          T has no digits for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
+///                for receivers at the camera is such a case
 /// @throws std::invalid_argument  as fit_light_space_perspective; slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
 template <real T = float>

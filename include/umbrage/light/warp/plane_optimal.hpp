@@ -51,7 +51,7 @@ template <class = on_use>
         for (std::size_t i = 0; i < face.corners.size(); ++i) {
             const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
             const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
-            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(crossing(p, at_p, q, at_q));
         }
     return all;
 }
@@ -108,7 +108,7 @@ template <real T>
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
             plane);
-    return warped;
+    return holds(warped->light, seen) ? warped : std::nullopt;
 }
 
 }  // namespace detail
@@ -123,6 +123,8 @@ template <real T>
 /// @param fit     camera, light and casters. The plane replaces its receivers
 /// @param plane   dot(plane, (p, 1)) = 0, with a normal of any length > 0. The light may come from either side
 /// @return        warped light. Nothing if the camera does not see the plane, or if camera or light lie in it (1e-6).
+///                Nothing too where the digits of T end far from the origin: rounding must not move the visible part
+///                of the plane out of the map by more than 1/16 of its half size.
 ///                The map is of no use for light that barely reaches the plane. Depth is the height over the plane
 ///                divided by w, and hardly grows along such light
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera, plane or box of casters; receivers

@@ -31,7 +31,8 @@ namespace umbrage {
 /// @edge          receivers that begin beyond the focus: the strongest warp. Four fifths of them within it: no warp
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
-///                                unset; matrices that would not be finite
+///                                unset; matrices that would not be finite, or not hold the receivers: see
+///                                warp_fit.hpp
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
 ///                l apart. With the focus f behind the top, its legs meet 0.4 l f / (1.6 l - 2 f) in front of the top
 /// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004

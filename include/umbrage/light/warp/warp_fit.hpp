@@ -18,6 +18,9 @@
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
+//
+// Farther from the origin the digits of a number type end. If rounding moves receivers out of the map, by more than
+// 1/16 of its half size, a fit gives the map without a warp instead. If that map loses them too, the fit refuses them.
 #pragma once
 
 #include <optional>
@@ -117,6 +120,21 @@ template <class = on_use>
     return {least, greatest};
 }
 
+/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map.
+template <real T>
+[[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
+    const glm::mat<4, 4, T> m = light.projection * light.view;
+    const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
+    for (const glm::dvec3& p : points) {
+        const glm::vec<4, T> h = m * glm::vec<4, T>(glm::vec<3, T>(p), T(1));
+        const T room = h.w / T(16), most = h.w + room;
+        if (!(h.w > T(0) && glm::abs(h.x) <= most && glm::abs(h.y) <= most && h.z <= most &&
+              h.z >= lowest * h.w - room))
+            return false;
+    }
+    return true;
+}
+
 /// Light of a projective map that sends a box to clip space's cube. It is flipped if it would mirror.
 /// @param to_map           matrix from the world to x, y, depth and w, in double, of any scale. Along the
 ///                         light x / w and y / w are constant, and depth z / w grows
@@ -146,28 +164,31 @@ template <real T>
 /// Light of a map that is fitted to the receivers in x and y. Its depth also includes the casters in the receivers'
 /// sweep towards the light.
 /// @param to_map   as for laid
-/// @return         nothing if w <= 0 at a receiver or a caster, or if laid returns nothing
+/// @return         nothing if w <= 0 at a receiver or a caster, if laid returns nothing, or if its light does not hold
+///                 the receivers
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
-    std::vector<glm::dvec3> receivers;
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
+    std::vector<glm::dvec3> in_map;
     double least_w = detail::highest<double>, greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(*fit.receivers)) {
+    for (const glm::dvec3& p : receivers) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
-        receivers.push_back(glm::dvec3(h) / h.w);
+        in_map.push_back(glm::dvec3(h) / h.w);
         least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
     }
-    extent box = extent_of(receivers);
+    extent box = extent_of(in_map);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge-on need some margin too
     const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map; its other half behind w = 0 does not count
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, greater(around.x, around.y)));
     box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
-    return laid(to_map, box, least_w, greatest_w, fit, function);
+    const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
+    return light && holds(light->light, receivers) ? light : std::nullopt;
 }
 
 template <real T>
@@ -176,12 +197,13 @@ template <real T>
     return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
-/// Reports receivers, casters and margin that give a map too large or too small for the number type.
+/// Reports receivers, casters and margin that give a map too large, too small or too far away for the number type.
 template <real T>
 [[noreturn]] void refuse_size(const warp_fit<T>& fit, const char* function) {
     const extent box = extent_of(corners_of(*fit.receivers));
-    refuse(function, "receivers, casters and margin", "such that the map's size is neither too large nor too small",
-           box.high - box.low, "That is the receivers' extent.");
+    refuse(function, "receivers, casters and margin",
+           "such that the map is neither too large, nor too small, nor too far from the origin", box.high - box.low,
+           "That is the receivers' extent.");
 }
 
 /// Light without a warp: the map of fit_directional_light, but with the margin and up axis of warps.

@@ -78,6 +78,27 @@ TEST_CASE("fit_perspective: overhead light by hand") {
     CHECK(milder.strength == doctest::Approx(0.25));  // 6 to 8
 }
 
+TEST_CASE("fit_perspective: of the eye on its near plane, by a slide too short for doubles and one too long") {
+    for (const glm::dvec3 eye : {glm::dvec3(0), glm::dvec3(-46.3163, 0, 6.86243)}) {
+        const frustum<double> camera{.position = eye, .direction = {0.137, -0.5, -0.875}, .z_near = 0, .z_far = 365};
+        const warp_fit<double> fit{
+            .camera = camera, .direction = {0.459, 0.459, 0.461}, .receivers = camera, .clip = cpu_clip_space};
+        for (const double slide : {1e-30, 1e-16, 1e-15, 1e-13, 1e-10, 1e-3, 1.0, 1e8, 1e16, 1e30, 1e300}) {
+            CAPTURE(slide);
+            const auto warped = fit_perspective(fit, slide);
+            const glm::dmat4 to_clip = warped.light.projection * warped.light.view;
+            for (const glm::dvec3& p : fit.receivers->points) {
+                const glm::dvec4 at = to_clip * glm::dvec4(p, 1);
+                CHECK(at.w > 0);
+                CHECK(glm::max(glm::abs(at.x), glm::abs(at.y)) < at.w * 1.0625);
+            }
+            if (slide < 1e8) continue;
+            CHECK(warped.seen_as != light_image::none);
+            CHECK(warped.strength < 1e-5);
+        }
+    }
+}
+
 TEST_CASE("fit_perspective: no jump while the light passes from before the camera over it and behind it") {
     std::optional<glm::dmat4> before;
     double greatest_step = 0;
