@@ -35,33 +35,38 @@ bounding_box<double> box_of(fuzz::input& in) {
     return {glm::min(a, b), glm::max(a, b)};
 }
 
-/// Every point in front of the light lies within clip space, with room for rounding of the world's numbers.
+glm::dmat4 absolute(glm::dmat4 m) {
+    for (glm::length_t i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
+    return m;
+}
+
+/// Every point in front of the light lies within clip space, with room for rounding in its matrices' products.
 /// @param depths   false: the near and the far plane do not count
+/// @param share    room as a share of the map
 void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& points, const char* model,
-               bool depths = true) {
+               bool depths = true, double share = 1e-6) {
     const double nearest = light.clip.range == depth_range::zero_to_one ? 0.0 : -1.0;
-    const glm::dmat4 to_clip = light.projection * light.view, rows = glm::transpose(to_clip);
+    const glm::dmat4 to_clip = light.projection * light.view, sizes = absolute(light.projection) * absolute(light.view);
     for (const glm::dvec3& point : points) {
-        if (glm::length(point) > 1e9) continue;  // such a world has no digits left for its scene
         const glm::dvec4 at = to_clip * glm::dvec4(point, 1.0);
-        const auto room = [&](glm::length_t axis) {
-            return 1e-6 * at.w + 1e-13 * (glm::length(point) + 1.0) * glm::length(glm::dvec3(rows[axis]));
-        };
+        const glm::dvec4 rounded = 1e-14 * (sizes * glm::dvec4(glm::abs(point), 1.0));
+        const auto room = [&](glm::length_t axis) { return share * at.w + rounded[axis] + rounded.w; };
         fuzz::must(at.w > 0.0 && std::abs(at.x) <= at.w + room(0) && std::abs(at.y) <= at.w + room(1), model);
         if (depths) fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);
     }
 }
 
-/// A camera whose sides and near plane doubles tell from its axis and its eye.
-frustum<double> camera_of(fuzz::input& in) {
-    const auto tangent = [&] { return std::min(double(in.number(0.1f, 2)), 1e4); };
-    const auto distance = [](double d) { return d >= 0 && d < 1e-6 ? 1e-6 : d; };
-    return {.position = glm::dvec3(in.vec3(-50, 50)),
-            .direction = glm::dvec3(in.vec3(-1, 1)),
-            .tan_half_x = tangent(),
-            .tan_half_y = tangent(),
-            .z_near = distance(in.number(0.01f, 1)),
-            .z_far = in.number(2, 500)};
+frustum<double> camera_of(fuzz::input& in, bool off_axis) {
+    frustum<double> camera{.position = glm::dvec3(in.vec3(-50, 50)),
+                           .direction = glm::dvec3(in.vec3(-1, 1)),
+                           .tan_half_x = in.number(0.1f, 2),
+                           .tan_half_y = in.number(0.1f, 2),
+                           .z_near = in.number(0.01f, 1),
+                           .z_far = in.number(2, 500)};
+    if (!off_axis) return camera;
+    camera.shift = {in.number(-1, 1), in.number(-1, 1)}, camera.half_size = {in.number(0, 5), in.number(0, 5)};
+    if (in.chance(4)) camera.tan_half_x = camera.tan_half_y = 0.0;
+    return camera;
 }
 
 void cascades(fuzz::input& in, const cascade_fit<double>& fit) {
@@ -85,9 +90,9 @@ void cascades(fuzz::input& in, const cascade_fit<double>& fit) {
 }
 
 void warps(fuzz::input& in, const warp_fit<double>& fit) {
-    const auto holds = [&](const warped_light<double>& warped, const char* model) {
+    const auto holds = [&](const warped_light<double>& warped, const char* model, double share = 1e-6) {
         fuzz::must(warped.strength >= 0.0 && warped.strength <= 1.0, "a warp's strength lies within 0 and 1");
-        must_hold(warped.light, fit.receivers->points, model);
+        must_hold(warped.light, fit.receivers->points, model, true, share);
     };
     fuzz::answered([&] { holds(fit_light_space_perspective(fit), "a light-space perspective holds what is seen"); });
     fuzz::answered([&] { holds(fit_light_space_perspective(fit, double(in.number(0, 50))), "at any distance"); });
@@ -99,8 +104,24 @@ void warps(fuzz::input& in, const warp_fit<double>& fit) {
             fuzz::must(detail::all_finite(warped->light.projection * warped->light.view), "a plane's map is finite");
     });
     const light_position<double> from{.position = glm::dvec3(in.vec3(-50, 50)), .z_near = in.number(0.05f, 1)};
-    fuzz::answered([&] { static_cast<void>(fit_perspective(fit, from, double(in.number(0, 20)))); });
+    fuzz::answered([&] {  // the light may be so far away that its map has few digits, see warp_fit.hpp
+        holds(fit_perspective(fit, from, double(in.number(0, 20))), "a point light's holds what is seen", 1.0 / 16.0);
+    });
     fuzz::answered([&] { static_cast<void>(fit_plane_optimal(fit, plane, from)); });
+}
+
+/// Corners of the receivers within a spot light's pyramid, a little inside its sides, where doubles tell them from the
+/// light.
+std::vector<glm::dvec3> lit_by(const spot_fit<double>& fit) {
+    const glm::dmat4 view = look_along(fit.position, fit.direction, fit.up, handedness::right);
+    const double edge = 0.999 * std::tan(fit.outer_angle_radians),
+                 closest = 1.001 * fit.z_near + 1e-13 * glm::length(fit.position);
+    std::vector<glm::dvec3> lit;
+    for (const glm::dvec3& p : fit.receivers->points) {
+        const glm::dvec3 at(view * glm::dvec4(p, 1.0));
+        if (-at.z > closest && std::abs(at.x) < -at.z * edge && std::abs(at.y) < -at.z * edge) lit.push_back(p);
+    }
+    return lit;
 }
 
 }  // namespace
@@ -117,24 +138,27 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         if (in.chance(2)) fit.snap_texels = {in.within(-1, 2048), in.within(-1, 2048)};
         must_hold(fit_directional_light(fit), hull(box).points, "a directional fit holds its receivers");
     });
-    fuzz::answered([&] {
-        cascades(in, {.camera = camera_of(in),
-                      .direction = direction,
-                      .up = up,
-                      .scene = box,
-                      .map_size = {in.within(0, 4096), in.within(0, 4096)},
-                      .margin = in.number(0, 8),
-                      .overlap = in.number(0, 0.5f),
-                      .clip = clip});
-    });
-    fuzz::answered([&] {
-        const frustum<double> camera = camera_of(in);
-        warp_fit<double> fit{.camera = camera, .direction = direction, .margin = in.number(0, 0.5f), .clip = clip};
-        fit.receivers = intersection(camera, box);
-        if (in.chance(2)) fit.casters = casters;
-        if (fit.receivers->points.empty()) fit.receivers = camera;
-        warps(in, fit);
-    });
+    const auto of_camera = [&](bool off_axis) {
+        fuzz::answered([&] {
+            cascades(in, {.camera = camera_of(in, off_axis),
+                          .direction = direction,
+                          .up = up,
+                          .scene = box,
+                          .map_size = {in.within(0, 4096), in.within(0, 4096)},
+                          .margin = in.number(0, 8),
+                          .overlap = in.number(0, 0.5f),
+                          .clip = clip});
+        });
+        fuzz::answered([&] {
+            const frustum<double> camera = camera_of(in, off_axis);
+            warp_fit<double> fit{.camera = camera, .direction = direction, .margin = in.number(0, 0.5f), .clip = clip};
+            fit.receivers = intersection(camera, box);
+            if (in.chance(2)) fit.casters = casters;
+            if (fit.receivers->points.empty()) fit.receivers = camera;
+            warps(in, fit);
+        });
+    };
+    of_camera(false);
     fuzz::answered([&] {
         const spot_fit<double> fit{.position = glm::dvec3(in.vec3(-50, 50)),
                                    .direction = direction,
@@ -145,7 +169,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                                    .margin = in.number(0, 0.5f),
                                    .has_far_plane = in.chance(2),
                                    .clip = clip};
-        static_cast<void>(fit_spot_light(fit));
+        if (const auto light = fit_spot_light(fit))
+            must_hold(*light, lit_by(fit), "a spot light holds the receivers in its pyramid");
     });
+    of_camera(true);
     return 0;
 }
