@@ -75,7 +75,7 @@ out vec4 visibility;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 world = texelFetch(at, pixel, 0);
-    vec3 normal = texelFetch(face, pixel, 0).xyz * normals;
+    vec3 normal = normals > 0.5 ? texelFetch(face, pixel, 0).xyz : vec3(0.0);  // some are NaN: a product would be, too
     visibility = vec4(world.w > 0.0 ? umbrage_sun(world.xyz, normal${turning ? ', vec2(pixel)' : ''}) : 1.0, 0.0, 0.0, 1.0);
 }`;
 
