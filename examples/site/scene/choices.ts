@@ -22,7 +22,7 @@ export const choices = {
     scene: { label: 'Scene', options: [['garden', 'Garden'], ['outdoor', 'A kilometer of hills'], ['dropped', 'Your own file']] },
     light: { label: 'Light', options: [['directional_light', 'Sun, one map'], ['cascades', 'Sun, four cascades'],
         ['warped_cascades', 'Sun, four warped cascades'],
-        ['adaptive_pages', 'Sun, virtual shadow map pages'], ['spot_light', 'Spot light'], ['point_light', 'Point light']] },
+        ['adaptive_pages', 'Sun, virtual shadow map'], ['spot_light', 'Spot light'], ['point_light', 'Point light']] },
     filter: { label: 'Filter', options: [['tent3', 'Tent, 3 x 3'], ['hard', 'None: hard edges'], ['pcf_2x2', 'PCF, 2 x 2'],
         ['box', 'Box, 3 x 3'], ['castano_dyadic5', 'Castaño, 5 x 5'], ['disc16', 'Disc, 16 points'],
         ['pcss16', 'PCSS, 16 points'], ['pcss32', 'PCSS, 32 points'], ['dpcf16', 'DPCF, 16 points']] },

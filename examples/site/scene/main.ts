@@ -77,6 +77,7 @@ function show() {
     picture?.show(answered === drawn ? Number(divider.value) : 1);
     element('divided').style.setProperty('--at', divider.value);
     element('divided').hidden = !divided;
+    divider.disabled = state.view !== 'both';
 }
 
 let drawing = false, stopped = 0;
