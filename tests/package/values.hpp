@@ -216,7 +216,7 @@ void with_filter_of(int number, const std::array<double, 4>& arguments, const Us
 
 /// The block of a shadow, as umbrage::shadow::uniforms gives it, and its maps' matrices.
 /// @param kind, filter, encoding   numbers in the order of their lists; -1: no encoding, as of moments
-/// @param seen                     what the camera sees, of which pages are made
+/// @param seen                     points that the camera sees, for pages
 /// @throws std::invalid_argument   as the setups and umbrage::shadow
 inline answered values(int kind, int filter, int encoding, const asked& a, std::span<const seen_point> seen) {
     using namespace umbrage;

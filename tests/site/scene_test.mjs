@@ -16,7 +16,7 @@ const seen = page => page.evaluate(() => {
         lines: document.querySelector('#lines pre').textContent };
 });
 const said = page => page.textContent('#said');
-/** How many of twelve hues fill a hundredth of the picture each. */
+/** Number of hues, of twelve, that fill a hundredth of the picture each. */
 const hues = page => page.evaluate(() => {
     const drawn = document.querySelector('#picture'), copy = document.createElement('canvas'), counts = new Array(12).fill(0);
     Object.assign(copy, { width: drawn.width, height: drawn.height });

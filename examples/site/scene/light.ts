@@ -44,7 +44,7 @@ export function light_position(state: State, scene: Scene): [number, number, num
 
 type Light = Parameters<ValuesOf>[1];
 
-/** Some of the pixels that the camera sees, for pages: four floats each, as umbrage/values takes them. */
+/** Pixels that the camera sees, as umbrage/values takes them for pages: four floats each. */
 export interface Seen {
     picture: readonly [number, number];
     points: Float32Array;

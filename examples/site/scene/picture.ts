@@ -148,7 +148,7 @@ export class Picture {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 
-    /** How many maps the last draw() drew. */
+    /** Number of maps that the last draw() drew. */
     get map_count() { return this.drawn?.values.matrices.length ?? 0; }
 
     /** What the GPU had of the last draw(). */
@@ -216,7 +216,7 @@ export class Picture {
         this.draw_scene(this.receivers, camera.to_clip as Float32Array);
     }
 
-    /** What the camera sees, in one pixel of 16 x 16. */
+    /** Positions and normals that the camera sees, one pixel of each 16 x 16. */
     private some_receivers(camera: Camera): Seen {
         const { gl } = this, { width, height } = this.seen!, few = this.few!;
         this.draw_receivers(few, camera);

@@ -69,8 +69,8 @@ export interface WarpedCascades extends OfAll {
     /** Share of a cascade over which the next one takes over. */
     overlap?: number;
 }
-/** Pages of a virtual shadow map (adaptive shadow map): those that the points need, the finer the more pixels a texel covers
- *  there. There are 64 at most, and each has a matrix. Where they do not suffice, a texel covers more pixels than `target`. */
+/** Pages of a virtual shadow map (adaptive shadow map) that the points need, up to 64. Each has a matrix. Pages are finer where
+ *  a texel would cover more pixels than `target`. If 64 do not suffice, texels cover more. */
 export interface AdaptivePages extends OfAll {
     direction?: Vector;
     up?: Vector;
@@ -85,7 +85,7 @@ export interface AdaptivePages extends OfAll {
     normals: ArrayLike<number>;
     /** Texels around each page: the filter's reach and one. The others of `map_size` are a power of two. */
     gutter?: number;
-    /** How many pixels a texel may cover. */
+    /** Pixels that a texel may cover. */
     target?: number;
 }
 export interface PointLight extends OfAll {
