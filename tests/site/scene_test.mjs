@@ -189,6 +189,10 @@ await visit(async ({ open, check, picture, axe }) => {
     const wrong = await open('?filter=blurry&azimuth=x', { width: 390 });
     await answer(wrong);
     check((await said(wrong)).includes('filter=blurry, azimuth=x'), 'a wrong address is said');
+    check(await wrong.isDisabled('#set-softness'), 'a filter without a size does not take one');
+    await wrong.selectOption('#set-filter', 'disc16');
+    check(await wrong.isEnabled('#set-softness'), 'a filter with a size takes it');
+    check(await wrong.getByText('Light above: 30°').isVisible(), 'a slider says its value');
     const without = await open('', { before: () => { HTMLCanvasElement.prototype.getContext = () => null; } });
     await without.waitForFunction(() => document.querySelector('#said').textContent.includes('no WebGL 2'));
     check(await without.isVisible('.instead'), 'without WebGL 2 there is a picture all the same');

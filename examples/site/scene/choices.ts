@@ -40,7 +40,7 @@ export const choices = {
 export const ranges = {
     azimuth: { label: 'Light around', low: -180, high: 180, step: 1, usual: -50, unit: '°' },
     elevation: { label: 'Light above', low: 3, high: 89, step: 1, usual: 30, unit: '°' },
-    softness: { label: 'Size of the light', low: 0, high: 2, step: 0.05, usual: 0.5, unit: ' of the usual' },
+    softness: { label: 'Size of the light', low: 0, high: 2, step: 0.05, usual: 0.5, unit: '×' },
     yaw: { label: 'Camera around', low: -180, high: 180, step: 0.1, usual: 0, unit: '°' },
     pitch: { label: 'Camera above', low: 1, high: 89, step: 0.1, usual: 20, unit: '°' },
     distance: { label: 'Camera distance', low: 0.3, high: 3, step: 0.01, usual: 1, unit: '' },

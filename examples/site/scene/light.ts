@@ -19,8 +19,8 @@ export interface Asked {
     direction: State['depth'];
 }
 
-/** Name of the filter's argument, but for a rotation. */
-const argument_of = ({ filter }: State) => snippets[filter]?.filter?.arguments[0];
+/** Argument of the filter that the size of the light sets, if it has one. */
+export const argument_of = ({ filter }: State) => snippets[filter]?.filter?.arguments[0];
 
 /** Maps of a kind share the memory of one map of the size that was chosen: four cascades have half its width. Pages have an
  *  eighth of it, and a gutter that holds all that the filter reads around them. */
