@@ -58,7 +58,9 @@ inline constexpr std::array kinds{
     kind_of_light{"tetrahedron_light", "tetrahedron_map", "projected", "Four maps around a point light in one square."},
     kind_of_light{"dual_paraboloid_light", "paraboloid_maps", "bent", "Two maps around a point light."},
     kind_of_light{"warped_cascades", "warped_maps", "pancaked",
-                  "One to four cascades of a directional light, warped along the view (LiSPSM)."}};
+                  "One to four cascades of a directional light, warped along the view (LiSPSM)."},
+    kind_of_light{"adaptive_pages", "adaptive_maps", "pancaked",
+                  "Up to 64 pages of a directional light's virtual shadow map (adaptive shadow map)."}};
 
 /// A channel of a cleared map, value / most to a color attachment.
 struct cleared_channel {

@@ -81,7 +81,9 @@ inline std::string debug_module(const shader_language& l) {
            ",\n    parts_of_bent: " + parts_of_readings<umbrage::paraboloid_maps>() + ",\n    maps: {\n" +
            debug_of_maps<single_map>(l, "one_map") + debug_of_maps<umbrage::cascaded_maps<1>>(l, "cascaded_maps") +
            debug_of_maps<umbrage::cascaded_maps<2>>(l, "cascaded_maps_8") +
-           debug_of_maps<umbrage::warped_maps>(l, "warped_maps") + debug_of_maps<umbrage::cube_maps>(l, "cube_maps") +
+           debug_of_maps<umbrage::warped_maps>(l, "warped_maps") +
+           debug_of_maps<umbrage::adaptive_maps>(l, "adaptive_maps") +
+           debug_of_maps<umbrage::cube_maps>(l, "cube_maps") +
            debug_of_maps<umbrage::tetrahedron_map>(l, "tetrahedron_map") +
            debug_of_maps<umbrage::paraboloid_maps>(l, "paraboloid_maps") + "    },\n};\n";
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
@@ -89,6 +90,7 @@ inline std::string kinds_module(const shader_language& l) {
     out += maps_of_module<umbrage::cascaded_maps<1>>(l, "cascaded_maps");
     out += maps_of_module<umbrage::cascaded_maps<2>>(l, "cascaded_maps_8");
     out += maps_of_module<umbrage::warped_maps>(l, "warped_maps");
+    out += maps_of_module<umbrage::adaptive_maps>(l, "adaptive_maps");
     out += maps_of_module<umbrage::cube_maps>(l, "cube_maps");
     out += maps_of_module<umbrage::tetrahedron_map>(l, "tetrahedron_map");
     out += maps_of_module<umbrage::paraboloid_maps>(l, "paraboloid_maps") + '\n';

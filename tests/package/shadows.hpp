@@ -6,12 +6,15 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
@@ -48,6 +51,10 @@ void for_each_light(const umbrage::clip_space& clip, const Use& use) {
                                  fit, umbrage::practical_splits<3>(0.5f, 60.0f, 0.9f),
                                  [](const auto& part) { return umbrage::fit_light_space_perspective(part); }),
                              camera));
+    use("adaptive_pages",
+        umbrage::adaptive_maps(
+            umbrage::make_page_root<float>({.direction = direction, .side = 60, .scene = scene, .clip = clip}),
+            umbrage::page_cache({.slots = {8, 8}, .deepest_level = 4}), {.texels = 128, .gutter = 64}));
     use("point_light", umbrage::point_light<float>{.position = position,
                                                    .z_near = 0.1f,
                                                    .z_far = 30,

@@ -64,7 +64,7 @@ for (const [language, all] of Object.entries(umbrage)) {
         named(all.text([snippet]).includes(snippet.text), `text of ${name} in ${language}`);
     }
     for (const [name, encoding] of Object.entries(all.encodings)) named(all[name] === encoding, `encoding ${name}`);
-    const kinds = 'cascades cascades_8 directional_light dual_paraboloid_light point_light spot_light tetrahedron_light warped_cascades';
+    const kinds = 'adaptive_pages cascades cascades_8 directional_light dual_paraboloid_light point_light spot_light tetrahedron_light warped_cascades';
     const others = { glsl: ' source supports versions', wgsl: ' functions' }[language] ?? '';
     const wanted = `bind debug encodings exactness shadow snippets text ${kinds}${others}`.split(' ').sort().join(' ');
     const got = Object.keys(all).filter(name => !(name in all.snippets) && !(name in all.encodings)).sort().join(' ');

@@ -17,7 +17,7 @@ mkdirSync(join(folder, 'node_modules'), { recursive: true });
 symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
-import { bind, box, cascades, debug, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
+import { adaptive_pages, bind, box, cascades, debug, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
 import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
@@ -41,6 +41,10 @@ export async function floats(): Promise<Float32Array> {
     const values = await load_values();
     const { block, matrices } = values(sun, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera:
         { view: new Float32Array(16), projection: new Float64Array(16), z_near: 1, z_far: 9 }, filter: { softness: [1, 16, 96] } });
+    const pages: Shadow = shadow('pages', { kind: adaptive_pages, filter: box, map_size: 136 }), camera =
+        { view: new Float32Array(16), projection: new Float32Array(16), z_near: 1, z_far: 9 };
+    values(pages, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera, picture: [640, 360],
+        points: new Float32Array(4), normals: [0, 1, 0, 0] });
     // @ts-expect-error no clip space
     values(sun, { position: [0, 0, 0] });
     return matrices[0] ?? block;

@@ -7,23 +7,28 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
 #include <umbrage/shadow/warped_maps.hpp>
+
+#include "common/sun_pages.hpp"
 
 namespace package {
 
@@ -35,7 +40,7 @@ struct asked {
     glm::dvec3 position, ahead, up;  ///< position and axes of the light
     double outer_angle, aspect, z_near,
         z_far;             ///< of a spot; its planes, and those of point lights, whose range is z_far
-    double border;         ///< border of point lights
+    double border;         ///< border of point lights, gutter of pages
     glm::dvec3 low, high;  ///< the scene's box, or the receivers'
     double has_casters;
     glm::dvec3 caster_low, caster_high;
@@ -44,11 +49,19 @@ struct asked {
     glm::dmat4 view, projection;     ///< matrices of the camera
     double camera_near, camera_far;  ///< splits between them: as many as cascades
     double cascades, lambda, overlap, blend_texels;
+    glm::dvec2 picture;  ///< size of the camera's picture, pixels
+    double target;       ///< pixels that a texel of a page may cover
     double has_splits;
     std::array<double, 9> splits;     ///< in place of practical ones: one more than cascades
     std::array<double, 4> arguments;  ///< arguments of the filter, without a rotation
 };
 static_assert(sizeof(asked) % sizeof(double) == 0);
+
+/// A point that the camera sees, for pages.
+struct seen_point {
+    glm::vec4 position;  ///< fourth number: 0 for no point
+    glm::vec4 normal;    ///< on the camera's side, of length one
+};
 
 /// Output: floats of the block, then a matrix for each map's depth pass, from the world to clip coordinates.
 struct answered {
@@ -97,9 +110,23 @@ auto warped_of(const asked& a, const cascade_fit<double>& fit) {
     return warped_maps(make_warped_cascades<Count>(fit, splits_of<Count>(a), warp), fit.camera, fit.overlap);
 }
 
+/// Pages that the camera needs to see the points, finer where their texels cover more pixels.
+[[nodiscard]] inline adaptive_maps pages_of(const asked& a, std::span<const seen_point> seen, const clip_space& clip,
+                                            const page_size& size) {
+    const light_space<double> root = example::page_root_around(a.low, a.high, a.ahead, a.up, clip);
+    const light_space<double> camera{a.view, a.projection, clip};
+    example::page_wishes wishes(root, a.ahead, size.texels, texture_matrix(camera, glm::ivec2(a.picture)));
+    for (const auto& [position, normal] : seen)
+        if (position.w != 0) wishes.add(glm::vec3(position), glm::vec3(normal));
+    page_cache cache({.slots = {8, 8}, .deepest_level = adaptive_maps::deepest_level, .target = a.target});
+    cache.update(wishes.all());
+    return {root, cache, size};
+}
+
 /// Calls use(setup) with the one of a kind's number, as `kinds` counts them.
 template <class Use>
-void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, const Use& use) {
+void with_set_up(int kind, const asked& a, std::span<const seen_point> seen, glm::ivec2 map_size, double reach,
+                 const Use& use) {
     const clip_space clip = clip_of(a);
     const int size = map_size.x, border = static_cast<int>(a.border);
     const auto count = static_cast<int>(a.cascades);
@@ -140,6 +167,7 @@ void with_set_up(int kind, const asked& a, glm::ivec2 map_size, double reach, co
     if (kind == 7 && count == 3) use(warped_of<3>(a, fit()));
     if (kind == 7 && count == 4) use(warped_of<4>(a, fit()));
     if (kind == 6) use(paraboloid_maps(dual_paraboloid_light<double>{a.position, a.z_far, size, border, clip}));
+    if (kind == 8) use(pages_of(a, seen, clip, {size - 2 * border, border}));
 }
 
 /// A filter of these arguments.
@@ -188,8 +216,9 @@ void with_filter_of(int number, const std::array<double, 4>& arguments, const Us
 
 /// The block of a shadow, as umbrage::shadow::uniforms gives it, and its maps' matrices.
 /// @param kind, filter, encoding   numbers in the order of their lists; -1: no encoding, as of moments
+/// @param seen                     points that the camera sees, for pages
 /// @throws std::invalid_argument   as the setups and umbrage::shadow
-inline answered values(int kind, int filter, int encoding, const asked& a) {
+inline answered values(int kind, int filter, int encoding, const asked& a, std::span<const seen_point> seen) {
     using namespace umbrage;
     const glm::ivec2 map_size(a.map_size);
     const clip_space clip = detail::clip_of(a);
@@ -205,7 +234,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a) {
         all.resize(begin + sizeof values / sizeof(float));
         std::memcpy(all.data() + begin, &values, sizeof values);
     };
-    detail::with_set_up(kind, a, map_size, reach, [&](const auto& set_up) {
+    detail::with_set_up(kind, a, seen, map_size, reach, [&](const auto& set_up) {
         append(out.block, set_up.make_uniforms(map_size, a.origin));
         bends = umbrage::detail::bends_of<std::decay_t<decltype(set_up)>>();
         for (const light_space<double>& light : set_up.lights()) {

@@ -56,5 +56,17 @@ for (const [light, message] of [
         ++failed;
         break;
     }
+const pages = shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.tent3, map_size: 136 });
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+const seen = { clip, scene: { low: [-1, -1, -1], high: [1, 1, 1] }, camera: { view: identity, projection: identity, z_near: 1, z_far: 2 },
+    picture: [64, 64], points: [0, 0, 0, 1], normals: [0, 1, 0, 0] };
+for (const [part, message] of [
+    [{ points: [0, 0, 0] }, 'umbrage: values: light.points must be four floats each; got 3'], [{ normals: [] }, 'umbrage: values: light.normals must be as many'],
+    [{ gutter: 5 }, 'umbrage::page_light: texels must be a power of two; got 126'], [{ gutter: 60 }, 'umbrage::page_light: gutter must be'], [{ target: 0 }, 'umbrage::page_cache: target must be'],
+    [{ points: undefined }, 'umbrage: values: light.points must be given']]) {
+    let got = 'no error';
+    try { values(pages, { ...seen, ...part }); } catch (error) { got = error.message; }
+    if (!got.startsWith(message)) ++failed, console.log(`FAILED: ${JSON.stringify(part)}: ${got}`);
+}
 if (values(spot, { clip }).block.join() !== before) ++failed, console.log('FAILED: other values after errors');
 process.exitCode = failed || counts.none < 500 ? 1 : 0;

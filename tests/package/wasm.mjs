@@ -22,11 +22,11 @@ rmSync(work, { recursive: true, force: true });
 mkdirSync(work, { recursive: true });
 symlinkSync(join(glm, 'glm'), join(work, 'glm'));  // alone: other headers of this machine are none of WebAssembly's
 const out = join(work, 'umbrage.wasm');
-execFileSync('emcc', ['-Oz', '-std=c++20', '-fno-exceptions', '-fno-rtti', '-ffp-contract=off', '-DNDEBUG', `-I${join(root, 'include')}`,
+execFileSync('emcc', ['-Oz', '-std=c++20', '-fno-exceptions', '-fno-rtti', '-ffp-contract=off', '-DNDEBUG', `-I${join(root, 'include')}`, `-I${join(root, 'examples')}`,
     '-isystem', work, join(root, 'tests/package/values.cpp'), '-o', out, '--no-entry', '-sSTANDALONE_WASM=1',
     '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-sALLOW_MEMORY_GROWTH=1',
     '-sINITIAL_MEMORY=1048576', '-sTOTAL_STACK=262144',
-    '-sEXPORTED_FUNCTIONS=_umbrage_input,_umbrage_output,_umbrage_values,_umbrage_matrices'], { env, stdio: 'inherit' });
+    '-sEXPORTED_FUNCTIONS=_umbrage_input,_umbrage_seen,_umbrage_output,_umbrage_values,_umbrage_matrices'], { env, stdio: 'inherit' });
 const lines = readFileSync(out).toString('base64').match(/.{1,120}/g).join('\n');
 const text = `// WebAssembly of tests/package/values.cpp, in base64, by emscripten ${known}.\nexport const wasm = \`\n${lines}\n\`;\n`;
 const path = join(folder, 'wasm/umbrage.mjs');

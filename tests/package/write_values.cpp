@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/sun_pages.hpp"
 #include "module_names.hpp"
 #include "shadows.hpp"
 
@@ -28,6 +29,7 @@ std::string json(const glm::dmat4& m) {
     for (int i = 0; i < 16; ++i) out += (i > 0 ? "," : "[") + json(m[i / 4][i % 4]);
     return out + ']';
 }
+std::string json(glm::vec4 v) { return json(v.x) + ',' + json(v.y) + ',' + json(v.z) + ',' + json(v.w); }
 std::string json(const bounding_box<double>& box) {
     return "{\"low\":" + json(box.low) + ",\"high\":" + json(box.high) + '}';
 }
@@ -104,6 +106,7 @@ private:
         }
         if (kind == "cascades" || kind == "cascades_8" || kind == "warped_cascades")
             of_cascades(kind, filter, encoding, ahead, box, along);
+        if (kind == "adaptive_pages") of_pages(filter, encoding, ahead, box, along);
         if (kind == "point_light")
             add(kind, point_light<double>{position, z_near, z_far, size, border, clip_}, filter, encoding,
                 at + planes + ",\"border\":16");
@@ -116,18 +119,46 @@ private:
                     at + ",\"range\":" + json(z_far) + ",\"border\":16");
     }
 
+    light_space<double> camera() {
+        return make_spot_light<double>({.position = vector(10),
+                                        .direction = vector(1) + glm::dvec3(0, 0, -3),
+                                        .outer_angle_radians = 0.4,
+                                        .aspect = 1.5,
+                                        .z_near = 0.5,
+                                        .z_far = 60,
+                                        .clip = clip_});
+    }
+    static std::string json_of(const light_space<double>& eye) {
+        return ",\"camera\":{\"view\":" + json(eye.view) + ",\"projection\":" + json(eye.projection) +
+               ",\"z_near\":0.5,\"z_far\":60}";
+    }
+
+    /// Pages of three points in four; the fourth is none.
+    void of_pages(const auto& filter, const auto& encoding, glm::dvec3 ahead, const bounding_box<double>& scene,
+                  const std::string& along) {
+        const light_space<double> eye = camera(),
+                                  root = example::page_root_around(scene.low, scene.high, ahead, {0, 1, 0}, clip_);
+        const page_size size{.texels = 128, .gutter = 64};
+        example::page_wishes wishes(root, ahead, size.texels, texture_matrix(eye, {640, 360}));
+        std::string points, normals;
+        for (int i = 0; i < 40; ++i) {
+            const glm::vec4 point(vector(10), i % 4), normal(glm::normalize(vector(1)), 0);
+            points += (i > 0 ? "," : "") + json(point), normals += (i > 0 ? "," : "") + json(normal);
+            if (i % 4 > 0) wishes.add(glm::vec3(point), glm::vec3(normal));
+        }
+        page_cache cache({.slots = {8, 8}, .deepest_level = 4, .target = 0.5});
+        static_cast<void>(cache.update(wishes.all()));
+        add("adaptive_pages", adaptive_maps(root, cache, size), filter, encoding,
+            along + ",\"scene\":" + json(scene) + json_of(eye) +
+                ",\"picture\":[640,360],\"gutter\":64,\"target\":0.5,\"points\":[" + points + "],\"normals\":[" +
+                normals + ']');
+    }
     void of_cascades(std::string_view kind, const auto& filter, const auto& encoding, glm::dvec3 ahead,
                      const bounding_box<double>& scene, const std::string& along) {
-        const light_space<double> eye = make_spot_light<double>({.position = vector(10),
-                                                                 .direction = vector(1) + glm::dvec3(0, 0, -3),
-                                                                 .outer_angle_radians = 0.4,
-                                                                 .aspect = 1.5,
-                                                                 .z_near = 0.5,
-                                                                 .z_far = 60,
-                                                                 .clip = clip_});
-        const auto camera = make_frustum<double>(
+        const light_space<double> eye = camera();
+        const auto view = make_frustum<double>(
             {.view = eye.view, .projection = eye.projection, .z_near = 0.5, .z_far = 60, .clip = clip_});
-        const cascade_fit<double> fit{.camera = camera,
+        const cascade_fit<double> fit{.camera = view,
                                       .direction = ahead,
                                       .scene = scene,
                                       .map_size = glm::ivec2(shadow_size),
@@ -135,9 +166,7 @@ private:
                                       .overlap = 0.125,
                                       .clip = clip_};
         const bool own = number(0, 1) > 0.5;
-        const std::string told = along + ",\"scene\":" + json(scene) +
-                                 ",\"overlap\":0.125,\"camera\":{\"view\":" + json(eye.view) +
-                                 ",\"projection\":" + json(eye.projection) + ",\"z_near\":0.5,\"z_far\":60}";
+        const std::string told = along + ",\"scene\":" + json(scene) + ",\"overlap\":0.125" + json_of(eye);
         if (kind == "cascades") {
             const auto splits = own ? std::array{0.5, 4.0, 13.0, 60.0} : practical_splits<3>(0.5, 60.0, 0.9);
             add(kind, cascaded_maps(make_stable_cascades<3>(fit, splits), 8.0f), filter, encoding,
@@ -145,8 +174,7 @@ private:
                 own ? "" : "exp");
         } else if (kind == "warped_cascades") {
             const auto warp = [](const warp_fit<double>& part) { return fit_light_space_perspective(part); };
-            add(kind,
-                warped_maps(make_warped_cascades<2>(fit, practical_splits<2>(0.5, 60.0, 0.9), warp), camera, 0.125),
+            add(kind, warped_maps(make_warped_cascades<2>(fit, practical_splits<2>(0.5, 60.0, 0.9), warp), view, 0.125),
                 filter, encoding, told + ",\"cascades\":2", "exp");
         } else
             add(kind, cascaded_maps(make_stable_cascades<8>(fit, practical_splits<8>(0.5, 60.0, 0.9))), filter,

@@ -11,11 +11,26 @@ import { visit, webgl_flags } from './visit.mjs';
 const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.receivers, null, { timeout: 120_000 });
 const forget = page => page.evaluate(() => { delete document.querySelector('#picture').dataset.receivers; });
 const seen = page => page.evaluate(() => {
-    const { different, receivers } = document.querySelector('#picture').dataset;
-    return { different: Number(different), receivers: Number(receivers), picture: document.querySelector('#picture').toDataURL(),
+    const { different, receivers, maps } = document.querySelector('#picture').dataset;
+    return { different: Number(different), receivers: Number(receivers), maps: Number(maps), picture: document.querySelector('#picture').toDataURL(),
         lines: document.querySelector('#lines pre').textContent };
 });
 const said = page => page.textContent('#said');
+/** Number of hues, of twelve, that fill a hundredth of the picture each. */
+const hues = page => page.evaluate(() => {
+    const drawn = document.querySelector('#picture'), copy = document.createElement('canvas'), counts = new Array(12).fill(0);
+    Object.assign(copy, { width: drawn.width, height: drawn.height });
+    const context = copy.getContext('2d');
+    context.drawImage(drawn, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    for (let i = 0; i < data.length; i += 4) {
+        const [r, g, b] = data.slice(i, i + 3), most = Math.max(r, g, b), range = most - Math.min(r, g, b);
+        if (range < 24) continue;
+        const sixth = most === r ? (g - b) / range + 6 : most === g ? (b - r) / range + 2 : (r - g) / range + 4;
+        ++counts[Math.floor(2 * sixth) % 12];
+    }
+    return counts.filter(count => count > data.length / 400).length;
+});
 
 const cube = `${[0, 1, 2, 3, 4, 5, 6, 7].map(n => `v ${n & 1} ${n >> 1 & 1} ${n >> 2}`).join('\n')}
 f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n`;
@@ -106,6 +121,38 @@ await visit(async ({ open, check, picture, axe }) => {
     }
     await page.check('input[value=both]');
 
+    // pages: those that the view needs, in colors of their own, equal to C++
+    const after = async change => {
+        await forget(page);
+        await change();
+        await answer(page);
+        return seen(page);
+    };
+    check((await after(() => page.check('input[value=texels]'))).maps === 1, 'the sun has one map');
+    const plain = await hues(page), pages = await after(() => page.selectOption('#set-light', 'adaptive_pages')), colored = await hues(page);
+    check(pages.different === 0 && pages.maps > 20 && pages.maps <= 64, `${pages.maps} pages, ${pages.different} pixels differ`);
+    check(colored > plain + 2, `pages have ${colored} colors, one map ${plain}`);
+    check((await page.textContent('#time')).includes(`${pages.maps} of 64 pages`), 'the page says how many pages there are');
+    for (const language of ['hlsl', 'msl', 'wgsl', 'glsl']) {
+        await page.check(`input[value=${language}]`);
+        await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('umbrage_page_tile('));
+    }
+    await page.waitForURL(/light=adaptive_pages/);
+    await page.reload();
+    await answer(page);
+    const restored = await seen(page);
+    check(restored.picture === pages.picture && restored.maps === pages.maps, 'the address restores the pages');
+    await page.focus('#picture');
+    await page.hover('#picture');
+    const closer = await after(() => page.mouse.wheel(0, -800));
+    check(closer.different === 0 && closer.maps !== pages.maps, `a closer camera needs ${closer.maps} pages, not ${pages.maps}`);
+    // hills far away have pixels without a normal
+    const packed = await open('?scene=outdoor&light=adaptive_pages&depth=reversed&encoding=rg16&filter=pcf_2x2&bias=none&size=256' +
+        '&yaw=-40&distance=1.3&azimuth=-40&elevation=33', { width: 390 });
+    await answer(packed);
+    check((await seen(packed)).different === 0, 'packed pages of reversed depth without a bias are equal to C++ too');
+    await page.check('input[value=both]');
+
     // keys turn camera and light
     await page.focus('#picture');
     await page.keyboard.press('ArrowRight');
@@ -142,6 +189,10 @@ await visit(async ({ open, check, picture, axe }) => {
     const wrong = await open('?filter=blurry&azimuth=x', { width: 390 });
     await answer(wrong);
     check((await said(wrong)).includes('filter=blurry, azimuth=x'), 'a wrong address is said');
+    check(await wrong.isDisabled('#set-softness'), 'a filter without a size does not take one');
+    await wrong.selectOption('#set-filter', 'disc16');
+    check(await wrong.isEnabled('#set-softness'), 'a filter with a size takes it');
+    check(await wrong.getByText('Light above: 30°').isVisible(), 'a slider says its value');
     const without = await open('', { before: () => { HTMLCanvasElement.prototype.getContext = () => null; } });
     await without.waitForFunction(() => document.querySelector('#said').textContent.includes('no WebGL 2'));
     check(await without.isVisible('.instead'), 'without WebGL 2 there is a picture all the same');

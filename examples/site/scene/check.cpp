@@ -14,6 +14,7 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/look.hpp>
@@ -145,6 +146,7 @@ void site_visibility(int kind, int filter, int reversed, int width) {
         if (kind == 2) look_up_all<umbrage::cascaded_maps<>>(f, direction, width);
         if (kind == 4) look_up_all<umbrage::cube_maps>(f, direction, width);
         if (kind == 7) look_up_all<umbrage::warped_maps>(f, direction, width);
+        if (kind == 8) look_up_all<umbrage::adaptive_maps>(f, direction, width);
     });
 }
 }

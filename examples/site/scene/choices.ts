@@ -21,7 +21,8 @@ export interface Range {
 export const choices = {
     scene: { label: 'Scene', options: [['garden', 'Garden'], ['outdoor', 'A kilometer of hills'], ['dropped', 'Your own file']] },
     light: { label: 'Light', options: [['directional_light', 'Sun, one map'], ['cascades', 'Sun, four cascades'],
-        ['warped_cascades', 'Sun, four warped cascades'], ['spot_light', 'Spot light'], ['point_light', 'Point light']] },
+        ['warped_cascades', 'Sun, four warped cascades'],
+        ['adaptive_pages', 'Sun, virtual shadow map'], ['spot_light', 'Spot light'], ['point_light', 'Point light']] },
     filter: { label: 'Filter', options: [['tent3', 'Tent, 3 x 3'], ['hard', 'None: hard edges'], ['pcf_2x2', 'PCF, 2 x 2'],
         ['box', 'Box, 3 x 3'], ['castano_dyadic5', 'Castaño, 5 x 5'], ['disc16', 'Disc, 16 points'],
         ['pcss16', 'PCSS, 16 points'], ['pcss32', 'PCSS, 32 points'], ['dpcf16', 'DPCF, 16 points']] },
@@ -39,7 +40,7 @@ export const choices = {
 export const ranges = {
     azimuth: { label: 'Light around', low: -180, high: 180, step: 1, usual: -50, unit: '°' },
     elevation: { label: 'Light above', low: 3, high: 89, step: 1, usual: 30, unit: '°' },
-    softness: { label: 'Size of the light', low: 0, high: 2, step: 0.05, usual: 0.5, unit: ' of the usual' },
+    softness: { label: 'Size of the light', low: 0, high: 2, step: 0.05, usual: 0.5, unit: '×' },
     yaw: { label: 'Camera around', low: -180, high: 180, step: 0.1, usual: 0, unit: '°' },
     pitch: { label: 'Camera above', low: 1, high: 89, step: 0.1, usual: 20, unit: '°' },
     distance: { label: 'Camera distance', low: 0.3, high: 3, step: 0.01, usual: 1, unit: '' },
@@ -50,5 +51,6 @@ export const systems = [
     { words: 'A Radeon 8500 of 2002', set: { encoding: 'rg11', filter: 'pcf_2x2', size: '1024', light: 'spot_light' } },
     { words: 'One map, hard edges', set: { encoding: 'rgb24', filter: 'hard', size: '2048', light: 'directional_light' } },
     { words: 'Cascades of a game', set: { encoding: 'depth32f', filter: 'castano_dyadic5', size: '2048', light: 'cascades' } },
+    { words: 'Virtual shadow map', set: { encoding: 'depth32f', filter: 'castano_dyadic5', size: '2048', light: 'adaptive_pages' } },
     { words: 'Soft shadows', set: { encoding: 'depth32f', filter: 'pcss32', size: '2048', light: 'directional_light' } },
 ] as const;

@@ -2,6 +2,7 @@
 //
 // The page's controls: made of the choices, changed by the visitor or by a state.
 import { choices, ranges, systems } from './choices';
+import { argument_of } from './light';
 import { choice_names, range_names, type State } from './state';
 
 const in_the_picture = new Set(['view', 'yaw', 'pitch', 'distance']);  // set by dragging, or by tabs of their own
@@ -38,8 +39,11 @@ export class Controls {
             const input = this.inputs.get(name);
             if (input) input.value = String(state[name]);
         }
-        for (const name of range_names)
-            this.inputs.get(name)?.setAttribute('aria-valuetext', `${state[name]}${ranges[name].unit}`);
+        for (const name of range_names) {
+            const input = this.inputs.get(name), { label, unit } = ranges[name];
+            if (input) input.labels![0]!.textContent = `${label}: ${state[name]}${unit}`;
+        }
+        this.inputs.get('softness')!.disabled = argument_of(state) === undefined;
         const system = systems.findIndex(({ set }) => Object.entries(set).every(([name, value]) => state[name as keyof State] === value));
         this.inputs.get('system')!.value = system < 0 ? '' : String(system);
         this.inputs.get('scene')!.querySelector<HTMLOptionElement>('[value=dropped]')!.disabled = state.scene !== 'dropped';

@@ -61,11 +61,12 @@ check.onmessage = ({ data }: MessageEvent<Answer | { error: string }>) => {
     else {
         picture?.set_answer(data.visibility, data.places);
         answered = drawn;
-        const { receivers, different, milliseconds } = data;
-        element('time').textContent = `C++ took ${milliseconds.toFixed(0)} ms`;
+        const { receivers, different, milliseconds } = data, maps = picture?.map_count;
+        const pages = state.light === 'adaptive_pages' ? `${maps} of 64 pages. ` : '';
+        element('time').textContent = `${pages}C++ took ${milliseconds.toFixed(0)} ms`;
         verdict.textContent = `${different.toLocaleString('en')} of ${receivers.toLocaleString('en')} pixels differ between your GPU and C++`;
         verdict.className = different ? 'amber' : 'good';
-        Object.assign(canvas.dataset, { different, receivers });
+        Object.assign(canvas.dataset, { different, receivers, maps });
         show();
     }
 };
@@ -76,6 +77,7 @@ function show() {
     picture?.show(answered === drawn ? Number(divider.value) : 1);
     element('divided').style.setProperty('--at', divider.value);
     element('divided').hidden = !divided;
+    divider.disabled = state.view !== 'both';
 }
 
 let drawing = false, stopped = 0;

@@ -44,6 +44,24 @@ export function box_of(parts: readonly Part[]): Box {
     return { low, high };
 }
 
+/** Places in groups that stand together: halved along their longer side until few are left. */
+export function groups_of(places: Float32Array): Float32Array[] {
+    const count = places.length / 16, most = 64;
+    if (count <= most) return [places];
+    const at = (place: number, axis: number) => places[16 * place + 12 + axis]!;
+    const extent = (axis: number) => {
+        let low = Infinity, high = -Infinity;
+        for (let i = 0; i < count; ++i) low = Math.min(low, at(i, axis)), high = Math.max(high, at(i, axis));
+        return high - low;
+    };
+    const axis = extent(0) > extent(2) ? 0 : 2, order = Array.from({ length: count }, (_, i) => i).sort((a, b) => at(a, axis) - at(b, axis));
+    return [order.slice(0, count / 2), order.slice(count / 2)].flatMap(half => {
+        const own = new Float32Array(16 * half.length);
+        half.forEach((place, i) => own.set(places.subarray(16 * place, 16 * place + 16), 16 * i));
+        return groups_of(own);
+    });
+}
+
 /** Reads a scene file. */
 export function read_scene(file: ArrayBuffer): { parts: Part[]; target: [number, number, number] } {
     const view = new DataView(file), parts: Part[] = [], target = [0, 4, 8].map(byte => view.getFloat32(byte, true)) as [number, number, number];

@@ -75,20 +75,23 @@ out vec4 visibility;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 world = texelFetch(at, pixel, 0);
-    vec3 normal = texelFetch(face, pixel, 0).xyz * normals;
+    vec3 normal = normals > 0.5 ? texelFetch(face, pixel, 0).xyz : vec3(0.0);  // some are NaN: a product would be, too
     visibility = vec4(world.w > 0.0 ? umbrage_sun(world.xyz, normal${turning ? ', vec2(pixel)' : ''}) : 1.0, 0.0, 0.0, 1.0);
 }`;
+
+/** Colors of maps by their number. */
+const tints = `
+const vec3 tints[6] = vec3[](vec3(1.0, 0.42, 0.36), vec3(0.45, 0.85, 0.42), vec3(0.42, 0.58, 1.0), vec3(1.0, 0.82, 0.35),
+                             vec3(0.80, 0.50, 0.95), vec3(0.40, 0.85, 0.85));`;
 
 /** The picture: light, shadow and sky; the GPU's visibility left of the divider, C++'s right of it. */
 export const picture_pass = `#version 300 es
 precision highp float;
 uniform highp sampler2D at, shading_normal, albedo, gpu, cpu, places;
 uniform vec3 light;       // where it stands, or the direction to it
-uniform float is_sun, divider, map_count;
+uniform float is_sun, divider, map_size, gutter;
 uniform int view;         // 0 both, 1 what differs, 2 texels and maps
-out vec4 color;
-const vec3 tints[6] = vec3[](vec3(1.0, 0.42, 0.36), vec3(0.45, 0.85, 0.42), vec3(0.42, 0.58, 1.0), vec3(1.0, 0.82, 0.35),
-                             vec3(0.80, 0.50, 0.95), vec3(0.40, 0.85, 0.85));
+out vec4 color;${tints}
 vec3 shoulder(vec3 tone) {
     vec3 over = 2.0 * tone - 1.0;
     return mix(tone, 0.5 + 0.5 * over / (1.0 + over), greaterThan(tone, vec3(0.5)));
@@ -112,6 +115,8 @@ void main() {
         ivec2 texel = ivec2(floor(place.xy));
         vec3 tint = place.w > 0.0 ? tints[int(place.z) % 6] : vec3(0.5);
         sum = mix(vec3(dot(sum, vec3(0.3, 0.6, 0.1))), tint, 0.55) * (((texel.x ^ texel.y) & 1) == 0 ? 1.0 : 0.8);
+        bool at_edge = min(place.x, place.y) < gutter + 1.0 || max(place.x, place.y) >= map_size - gutter - 1.0;
+        if (gutter > 0.0 && at_edge) sum *= 0.4;
     }
     color = vec4(pow(shoulder(sum), vec3(1.0 / 2.2)), 1.0);
     if (view == 1) color.rgb = by_gpu != by_cpu ? vec3(1.0, 0.1, 0.05) : color.rgb * 0.35;
@@ -122,16 +127,23 @@ export const map_pass = (sun: Shadow, { encoding, direction }: Asked) => {
     const stored = direction === 'reversed' ? encodings[encoding].reversed : encodings[encoding];
     return `${source('300 es', [...stored.needs ?? []], 'precision highp float;')}
 uniform highp sampler2D map;
-uniform vec2 range, picture_size;
-out vec4 color;
+uniform vec2 range, picture_size, map_size;
+uniform int map_count;
+out vec4 color;${tints}
 void main() {
-    vec2 size = vec2(textureSize(map, 0)), scale = picture_size / min(picture_size.x / size.x, picture_size.y / size.y);
-    vec2 place = (gl_FragCoord.xy - 0.5 * picture_size) / picture_size * scale + 0.5 * size;
+    vec2 size = vec2(textureSize(map, 0));
+    float texels_a_pixel = max(size.x / picture_size.x, size.y / picture_size.y);
+    vec2 place = (gl_FragCoord.xy - 0.5 * picture_size) * texels_a_pixel + 0.5 * size;
     bool inside = place.x >= 0.0 && place.y >= 0.0 && place.x < size.x && place.y < size.y;
     vec4 value = texelFetch(map, ivec2(place), 0);
     vec2 texel = floor(place);
     float depth = ${stored.depth || 'value.x'};
     float shade = clamp((depth - range.x) / (range.y - range.x), 0.0, 1.0);
-    color = inside ? vec4(mix(vec3(0.08, 0.08, 0.13), vec3(0.98, 0.94, 0.84), shade), 1.0) : vec4(0.09, 0.1, 0.11, 1.0);
+    color = vec4(mix(vec3(0.08, 0.08, 0.13), vec3(0.98, 0.94, 0.84), shade), 1.0);
+    ivec2 tile = ivec2(place / map_size);
+    int number = tile.y * int(size.x / map_size.x) + tile.x;
+    vec2 within = mod(place, map_size), from_edge = min(within, map_size - within) / texels_a_pixel;
+    if (map_count > 1) color.rgb = mix(color.rgb, tints[number % 6], min(from_edge.x, from_edge.y) < 2.0 ? 1.0 : 0.25);
+    if (!inside || number >= map_count) color = vec4(0.09, 0.1, 0.11, 1.0);
 }`;
 };

@@ -68,7 +68,7 @@ struct adaptive_maps {
     [[nodiscard]] clip_space clip() const { return root.clip; }
     /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
     [[nodiscard]] std::vector<light_space<double>> lights() const {
-        std::vector<light_space<double>> all;
+        std::vector<light_space<double>> all{page_light(root, umbrage::page{}, size)};
         for (const auto& [page, slot] : pages) {
             const std::size_t number = number_of(slot);
             if (number >= all.size()) all.resize(number + 1, page_light(root, umbrage::page{}, size));

@@ -41,7 +41,7 @@ const std::vector<hung>& exhibits() {
 
 std::string number(double v) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", v);
+    std::snprintf(text, sizeof text, v < 1000 ? "%.3g" : "%.0f", v);
     return text;
 }
 std::string share(const score& s) { return std::to_string(s.wrong) + " of " + std::to_string(s.tried); }
@@ -61,7 +61,13 @@ std::string anchor(const std::string& heading) {
     return out;
 }
 
-bool plain(std::string_view unit) { return unit == "depth" || unit == "visibility"; }
+/// An error in words. Depths and visibilities have no unit.
+std::string measured(double error, std::string_view unit) {
+    if (std::isinf(error)) return "infinite";
+    if (unit == "1/1024 depth") return number(error / 1024);
+    if (unit == "depth" || unit == "visibility") return number(error);
+    return number(error) + ' ' + std::string(unit.substr(0, unit.size() - (error == 1)));
+}
 
 std::string page() {
     std::string out =
@@ -80,12 +86,11 @@ std::string page() {
     int n = 0;
     for (const hung& e : exhibits()) {
         const std::string heading = std::to_string(++n) + ". " + e.what->title,
-                          unit = plain(e.what->unit) ? "" : std::string(" ") + e.what->unit;
-        out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " +
-               number(e.old_way.worst) + unit + " |\n";
+                          worst = measured(e.old_way.worst, e.what->unit);
+        out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " + worst + " |\n";
         rooms += "\n## " + heading + "\n\n" + e.what->trouble + "\n\n";
         rooms += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula +
-                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + number(e.old_way.worst) +
+                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + worst +
                  "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
     }
     return out + rooms;
