@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     std::ofstream out(sample ? "/dev/null" : argv[1]);
     out << "# plot\twork\tby\telements\tns per element\tbytes\n";
     int failures = 0;
-    for (const auto& list : {map_works(), table_works(), depth_pass_works(), receiver_works()})
+    for (const auto& list : {map_works(), table_works(), depth_pass_works(), receiver_works(), far_works()})
         for (const work& of : list) {
             if (of.name.find(wanted) == std::string::npos) continue;
             double first_ns = 0, last_ns = 0;

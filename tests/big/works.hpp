@@ -55,6 +55,7 @@ struct work {
 [[nodiscard]] std::vector<work> table_works();
 [[nodiscard]] std::vector<work> depth_pass_works();
 [[nodiscard]] std::vector<work> receiver_works();
+[[nodiscard]] std::vector<work> far_works();
 
 /// Runs all functions over images, and makes each allocation fail.
 /// @return   number of failures
