@@ -5,11 +5,9 @@
 //
 //     big                  a sample in seconds: maps of 2^16 and 2^18 texels
 //     big OUT.tsv [NAME]   all, or the works with NAME in their name: the points of curves, for plots.gp
-//     big --allocations    every allocation fails once
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <string>
 
@@ -53,40 +51,43 @@ int run(const work& of, int power, double least_seconds, point& at) {
 
 }  // namespace
 
+std::vector<work>& works() {
+    static std::vector<work> all;
+    return all;
+}
+
 int main(int argc, char** argv) {
-    if (argc > 1 && std::strcmp(argv[1], "--allocations") == 0) return try_allocation_failures() != 0;
     const bool sample = argc < 2;
     const std::string wanted = argc > 2 ? argv[2] : "";
     std::ofstream out(sample ? "/dev/null" : argv[1]);
     out << "# plot\twork\tby\telements\tns per element\tbytes\n";
     int failures = 0;
-    for (const auto& list : {map_works(), table_works(), depth_pass_works(), receiver_works(), far_works()})
-        for (const work& of : list) {
-            if (of.name.find(wanted) == std::string::npos) continue;
-            double first_ns = 0, last_ns = 0;
-            const int lowest = sample || of.highest < 20 ? std::min(of.highest, 16) : 20;
-            const int highest = sample ? std::min(of.highest, 18) : of.highest;
-            for (int power = lowest; power <= highest; power += power + 1 == highest ? 1 : 2) {
-                const double gib = std::ldexp(of.gib_at_once, power - of.highest);
-                if (!sample && gib > 1 && available_gib() < gib + 2) {
-                    std::printf("%-42s 2^%d: skipped, needs %.1f GiB and 2 to spare\n", of.name.c_str(), power, gib);
-                    continue;
-                }
-                point at{};
-                failures += run(of, power, sample ? 0 : power > 25 ? 0.3 : 0.5, at);
-                if (sample) continue;
-                if (first_ns == 0) first_ns = at.ns;
-                last_ns = at.ns;
-                std::printf("%-42s %12.0f  %9.3f ns  %8.3f B each\n", of.name.c_str(), at.elements, at.ns,
-                            at.bytes / at.elements);
-                std::fflush(stdout);
-                if (!of.plot.empty())
-                    out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ns << '\t'
-                        << at.bytes << std::endl;
+    for (const work& of : works()) {
+        if (of.name.find(wanted) == std::string::npos) continue;
+        double first_ns = 0, last_ns = 0;
+        const int lowest = sample || of.highest < 20 ? std::min(of.highest, 16) : 20;
+        const int highest = sample ? std::min(of.highest, 18) : of.highest;
+        for (int power = lowest; power <= highest; power += power + 1 == highest ? 1 : 2) {
+            const double gib = std::ldexp(of.gib_at_once, power - of.highest);
+            if (!sample && gib > 1 && available_gib() < gib + 2) {
+                std::printf("%-42s 2^%d: skipped, needs %.1f GiB and 2 to spare\n", of.name.c_str(), power, gib);
+                continue;
             }
-            if (!sample && of.highest > 20)
-                std::printf("%-42s cost of the most over cost of 2^20: %.2f\n", of.name.c_str(), last_ns / first_ns);
+            point at{};
+            failures += run(of, power, sample ? 0 : power > 25 ? 0.3 : 0.5, at);
+            if (sample) continue;
+            if (first_ns == 0) first_ns = at.ns;
+            last_ns = at.ns;
+            std::printf("%-42s %12.0f  %9.3f ns  %8.3f B each\n", of.name.c_str(), at.elements, at.ns,
+                        at.bytes / at.elements);
+            std::fflush(stdout);
+            if (!of.plot.empty())
+                out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ns << '\t' << at.bytes
+                    << std::endl;
         }
+        if (!sample && of.highest > 20)
+            std::printf("%-42s cost of the most over cost of 2^20: %.2f\n", of.name.c_str(), last_ns / first_ns);
+    }
     std::printf("%d failures\n", failures);
     return failures != 0;
 }

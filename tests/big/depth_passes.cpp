@@ -146,11 +146,10 @@ prepared sorts_tall_triangles(int power) {
         [of] { return std::ranges::all_of(of->map.texels(), [](float depth) { return depth == 1.0f; }); }};
 }
 
-}  // namespace
+const registered here({{"big_maps", "rasterize_depth, two triangles", 30, 4, fills},
+                       {"big_triangles", "in the mesh's order", 27, 0.4,
+                        [](int power) { return draws_triangles(power, false); }},
+                       {"big_triangles", "scattered", 27, 0.4, [](int power) { return draws_triangles(power, true); }},
+                       {"", "triangles as high as the map", 16, 1.1, sorts_tall_triangles}});
 
-std::vector<work> depth_pass_works() {
-    return {{"big_maps", "rasterize_depth, two triangles", 30, 4, fills},
-            {"big_triangles", "in the mesh's order", 27, 0.4, [](int power) { return draws_triangles(power, false); }},
-            {"big_triangles", "scattered", 27, 0.4, [](int power) { return draws_triangles(power, true); }},
-            {"", "triangles as high as the map", 16, 1.1, sorts_tall_triangles}};
-}
+}  // namespace

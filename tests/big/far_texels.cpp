@@ -107,6 +107,6 @@ prepared reads_far_texels(int) {
             [right] { return *right; }};
 }
 
-}  // namespace
+const registered here({{"", "texels 2^31 bytes from the first", 16, 0, reads_far_texels}});
 
-std::vector<work> far_works() { return {{"", "texels 2^31 bytes from the first", 16, 0, reads_far_texels}}; }
+}  // namespace

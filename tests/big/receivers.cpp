@@ -131,15 +131,14 @@ prepared looks_up_at_once(int power) {
             }};
 }
 
-}  // namespace
+const registered here(
+    {{"big_receivers", "hard", 30, 4.1, [](int power) { return looks_up(power, filters::hard{}); }},
+     {"big_receivers", "pcf_2x2", 30, 4.1, [](int power) { return looks_up(power, filters::pcf_2x2{}); }},
+     {"big_receivers", "tent<3>", 30, 4.1, [](int power) { return looks_up(power, filters::tent<3>); }},
+     {"big_receivers", "box 5 x 5", 30, 4.1, [](int power) { return looks_up(power, filters::box{2}); }},
+     {"big_receivers", "disc of 16", 30, 4.1, [](int power) { return looks_up(power, filters::disc{}); }},
+     {"big_receivers_2", "pcf_2x2 of 11 bits", 30, 2.1, looks_up_packed},
+     {"big_receivers_2", "variance", 30, 8.1, looks_up_variance},
+     {"big_receivers_2", "hard, of a camera's depth image at once", 30, 8, looks_up_at_once}});
 
-std::vector<work> receiver_works() {
-    return {{"big_receivers", "hard", 30, 4.1, [](int power) { return looks_up(power, filters::hard{}); }},
-            {"big_receivers", "pcf_2x2", 30, 4.1, [](int power) { return looks_up(power, filters::pcf_2x2{}); }},
-            {"big_receivers", "tent<3>", 30, 4.1, [](int power) { return looks_up(power, filters::tent<3>); }},
-            {"big_receivers", "box 5 x 5", 30, 4.1, [](int power) { return looks_up(power, filters::box{2}); }},
-            {"big_receivers", "disc of 16", 30, 4.1, [](int power) { return looks_up(power, filters::disc{}); }},
-            {"big_receivers_2", "pcf_2x2 of 11 bits", 30, 2.1, looks_up_packed},
-            {"big_receivers_2", "variance", 30, 8.1, looks_up_variance},
-            {"big_receivers_2", "hard, of a camera's depth image at once", 30, 8, looks_up_at_once}};
-}
+}  // namespace

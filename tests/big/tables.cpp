@@ -152,11 +152,9 @@ prepared moments(int power) {
             }};
 }
 
-}  // namespace
+const registered here({{"big_tables", "summed_area", 30, 8.1, sums},
+                       {"big_tables", "make_filter_bounds", 30, 12.3, filter_bounds_of},
+                       {"big_summed", "make_variance_table", 29, 10.1, variances},
+                       {"big_summed", "make_moment_table", 28, 9.1, moments}});
 
-std::vector<work> table_works() {
-    return {{"big_tables", "summed_area", 30, 8.1, sums},
-            {"big_tables", "make_filter_bounds", 30, 12.3, filter_bounds_of},
-            {"big_summed", "make_variance_table", 29, 10.1, variances},
-            {"big_summed", "make_moment_table", 28, 9.1, moments}};
-}
+}  // namespace

@@ -51,15 +51,11 @@ struct work {
     std::function<prepared(int power)> prepare;
 };
 
-[[nodiscard]] std::vector<work> map_works();
-[[nodiscard]] std::vector<work> table_works();
-[[nodiscard]] std::vector<work> depth_pass_works();
-[[nodiscard]] std::vector<work> receiver_works();
-[[nodiscard]] std::vector<work> far_works();
-
-/// Runs all functions over images, and makes each allocation fail.
-/// @return   number of failures
-[[nodiscard]] int try_allocation_failures();
+/// Works of all files, each of which registers its own.
+[[nodiscard]] std::vector<work>& works();
+struct registered {
+    explicit registered(const std::vector<work>& more) { works().insert(works().end(), more.begin(), more.end()); }
+};
 
 inline constexpr std::size_t small_change = 64 << 10;  ///< bytes that a call may allocate once
 
