@@ -146,7 +146,7 @@ prepared sorts_tall_triangles(int power) {
         [of] { return std::ranges::all_of(of->map.texels(), [](float depth) { return depth == 1.0f; }); }};
 }
 
-const registered here({{"big_maps", "rasterize_depth, two triangles", 30, 4, fills},
+const registered here({{"big_passes", "rasterize_depth, two triangles", 30, 4, fills},
                        {"big_triangles", "in the mesh's order", 27, 0.4,
                         [](int power) { return draws_triangles(power, false); }},
                        {"big_triangles", "scattered", 27, 0.4, [](int power) { return draws_triangles(power, true); }},

@@ -156,8 +156,8 @@ const registered here({{"big_maps", "encode, 11 bits", 30, 6, encodes},
                        {"big_maps", "decode, 11 bits", 30, 6, decodes},
                        {"big_maps", "encode_moments, two floats", 30, 12, encodes_moments},
                        {"big_maps", "blur, 5 taps", 30, 8, blurs},
-                       {"big_maps", "measure_depths", 30, 4, measures},
-                       {"big_tables", "make_mip_chain", 30, 5.4, reduces},
-                       {"big_tables", "make_min_max_pyramid", 30, 6.7, bounds}});
+                       {"big_passes", "measure_depths", 30, 4, measures},
+                       {"big_passes", "make_mip_chain", 30, 5.4, reduces},
+                       {"big_passes", "make_min_max_pyramid", 30, 6.7, bounds}});
 
 }  // namespace

@@ -109,24 +109,25 @@ prepared looks_up_variance(int power) {
 }
 
 /// All receivers at once: those of a camera's depth image as large as the map, eight texels to the left.
-prepared looks_up_at_once(int power) {
+/// @param bounds   bytes per texel of the bounds that the filter reads first
+template <class Filter>
+prepared looks_up_at_once(int power, const Filter& filter, double bounds) {
     struct both {
         image<float> depths, lit{depths.size()};
     };
     const auto of = std::make_shared<both>(both{depths_of(size_of(power))});
-    const auto texels = area(of->depths.size());
-    return {double(texels), small_change,
-            [of](stopwatch& watch) {
+    const double texels = double(area(of->depths.size()));
+    return {texels, std::size_t(texels * bounds) + (bounds > 0 ? std::size_t(4) << 20 : small_change),
+            [of, filter](stopwatch& watch) {
                 glm::mat4 moved(1);
                 moved[3].x = 8;
                 const depth_receivers seen{of->depths, moved};
-                watch.add([&] { visibility(of->depths, depth32f{}, seen, filters::hard{}, of->lit); });
+                watch.add([&] { visibility(of->depths, depth32f{}, seen, filter, of->lit); });
             },
-            [of] {
+            [of, filter] {
                 return at_probes(of->lit.size(), [&](glm::ivec2 at) {
-                    const bool outside = at.x + 8 >= of->lit.size().x;
-                    const bool lit = outside || depth_of(at.x, at.y) <= depth_of(at.x + 8, at.y);
-                    return of->lit[at] == (lit ? 1.0f : 0.0f);
+                    const glm::vec2 coord = glm::vec2(at) + glm::vec2(8.5f, 0.5f);
+                    return of->lit[at] == filter(bordered(of->depths.view()), coord, depth_of(at.x, at.y));
                 });
             }};
 }
@@ -139,6 +140,9 @@ const registered here(
      {"big_receivers", "disc of 16", 30, 4.1, [](int power) { return looks_up(power, filters::disc{}); }},
      {"big_receivers_2", "pcf_2x2 of 11 bits", 30, 2.1, looks_up_packed},
      {"big_receivers_2", "variance", 30, 8.1, looks_up_variance},
-     {"big_receivers_2", "hard, of a camera's depth image at once", 30, 8, looks_up_at_once}});
+     {"big_receivers_2", "hard, all at once", 30, 8,
+      [](int power) { return looks_up_at_once(power, filters::hard{}, 0); }},
+     {"big_receivers_2", "box 7 x 7, all at once", 30, 10.1,
+      [](int power) { return looks_up_at_once(power, filters::box{3}, 2); }}});
 
 }  // namespace

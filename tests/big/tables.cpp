@@ -154,7 +154,7 @@ prepared moments(int power) {
 
 const registered here({{"big_tables", "summed_area", 30, 8.1, sums},
                        {"big_tables", "make_filter_bounds", 30, 12.3, filter_bounds_of},
-                       {"big_summed", "make_variance_table", 29, 10.1, variances},
-                       {"big_summed", "make_moment_table", 28, 9.1, moments}});
+                       {"big_tables", "make_variance_table", 29, 10.1, variances},
+                       {"big_tables", "make_moment_table", 28, 9.1, moments}});
 
 }  // namespace

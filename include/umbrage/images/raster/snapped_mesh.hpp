@@ -60,6 +60,7 @@ public:
         const std::size_t highest = indices_from(0, count).highest;
         require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
+        instances_.reserve(to_clip.size());
         for (const glm::mat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
