@@ -14,6 +14,7 @@
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make site    the project as a site, build/site: proof on your GPU, snippets, reference; make serve shows it
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
+#     make big     maps of up to 2^30 texels, 10^8 triangles, 2^30 receivers: results, memory, and cost in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
@@ -84,7 +85,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
+.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench big bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -297,6 +298,14 @@ bench:
 	$(configure_bench)
 	cmake --build build/bench --target bench_table
 	cmake --build build/bench --target bench_plots
+
+# Some 20 minutes, with up to 13 GiB of memory at once: a work that finds less is skipped, and says so. The points are in
+# build/big.tsv, the curves in build/plots/big_*.svg.
+big:
+	$(call install,$(unit_packages) gnuplot-nox)
+	@cmake -G Ninja -S . -B build/big -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON -D UMBRAGE_TESTS_LEFT_OUT=. \
+	    -D UMBRAGE_BIG_OUTPUT=$(CURDIR)/build
+	cmake --build build/big --target big_table
 
 # Fails when a row's ratio has got worse by more than 5 % and its spread. `make bench-compare old.json new.json` does too.
 A ?= $(word 2,$(MAKECMDGOALS))

@@ -92,6 +92,8 @@ export const tetrahedron_light: Light;
 export const dual_paraboloid_light: Light;
 /** One to four cascades of a directional light, warped along the view (LiSPSM). */
 export const warped_cascades: Light;
+/** Up to 64 pages of a directional light's virtual shadow map (adaptive shadow map). */
+export const adaptive_pages: Light;
 /** world to texels and depth, before the division by w */
 export const shadow_coordinate: Snippet;
 /** coordinate of a tap from the center's, before division by w */

@@ -4,7 +4,7 @@
 //     const values = await load_values();
 //     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
 //
-// It is the C++ library itself, as WebAssembly, of 173 kB.
+// It is the C++ library itself, as WebAssembly, of 197 kB.
 const { encodings, filters, kinds } = require('./module/names.cjs');
 
 function must(holds, condition, got) {
@@ -22,6 +22,8 @@ const of_kinds = {
     cascades: { ...cascaded, cascades: 4 },
     cascades_8: { ...cascaded, cascades: 8 },
     warped_cascades: { direction: [0, -1, 0], scene: undefined, camera: undefined, cascades: 4, lambda: 0.9, splits: [], overlap: 0.1 },
+    adaptive_pages: { direction: [0, -1, 0], up: [0, 1, 0], scene: undefined, camera: undefined, picture: undefined, points: undefined,
+        normals: undefined, gutter: 4, target: 1 },
     point_light: point,
     tetrahedron_light: point,
     dual_paraboloid_light: { position: [0, 0, 0], range: 100, border: 0 },
@@ -61,16 +63,30 @@ function numbers_of({ kind, filter, direction, map_size }, light) {
     return [clip.hand === 'left', clip.range === 'minus_one_to_one', direction === 'reversed', clip.origin === 'top', ...map_size,
         ...vector(light.origin, 3, 'origin'), ...vector(light.position ?? [0, 0, 0], 3, 'position'),
         ...vector(light.direction ?? [0, -1, 0], 3, 'direction'), ...vector(light.up ?? [0, 1, 0], 3, 'up'),
-        light.outer_angle_radians ?? 0.5, light.aspect ?? 1, light.z_near ?? 0.1, light.range ?? light.z_far ?? 100, light.border ?? 0,
+        light.outer_angle_radians ?? 0.5, light.aspect ?? 1, light.z_near ?? 0.1, light.range ?? light.z_far ?? 100, light.border ?? light.gutter ?? 0,
         ...box(light.scene ?? light.receivers ?? no_box, 'scene'), Boolean(light.casters), ...box(light.casters ?? no_box, 'casters'),
         light.margin ?? 0, light.snap ?? false, ...vector(camera.view, 16, 'camera.view'),
         ...vector(camera.projection, 16, 'camera.projection'), camera.z_near, camera.z_far, count, light.lambda ?? 0,
-        light.overlap ?? 0, light.blend_texels ?? 0, splits.length > 0, ...fill(splits, 9), ...fill(arguments_of(filter, light.filter), 4),
+        light.overlap ?? 0, light.blend_texels ?? 0,
+        ...vector(light.picture ?? [1, 1], 2, 'picture'), light.target ?? 1, splits.length > 0, ...fill(splits, 9), ...fill(arguments_of(filter, light.filter), 4),
     ].map((value, i) => {
         const number = Number(value);
         must(!Number.isNaN(number), 'light must hold numbers', `${value} as number ${i}`);
         return number;
     });
+}
+
+/** Points with their normals, eight floats each, as C++ reads them. */
+function seen_of({ points = [], normals = [] }) {
+    must(points.length % 4 === 0, 'light.points must be four floats each', `${points.length} floats`);
+    must(normals.length === points.length, 'light.normals must be as many as light.points', `${normals.length} floats`);
+    const seen = new Float32Array(2 * points.length);
+    for (let i = 0; i < points.length; ++i) {
+        const at = i + (i & ~3);  // four of a point, four of its normal
+        seen[at] = points[i];
+        seen[at + 4] = normals[i];
+    }
+    return seen;
 }
 
 /** Starts the WebAssembly, once; what it resolves to gives a shadow's block and matrices for a light. */
@@ -89,7 +105,9 @@ async function load_values() {
     c._initialize();
     return (shadow, light) => {
         const { settings } = shadow, all = complete(settings.kind, light), numbers = numbers_of(settings, all);
+        const seen = seen_of(all), room = c.umbrage_seen(seen.length / 8);
         new Float64Array(memory().buffer, c.umbrage_input(), numbers.length).set(numbers);
+        new Float32Array(memory().buffer, room, seen.length).set(seen);
         const stack = c.stackSave();
         let floats;
         try {

@@ -79,6 +79,25 @@ export interface WarpedCascades extends OfAll {
     /** Share of a cascade over which the next one takes over. */
     overlap?: number;
 }
+/** Pages of a virtual shadow map (adaptive shadow map) that the points need, up to 64. Each has a matrix. Pages are finer where
+ *  a texel would cover more pixels than `target`. If 64 do not suffice, texels cover more. */
+export interface AdaptivePages extends OfAll {
+    direction?: Vector;
+    up?: Vector;
+    /** All casters and receivers. The root page holds it whole. */
+    scene: Box;
+    camera: Cascades['camera'];
+    /** Size of the camera's picture, pixels. */
+    picture: readonly [number, number];
+    /** Points that the camera sees, or some of them. Four floats each, as RGBA32F is read back: x, y, z, and 0 for no point. */
+    points: ArrayLike<number>;
+    /** Normal of the surface at each point, on the camera's side and of length one. Four floats each; the last does not count. */
+    normals: ArrayLike<number>;
+    /** Texels around each page: the filter's reach and one. The others of `map_size` are a power of two. */
+    gutter?: number;
+    /** Pixels that a texel may cover. */
+    target?: number;
+}
 export interface PointLight extends OfAll {
     position?: Vector;
     z_near?: number;
@@ -97,7 +116,7 @@ export interface Values {
 /** A shadow's values for a light of its kind.
  *  @throws Error   as the C++ library: function, argument, condition, value */
 export type ValuesOf = (shadow: ShadowOf<Language>,
-    light: SpotLight | DirectionalLight | Cascades | WarpedCascades | PointLight | DualParaboloidLight) => Values;
+    light: SpotLight | DirectionalLight | Cascades | WarpedCascades | AdaptivePages | PointLight | DualParaboloidLight) => Values;
 
 /** Starts the WebAssembly, once. */
 export function load_values(): Promise<ValuesOf>;

@@ -10136,10 +10136,12 @@ struct frustum {
     glm::vec<3, T> position{T(0)};
     glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< direction the camera looks; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint for the up axis; may be parallel to direction
-    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0, at most 2^20 (1e6)
     T z_near = T(0.1), z_far = T(100);            ///< distances along direction, 0 <= z_near < z_far, finite
-    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's center along cross(direction, up) and up
-    glm::vec<2, T> half_size{T(0)};  ///< half size at distance 0, world units, >= 0: for two eyes or orthographic views
+    glm::vec<2, T> shift{T(0)};      ///< off-axis: tangents of the view's center along cross(direction, up) and up,
+                                     ///< from -2^20 to 2^20
+    glm::vec<2, T> half_size{T(0)};  ///< half size at distance 0, world units, 0 to 2^20 z_far: for two eyes or
+                                     ///< orthographic views
 };
 
 namespace detail {
@@ -10158,16 +10160,20 @@ struct member_check {
 template <real T>
 void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
     const member_check must{function, argument};
+    constexpr T widest(0x1p20);  // beyond, the sides' corners are too far away for digits of the scene between them
     const auto opens = [](T tangent, T size) {
-        return is_finite(tangent) && (tangent > T(0) || (tangent == T(0) && size > T(0)));
+        return is_finite(tangent) && tangent <= widest && (tangent > T(0) || (tangent == T(0) && size > T(0)));
     };
     must(all_finite(f.half_size) && f.half_size.x >= T(0) && f.half_size.y >= T(0), "half_size", "finite, 0 or more",
          f.half_size);
-    must(opens(f.tan_half_x, f.half_size.x), "tan_half_x", "finite and above 0, or 0 with a half_size", f.tan_half_x);
-    must(opens(f.tan_half_y, f.half_size.y), "tan_half_y", "finite and above 0, or 0 with a half_size", f.tan_half_y);
-    must(all_finite(f.shift), "shift", "finite", f.shift);
+    constexpr auto opening = "above 0 and at most 2^20, or 0 with a half_size";
+    must(opens(f.tan_half_x, f.half_size.x), "tan_half_x", opening, f.tan_half_x);
+    must(opens(f.tan_half_y, f.half_size.y), "tan_half_y", opening, f.tan_half_y);
+    must(all_finite(f.shift) && glm::abs(f.shift.x) <= widest && glm::abs(f.shift.y) <= widest, "shift",
+         "from -2^20 to 2^20", f.shift);
     must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
     must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
+    must(greater(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
     must(all_finite(f.position), "position", "finite", f.position);
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);
@@ -13681,6 +13687,90 @@ private:
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/images/raster/band_lists.hpp
+// Triangles of a chunk by the bands of rows in which they may be visible: as many at a time as some memory holds.
+//
+//     band_lists<> lists;  // for one chunk after the other
+//     lists.begin(chunk.count(), bands);
+//     while (lists.fill(serial{}, [&](unsigned triangle, const auto& put) { put({first, last}, triangle); }))
+//         for (int band = 0; band < bands; ++band) lists.for_each(band, [&](const auto& list) { ... });
+//
+
+namespace umbrage::detail {
+
+template <class = on_use>
+class band_lists {
+public:
+    static constexpr unsigned piece = 1 << 16;  ///< triangles that a thread reads at a time
+
+    /// Part of a triangle that crosses planes.
+    struct part {
+        snapped_vertex a, b, c;
+        unsigned triangle;
+    };
+    /// Triangles of a piece that may be visible in a band.
+    struct list {
+        std::vector<unsigned> whole;  ///< triangles of the chunk
+        std::vector<part> parts;
+        void add(unsigned triangle) { whole.push_back(triangle); }
+        void add(const part& of) { parts.push_back(of); }
+    };
+
+    void begin(unsigned triangles, int bands) {
+        count_ = triangles;
+        bands_ = static_cast<std::size_t>(bands);
+        read_.assign((triangles + piece - 1) / piece, 0);
+        lists_.resize(read_.size() * bands_);
+    }
+
+    /// Replaces the lists by those of the next triangles, until the lists of each piece are full.
+    /// @param read   (unsigned triangle, const auto& put): calls put(bands, what) for a triangle or its parts. `bands`
+    ///               are first <= band < second
+    /// @return       false if no triangle was left
+    template <class ParallelFor, class Read>
+    bool fill(ParallelFor&& parallel, const Read& read) {
+        const std::size_t before = triangles_read();
+        if (before == count_) return false;
+        for (list& each : lists_) each.whole.clear(), each.parts.clear();
+        in_pieces(static_cast<int>(read_.size()), parallel, [&](int from, int to) {
+            for (std::size_t p = std::size_t(from); p < std::size_t(to); ++p) {
+                const unsigned first = unsigned(p) * piece, count = lesser(piece, count_ - first);
+                list* const lists = lists_.data() + p * bands_;
+                std::size_t bytes = 0;
+                const auto put = [&](const glm::ivec2& bands, const auto& what) {
+                    for (int band = bands.x; band < bands.y; ++band) lists[band].add(what), bytes += sizeof(what);
+                };
+                unsigned i = read_[p];
+                for (; i < count && bytes < full; ++i) read(first + i, put);
+                read_[p] = i;
+            }
+        });
+        return triangles_read() > before;
+    }
+
+    /// Calls use() with each list of a band.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += bands_) use(lists_[i]);
+    }
+
+private:
+    static constexpr std::size_t full = 1 << 20;  // bytes of a piece's lists
+
+    [[nodiscard]] std::size_t triangles_read() const {
+        std::size_t sum = 0;
+        for (const unsigned of_piece : read_) sum += of_piece;
+        return sum;
+    }
+
+    unsigned count_ = 0;
+    std::size_t bands_ = 1;
+    std::vector<list> lists_;     // per piece, band by band
+    std::vector<unsigned> read_;  // per piece, number of triangles that were read
+};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/images/raster/clip.hpp
 // Clipping of a triangle to the part that can be drawn: behind the near plane, within the guard band.
 //
@@ -13962,6 +14052,7 @@ public:
         const std::size_t highest = indices_from(0, count).highest;
         require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
+        instances_.reserve(to_clip.size());
         for (const glm::mat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
@@ -13999,26 +14090,28 @@ public:
             if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
             else return for_each_batch_under_locks(parallel, target);
         }
-        sort_into_bands(rows, bands, parallel);
-        parallel(bands, [&](int first, int last) {
+        const auto draw_bands = [&](int first, int last) {
             Target own = target;
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
                 own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
                     in_batches(bounds, draw, [&](const auto& add) {
-                        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
-                            add_from(lists_[i], add);
+                        lists_.for_each(band, [&](const auto& list) { add_from(list, add); });
                     });
                 });
             }
-        });
+        };
+        const auto read = [&](unsigned i, const auto& put) { put_into_bands(i, rows, put); };
+        lists_.begin(chunk_.count(), bands);
+        while (lists_.fill(parallel, read)) parallel(bands, draw_bands);
     }
 
 private:
     template <class ParallelFor>
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that a thread reads or sorts at a time
+    using lists = band_lists<OnUse>;
+    static constexpr unsigned piece = lists::piece;
     static constexpr std::size_t several_pieces = 16 * piece;
     static constexpr unsigned handful = 1 << 10;                  // triangles that a thread draws at a time
     static constexpr unsigned before = 1u << projection::z_near;  // bit of the near plane
@@ -14109,18 +14202,8 @@ private:
         });
     }
 
-    /// Triangles of a piece that may be visible in a band.
-    struct band_list {
-        struct part {
-            snapped_vertex a, b, c;
-            unsigned triangle;
-        };
-        std::vector<unsigned> whole;  // triangles of the chunk
-        std::vector<part> parts;      // parts of those that cross planes
-    };
-
     template <class Add>
-    void add_from(const band_list& list, const Add& add) const {
+    void add_from(const typename lists::list& list, const Add& add) const {
         for (std::size_t k = 0; k < list.whole.size(); ++k) {
             expect(list.whole, k);
             const drawn_triangle at = chunk_.place_of(list.whole[k]);
@@ -14154,29 +14237,18 @@ private:
         return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
-    /// Sorts triangles into lists of the bands in which they may be visible.
-    template <class ParallelFor>
-    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
-        const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (band_list& list : lists_) list.whole.clear(), list.parts.clear();
-        lists_.resize(std::size_t(pieces) * std::size_t(bands));
-        in_pieces(static_cast<int>(pieces), parallel, [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); ++i) {
-                band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const auto put = [&](const auto& a, const auto& b, const auto& c, auto band_list::*kind,
-                                     const auto& what) {
-                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-                    for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
-                        (lists[band].*kind).push_back(what);
-                };
-                const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
-                    put(a, b, c, &band_list::parts, typename band_list::part{a, b, c, triangle});
-                };
-                const drawn_triangle at = chunk_.place_of(i);
-                const corners c = corners_of(at);
-                if (c.crossed == 0) put(c.a, c.b, c.c, &band_list::whole, i);
-                else for_each_part(at, c, keep);
-            }
+    /// Calls put() with a triangle of the chunk, or its parts, and the bands in which they may be visible.
+    template <class Put>
+    void put_into_bands(unsigned i, int rows_a_band, const Put& put) const {
+        const auto bands = [&](const auto& a, const auto& b, const auto& c) {
+            const glm::ivec2 rows = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
+            return glm::ivec2(rows.x / rows_a_band, (greater(rows.y, 0) + rows_a_band - 1) / rows_a_band);
+        };
+        const drawn_triangle at = chunk_.place_of(i);
+        const corners c = corners_of(at);
+        if (c.crossed == 0) return put(bands(c.a, c.b, c.c), i);
+        for_each_part(at, c, [&](const auto& p, const auto& q, const auto& r, unsigned triangle) {
+            put(bands(p, q, r), typename lists::part{p, q, r, triangle});
         });
     }
 
@@ -14196,7 +14268,7 @@ private:
     std::vector<projection> instances_;
     snapped_chunk<OnUse> chunk_;
     std::vector<index_range> indices_;  // per piece
-    std::vector<band_list> lists_;      // per piece, band by band
+    lists lists_;
 };
 
 }  // namespace umbrage::detail
@@ -14915,6 +14987,13 @@ template <real T>
 
 namespace detail {
 
+/// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
+/// keep its digits if the other is far away.
+[[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
+    return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
+                                           : p + (q - p) * (at_p / (at_p - at_q));
+}
+
 /// Part of a convex polygon on the inner side of a plane.
 template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
@@ -14924,7 +15003,7 @@ template <class = on_use>
         const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
         const double at_p = inside(p), at_q = inside(q);
         if (!(at_p < 0.0)) kept.push_back(p);
-        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(crossing(p, at_p, q, at_q));
     }
     return kept;
 }
@@ -15974,21 +16053,24 @@ struct rg_texels {
     float edge;
 };
 
-/// Texels of a map by their distance in bytes from the first one. It fits 32 bits, so loops vectorize.
+/// Texels of a map by their distance in bytes from the start of its middle row. In maps of up to 4 GiB it fits 32 bits,
+/// so loops vectorize.
 template <class T>
 struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
+    const std::byte* data;  ///< middle row
+    std::int32_t stride, middle;
 
     explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+        : stride(static_cast<std::int32_t>(map.stride)), middle((map.size.y - (stride < 0 ? 1 : 0)) / 2) {
+        data = reinterpret_cast<const std::byte*>(map.data) + middle * map.stride;
+    }
     static bool fits(glm::ivec2 size, std::ptrdiff_t stride) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return size.x <= highest / std::ptrdiff_t(sizeof(T)) && size.y <= highest / 2 &&
-               (stride < 0 ? -stride : stride) <= highest / (size.y + 1);
+        constexpr std::int64_t half = std::int64_t(1) << 31;
+        const std::int64_t row = std::int64_t(size.x) * std::int64_t(sizeof(T)), apart = stride < 0 ? -stride : stride;
+        return row <= half && apart < half && apart * ((size.y + 1) / 2) <= half;
     }
     UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+        return (y - middle) * stride + x * static_cast<std::int32_t>(sizeof(T));
     }
 };
 
@@ -18365,7 +18447,7 @@ template <class = on_use>
     std::size_t enough = 1024;
     for (const glm::dvec3& a : kept) {
         for (const glm::dvec3& b : beyond) {
-            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            const glm::dvec3 p = crossing(a, inside(a), b, inside(b));
             crossed.emplace_back(p[x], p[y], 0.0);
         }
         if (crossed.size() < enough) continue;
@@ -20035,6 +20117,9 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
+//
+// Farther from the origin the digits of a number type end. If rounding moves receivers out of the map, by more than
+// 1/16 of its half size, a fit gives the map without a warp instead. If that map loses them too, the fit refuses them.
 
 namespace umbrage {
 
@@ -20115,6 +20200,21 @@ template <class = on_use>
     return {least, greatest};
 }
 
+/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map.
+template <real T>
+[[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
+    const glm::mat<4, 4, T> m = light.projection * light.view;
+    const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
+    for (const glm::dvec3& p : points) {
+        const glm::vec<4, T> h = m * glm::vec<4, T>(glm::vec<3, T>(p), T(1));
+        const T room = h.w / T(16), most = h.w + room;
+        if (!(h.w > T(0) && glm::abs(h.x) <= most && glm::abs(h.y) <= most && h.z <= most &&
+              h.z >= lowest * h.w - room))
+            return false;
+    }
+    return true;
+}
+
 /// Light of a projective map that sends a box to clip space's cube. It is flipped if it would mirror.
 /// @param to_map           matrix from the world to x, y, depth and w, in double, of any scale. Along the
 ///                         light x / w and y / w are constant, and depth z / w grows
@@ -20144,28 +20244,31 @@ template <real T>
 /// Light of a map that is fitted to the receivers in x and y. Its depth also includes the casters in the receivers'
 /// sweep towards the light.
 /// @param to_map   as for laid
-/// @return         nothing if w <= 0 at a receiver or a caster, or if laid returns nothing
+/// @return         nothing if w <= 0 at a receiver or a caster, if laid returns nothing, or if its light does not hold
+///                 the receivers
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
                                                    const polyhedron& casters, const char* function) {
-    std::vector<glm::dvec3> receivers;
+    const std::vector<glm::dvec3> receivers = corners_of(*fit.receivers);
+    std::vector<glm::dvec3> in_map;
     double least_w = detail::highest<double>, greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(*fit.receivers)) {
+    for (const glm::dvec3& p : receivers) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
-        receivers.push_back(glm::dvec3(h) / h.w);
+        in_map.push_back(glm::dvec3(h) / h.w);
         least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
     }
-    extent box = extent_of(receivers);
+    extent box = extent_of(in_map);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge-on need some margin too
     const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map; its other half behind w = 0 does not count
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(receivers, greater(around.x, around.y)));
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, greater(around.x, around.y)));
     box.low.z = lesser(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
-    return laid(to_map, box, least_w, greatest_w, fit, function);
+    const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
+    return light && holds(light->light, receivers) ? light : std::nullopt;
 }
 
 template <real T>
@@ -20174,12 +20277,13 @@ template <real T>
     return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
-/// Reports receivers, casters and margin that give a map too large or too small for the number type.
+/// Reports receivers, casters and margin that give a map too large, too small or too far away for the number type.
 template <real T>
 [[noreturn]] void refuse_size(const warp_fit<T>& fit, const char* function) {
     const extent box = extent_of(corners_of(*fit.receivers));
-    refuse(function, "receivers, casters and margin", "such that the map's size is neither too large nor too small",
-           box.high - box.low, "That is the receivers' extent.");
+    refuse(function, "receivers, casters and margin",
+           "such that the map is neither too large, nor too small, nor too far from the origin", box.high - box.low,
+           "That is the receivers' extent.");
 }
 
 /// Light without a warp: the map of fit_directional_light, but with the margin and up axis of warps.
@@ -20373,7 +20477,8 @@ template <class = on_use>
 /// grows with the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
 /// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); receivers missing or not
-///                                finite; an invalid box of casters; clip unset; matrices that would not be finite
+///                                finite; an invalid box of casters; clip unset; matrices that would not be finite; a
+///                                light so far from the receivers or the origin that T has no digits for its map
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
@@ -20411,6 +20516,10 @@ template <real T = float>
     const glm::dvec2 half = (last - first) * 0.5;
     if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
+    const double rounding =
+        double(std::numeric_limits<T>::epsilon()) * (high.z + glm::length(glm::dvec3(fit.position)));
+    detail::require(detail::greater(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
+                    "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
@@ -20462,7 +20571,7 @@ template <real T>
     if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
-    require(is_finite(16.0 * edge), function, "receivers", "within a finite slope of the light's axis", edge);
+    require(edge <= 0x1p16, function, "receivers", "within a slope of 2^16 of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
     return v;
@@ -20619,7 +20728,7 @@ template <real T = float>
 ///                   or less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; distance not above 0; clip unset;
-///                                matrices that would not be finite
+///                                matrices that would not be finite, or not hold the receivers: see warp_fit.hpp
 /// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' smallest y, with y
 ///                   along the view. The result is fitted to the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
@@ -20656,7 +20765,7 @@ enum class light_image {
     source,    ///< light in front of the camera: rays leave a point
     sink,      ///< light behind the camera: rays end in a point
     parallel,  ///< light beside the camera: rays stay parallel, or nearly
-    none       ///< image among the receivers or too close to them, or no perspective: another map
+    none       ///< image among the receivers or too close to them, no perspective, or no digits: another map
 };
 
 /// Perspective shadow map (PSM), and how the camera sees its light.
@@ -20676,10 +20785,11 @@ namespace detail {
         const double z = glm::dot(p - eye, ahead);
         least = lesser(least, z), greatest = greater(greatest, z);
     }
+    slide = detail::lesser(slide, 0x1p20 * greater(glm::abs(least), glm::abs(greatest)));
     const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
     const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
     require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
-            "near enough to the camera for finite distances", glm::dvec2(z_near, z_far));
+            "near enough to the camera and the origin for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
         look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
     const glm::dvec2 tangents(camera.tan_half_x, camera.tan_half_y);
@@ -20831,9 +20941,12 @@ template <real T, class Instead>
 ///
 /// @param fit     camera, light, receivers and casters
 /// @param slide   distance to move the camera back for the warp, world units, > 0: the smallest distance to receivers.
-///                Smaller values give more of the map to close receivers
+///                Smaller values give more of the map to close receivers. 2^20 times the distance of the farthest
+///                receivers replaces larger values: hardly a warp is left there
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
 ///                degrees or more around the light, or around the point opposite
+/// @edge          T has no digits for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
+///                for receivers at the camera is such a case
 /// @throws std::invalid_argument  as fit_light_space_perspective; slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
 template <real T = float>
@@ -20903,7 +21016,7 @@ template <class = on_use>
         for (std::size_t i = 0; i < face.corners.size(); ++i) {
             const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
             const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
-            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(crossing(p, at_p, q, at_q));
         }
     return all;
 }
@@ -20960,7 +21073,7 @@ template <real T>
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
             plane);
-    return warped;
+    return holds(warped->light, seen) ? warped : std::nullopt;
 }
 
 }  // namespace detail
@@ -20975,6 +21088,8 @@ template <real T>
 /// @param fit     camera, light and casters. The plane replaces its receivers
 /// @param plane   dot(plane, (p, 1)) = 0, with a normal of any length > 0. The light may come from either side
 /// @return        warped light. Nothing if the camera does not see the plane, or if camera or light lie in it (1e-6).
+///                Nothing too where the digits of T end far from the origin: rounding must not move the visible part
+///                of the plane out of the map by more than 1/16 of its half size.
 ///                The map is of no use for light that barely reaches the plane. Depth is the height over the plane
 ///                divided by w, and hardly grows along such light
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera, plane or box of casters; receivers
@@ -21031,7 +21146,8 @@ namespace umbrage {
 /// @edge          receivers that begin beyond the focus: the strongest warp. Four fifths of them within it: no warp
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
-///                                unset; matrices that would not be finite
+///                                unset; matrices that would not be finite, or not hold the receivers: see
+///                                warp_fit.hpp
 /// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
 ///                l apart. With the focus f behind the top, its legs meet 0.4 l f / (1.6 l - 2 f) in front of the top
 /// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
@@ -25079,7 +25195,7 @@ struct adaptive_maps {
     [[nodiscard]] clip_space clip() const { return root.clip; }
     /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
     [[nodiscard]] std::vector<light_space<double>> lights() const {
-        std::vector<light_space<double>> all;
+        std::vector<light_space<double>> all{page_light(root, umbrage::page{}, size)};
         for (const auto& [page, slot] : pages) {
             const std::size_t number = number_of(slot);
             if (number >= all.size()) all.resize(number + 1, page_light(root, umbrage::page{}, size));

@@ -2,7 +2,7 @@
 //
 // Curves for plots.gp: the cost of the same work over map size, kernel size, triangle count and threads.
 //
-//     bench_series bench-series.tsv    # then: gnuplot -e "data='bench-series.tsv'; folder='plots'" plots.gp
+//     bench_series bench-series.tsv    # then: gnuplot -e "data='bench-series.tsv'; folder='plots'" style.gp plots.gp
 //
 // A line is `plot, work, by, x, y`, separated by tabs, the lines of a curve together. A peer that is not here has none.
 #include <algorithm>

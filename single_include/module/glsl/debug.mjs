@@ -253,6 +253,52 @@ UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_H
 }
 `,
         },
+        adaptive_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_page_tile(number, terms.x);
+`,
+            channel_color: `
+// umbrage_channel_color: one channel of a point's debug color
+UMBRAGE_HIGHP float umbrage_channel_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP float channel) {
+    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, world);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
+    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
+    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
+    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
+    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
+    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
+    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
+    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
+    UMBRAGE_HIGHP float pair = floor(along * 0.5);
+    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
+    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
+    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
+    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
+    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
+    UMBRAGE_HIGHP float number = code - before * 64.0;
+    UMBRAGE_HIGHP float across = before + 1.0;
+    UMBRAGE_HIGHP vec2 place = coord * across;
+    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
+    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
+    UMBRAGE_HIGHP vec2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    UMBRAGE_HIGHP float layer = number;
+    return umbrage_place_color(layer, terms, filter_terms, vec3(at.x, at.y, in_root.z), slope, channel);
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = vec3(umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, pages, terms, filter_terms, world, normal, 0.0), umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, pages, terms, filter_terms, world, normal, 1.0), umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, pages, terms, filter_terms, world, normal, 2.0));
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
         cube_maps: {
             choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_cube_tile(number, terms.x);
 `,

@@ -246,6 +246,81 @@ UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels
 }
 `,
 };
+const adaptive_maps = {
+    name: "adaptive_maps", grid: [8, 8], outside: "clamped", bends: false,
+    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "pages", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_column_8, snippets.receiver_slope, snippets.clamp_slope, snippets.page_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, world);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
+    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
+    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
+    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
+    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
+    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
+    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
+    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
+    UMBRAGE_HIGHP float pair = floor(along * 0.5);
+    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
+    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
+    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
+    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
+    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
+    UMBRAGE_HIGHP float number = code - before * 64.0;
+    UMBRAGE_HIGHP float across = before + 1.0;
+    UMBRAGE_HIGHP vec2 place = coord * across;
+    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
+    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
+    UMBRAGE_HIGHP vec2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    UMBRAGE_HIGHP vec2 origin = umbrage_page_tile(number, terms.x);
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, in_root.z), slope, pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, world);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
+    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
+    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
+    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
+    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
+    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
+    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
+    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
+    UMBRAGE_HIGHP float pair = floor(along * 0.5);
+    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
+    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
+    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
+    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
+    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
+    UMBRAGE_HIGHP float number = code - before * 64.0;
+    UMBRAGE_HIGHP float across = before + 1.0;
+    UMBRAGE_HIGHP vec2 place = coord * across;
+    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
+    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
+    UMBRAGE_HIGHP vec2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    UMBRAGE_HIGHP float layer = number;
+    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, in_root.z), slope, pixel);
+}
+`,
+};
 const cube_maps = {
     name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
@@ -353,6 +428,7 @@ const point_light = { language, name: "point_light", maps: cube_maps, vertex: pr
 const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
 const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
 const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
+const adaptive_pages = { language, name: "adaptive_pages", maps: adaptive_maps, vertex: pancaked };
 
 module.exports = {
     spot_light,
@@ -363,4 +439,5 @@ module.exports = {
     tetrahedron_light,
     dual_paraboloid_light,
     warped_cascades,
+    adaptive_pages,
 };

@@ -296,6 +296,63 @@ float3 umbrage_point_color(float4x4 to_texels_0, float4x4 to_texels_1, float4x4 
 }
 `,
         },
+        adaptive_maps: {
+            choice: `    float2 origin = umbrage_page_tile(number, terms.x);
+`,
+            channel_color: `
+// umbrage_channel_color: one channel of a point's debug color
+float umbrage_channel_color(float4x4 to_root, float4x4 planes, float4x4 cells_0, float4x4 cells_1, float4x4 cells_2,
+                            float4x4 cells_3, float4x4 cells_4, float4x4 cells_5, float4x4 cells_6, float4x4 cells_7,
+                            float4 pages, float4 terms, float4 filter_terms, float3 world, float3 normal,
+                            float channel) {
+    float4 in_root = umbrage_shadow_coordinate(to_root, world);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    float2 coord = inside ? float2(in_root.x, in_root.y) : float2(1.0, 1.0);
+    float2 cell = floor(coord * 16.0 - 16.0);
+    float right = floor(cell.x * 0.125);
+    float column = cell.y * 2.0 + right;
+    float4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    float4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    float4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    float4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    float4 low = column < 7.5 ? a : b;
+    float4 high = column < 23.5 ? c : d;
+    float4 eight = column < 15.5 ? low : high;
+    float along = cell.x - right * 8.0;
+    float pair = floor(along * 0.5);
+    float left_two = pair < 0.5 ? eight.x : eight.y;
+    float right_two = pair < 2.5 ? eight.z : eight.w;
+    float two = pair < 1.5 ? left_two : right_two;
+    float second = floor(two * (1.0 / 1024.0));
+    float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    float before = floor(code * (1.0 / 64.0));
+    float number = code - before * 64.0;
+    float across = before + 1.0;
+    float2 place = coord * across;
+    float2 within = (place - floor(place)) * pages.x + pages.y;
+    float2 at = inside ? within : float2(32768.0, 32768.0);
+    float2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    float2 slope = float2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    float layer = number;
+    return umbrage_place_color(layer, terms, filter_terms, float3(at.x, at.y, in_root.z), slope, channel);
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world
+float3 umbrage_point_color(float4x4 to_root, float4x4 planes, float4x4 cells_0, float4x4 cells_1, float4x4 cells_2,
+                           float4x4 cells_3, float4x4 cells_4, float4x4 cells_5, float4x4 cells_6, float4x4 cells_7,
+                           float4 pages, float4 terms, float4 filter_terms, float3 world, float3 normal) {
+    float3 color =
+        float3(umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, pages, terms, filter_terms, world, normal, 0.0),
+               umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, pages, terms, filter_terms, world, normal, 1.0),
+               umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, pages, terms, filter_terms, world, normal, 2.0));
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
         cube_maps: {
             choice: `    float2 origin = umbrage_cube_tile(number, terms.x);
 `,

@@ -298,6 +298,63 @@ fn umbrage_point_color(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: 
 }
 `,
         },
+        adaptive_maps: {
+            choice: `    let origin: vec2f = umbrage_page_tile(number, terms.x);
+`,
+            channel_color: `
+// umbrage_channel_color: one channel of a point's debug color
+fn umbrage_channel_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                         cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                         pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                         channel: f32) -> f32 {
+    let in_root: vec4f = umbrage_shadow_coordinate(to_root, world);
+    let inside: bool = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    let coord: vec2f = select(vec2f(1.0, 1.0), vec2f(in_root.x, in_root.y), inside);
+    let cell: vec2f = floor(coord * 16.0 - 16.0);
+    let right: f32 = floor(cell.x * 0.125);
+    let column: f32 = cell.y * 2.0 + right;
+    let a: vec4f = umbrage_cascade_column_8(cells_0, cells_1, column);
+    let b: vec4f = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    let c: vec4f = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    let d: vec4f = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    let low: vec4f = select(b, a, column < 7.5);
+    let high: vec4f = select(d, c, column < 23.5);
+    let eight: vec4f = select(high, low, column < 15.5);
+    let along: f32 = cell.x - right * 8.0;
+    let pair: f32 = floor(along * 0.5);
+    let left_two: f32 = select(eight.y, eight.x, pair < 0.5);
+    let right_two: f32 = select(eight.w, eight.z, pair < 2.5);
+    let two: f32 = select(right_two, left_two, pair < 1.5);
+    let second: f32 = floor(two * (1.0 / 1024.0));
+    let code: f32 = select(second, two - second * 1024.0, along - pair * 2.0 < 0.5);
+    let before: f32 = floor(code * (1.0 / 64.0));
+    let number: f32 = code - before * 64.0;
+    let across: f32 = before + 1.0;
+    let place: vec2f = coord * across;
+    let within: vec2f = (place - floor(place)) * pages.x + pages.y;
+    let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
+    let steep: vec2f = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    let slope: vec2f = vec2f(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    let layer: f32 = number;
+    return umbrage_place_color(layer, terms, filter_terms, vec3f(at.x, at.y, in_root.z), slope, channel);
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world
+fn umbrage_point_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                       cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                       pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        vec3f(umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                    cells_7, pages, terms, filter_terms, world, normal, 0.0),
+              umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                    cells_7, pages, terms, filter_terms, world, normal, 1.0),
+              umbrage_channel_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                    cells_7, pages, terms, filter_terms, world, normal, 2.0));
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
         cube_maps: {
             choice: `    let origin: vec2f = umbrage_cube_tile(number, terms.x);
 `,

@@ -273,6 +273,87 @@ fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, t
 }
 `,
 };
+const adaptive_maps = {
+    name: "adaptive_maps", grid: [8, 8], outside: "clamped", bends: false,
+    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "pages", matrix: false }],
+    needs: [snippets.shadow_coordinate, snippets.cascade_column_8, snippets.receiver_slope, snippets.clamp_slope, snippets.page_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let in_root: vec4f = umbrage_shadow_coordinate(to_root, world);
+    let inside: bool = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    let coord: vec2f = select(vec2f(1.0, 1.0), vec2f(in_root.x, in_root.y), inside);
+    let cell: vec2f = floor(coord * 16.0 - 16.0);
+    let right: f32 = floor(cell.x * 0.125);
+    let column: f32 = cell.y * 2.0 + right;
+    let a: vec4f = umbrage_cascade_column_8(cells_0, cells_1, column);
+    let b: vec4f = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    let c: vec4f = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    let d: vec4f = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    let low: vec4f = select(b, a, column < 7.5);
+    let high: vec4f = select(d, c, column < 23.5);
+    let eight: vec4f = select(high, low, column < 15.5);
+    let along: f32 = cell.x - right * 8.0;
+    let pair: f32 = floor(along * 0.5);
+    let left_two: f32 = select(eight.y, eight.x, pair < 0.5);
+    let right_two: f32 = select(eight.w, eight.z, pair < 2.5);
+    let two: f32 = select(right_two, left_two, pair < 1.5);
+    let second: f32 = floor(two * (1.0 / 1024.0));
+    let code: f32 = select(second, two - second * 1024.0, along - pair * 2.0 < 0.5);
+    let before: f32 = floor(code * (1.0 / 64.0));
+    let number: f32 = code - before * 64.0;
+    let across: f32 = before + 1.0;
+    let place: vec2f = coord * across;
+    let within: vec2f = (place - floor(place)) * pages.x + pages.y;
+    let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
+    let steep: vec2f = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    let slope: vec2f = vec2f(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    let origin: vec2f = umbrage_page_tile(number, terms.x);
+    return umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, in_root.z), slope, pixel);
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let in_root: vec4f = umbrage_shadow_coordinate(to_root, world);
+    let inside: bool = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    let coord: vec2f = select(vec2f(1.0, 1.0), vec2f(in_root.x, in_root.y), inside);
+    let cell: vec2f = floor(coord * 16.0 - 16.0);
+    let right: f32 = floor(cell.x * 0.125);
+    let column: f32 = cell.y * 2.0 + right;
+    let a: vec4f = umbrage_cascade_column_8(cells_0, cells_1, column);
+    let b: vec4f = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    let c: vec4f = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    let d: vec4f = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    let low: vec4f = select(b, a, column < 7.5);
+    let high: vec4f = select(d, c, column < 23.5);
+    let eight: vec4f = select(high, low, column < 15.5);
+    let along: f32 = cell.x - right * 8.0;
+    let pair: f32 = floor(along * 0.5);
+    let left_two: f32 = select(eight.y, eight.x, pair < 0.5);
+    let right_two: f32 = select(eight.w, eight.z, pair < 2.5);
+    let two: f32 = select(right_two, left_two, pair < 1.5);
+    let second: f32 = floor(two * (1.0 / 1024.0));
+    let code: f32 = select(second, two - second * 1024.0, along - pair * 2.0 < 0.5);
+    let before: f32 = floor(code * (1.0 / 64.0));
+    let number: f32 = code - before * 64.0;
+    let across: f32 = before + 1.0;
+    let place: vec2f = coord * across;
+    let within: vec2f = (place - floor(place)) * pages.x + pages.y;
+    let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
+    let steep: vec2f = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
+    let slope: vec2f = vec2f(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
+    let layer: f32 = number;
+    return umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, in_root.z), slope, pixel);
+}
+`,
+};
 const cube_maps = {
     name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
     fields: [{ name: "position", matrix: false }, { name: "to_texels", matrix: true }, { name: "planes", matrix: true }],
@@ -384,6 +465,7 @@ const point_light = { language, name: "point_light", maps: cube_maps, vertex: pr
 const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
 const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
 const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
+const adaptive_pages = { language, name: "adaptive_pages", maps: adaptive_maps, vertex: pancaked };
 
 module.exports = {
     spot_light,
@@ -394,4 +476,5 @@ module.exports = {
     tetrahedron_light,
     dual_paraboloid_light,
     warped_cascades,
+    adaptive_pages,
 };

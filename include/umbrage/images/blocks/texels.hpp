@@ -62,21 +62,24 @@ struct rg_texels {
     float edge;
 };
 
-/// Texels of a map by their distance in bytes from the first one. It fits 32 bits, so loops vectorize.
+/// Texels of a map by their distance in bytes from the start of its middle row. In maps of up to 4 GiB it fits 32 bits,
+/// so loops vectorize.
 template <class T>
 struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
+    const std::byte* data;  ///< middle row
+    std::int32_t stride, middle;
 
     explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+        : stride(static_cast<std::int32_t>(map.stride)), middle((map.size.y - (stride < 0 ? 1 : 0)) / 2) {
+        data = reinterpret_cast<const std::byte*>(map.data) + middle * map.stride;
+    }
     static bool fits(glm::ivec2 size, std::ptrdiff_t stride) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return size.x <= highest / std::ptrdiff_t(sizeof(T)) && size.y <= highest / 2 &&
-               (stride < 0 ? -stride : stride) <= highest / (size.y + 1);
+        constexpr std::int64_t half = std::int64_t(1) << 31;
+        const std::int64_t row = std::int64_t(size.x) * std::int64_t(sizeof(T)), apart = stride < 0 ? -stride : stride;
+        return row <= half && apart < half && apart * ((size.y + 1) / 2) <= half;
     }
     UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+        return (y - middle) * stride + x * static_cast<std::int32_t>(sizeof(T));
     }
 };
 

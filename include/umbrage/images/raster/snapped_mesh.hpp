@@ -25,6 +25,7 @@
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/images/raster/band_lists.hpp>
 #include <umbrage/images/raster/clip.hpp>
 #include <umbrage/images/raster/projection.hpp>
 #include <umbrage/images/raster/row_locks.hpp>
@@ -59,6 +60,7 @@ public:
         const std::size_t highest = indices_from(0, count).highest;
         require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
+        instances_.reserve(to_clip.size());
         for (const glm::mat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
@@ -96,26 +98,28 @@ public:
             if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
             else return for_each_batch_under_locks(parallel, target);
         }
-        sort_into_bands(rows, bands, parallel);
-        parallel(bands, [&](int first, int last) {
+        const auto draw_bands = [&](int first, int last) {
             Target own = target;
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
                 own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
                     in_batches(bounds, draw, [&](const auto& add) {
-                        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
-                            add_from(lists_[i], add);
+                        lists_.for_each(band, [&](const auto& list) { add_from(list, add); });
                     });
                 });
             }
-        });
+        };
+        const auto read = [&](unsigned i, const auto& put) { put_into_bands(i, rows, put); };
+        lists_.begin(chunk_.count(), bands);
+        while (lists_.fill(parallel, read)) parallel(bands, draw_bands);
     }
 
 private:
     template <class ParallelFor>
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that a thread reads or sorts at a time
+    using lists = band_lists<OnUse>;
+    static constexpr unsigned piece = lists::piece;
     static constexpr std::size_t several_pieces = 16 * piece;
     static constexpr unsigned handful = 1 << 10;                  // triangles that a thread draws at a time
     static constexpr unsigned before = 1u << projection::z_near;  // bit of the near plane
@@ -206,18 +210,8 @@ private:
         });
     }
 
-    /// Triangles of a piece that may be visible in a band.
-    struct band_list {
-        struct part {
-            snapped_vertex a, b, c;
-            unsigned triangle;
-        };
-        std::vector<unsigned> whole;  // triangles of the chunk
-        std::vector<part> parts;      // parts of those that cross planes
-    };
-
     template <class Add>
-    void add_from(const band_list& list, const Add& add) const {
+    void add_from(const typename lists::list& list, const Add& add) const {
         for (std::size_t k = 0; k < list.whole.size(); ++k) {
             expect(list.whole, k);
             const drawn_triangle at = chunk_.place_of(list.whole[k]);
@@ -251,29 +245,18 @@ private:
         return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
-    /// Sorts triangles into lists of the bands in which they may be visible.
-    template <class ParallelFor>
-    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
-        const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (band_list& list : lists_) list.whole.clear(), list.parts.clear();
-        lists_.resize(std::size_t(pieces) * std::size_t(bands));
-        in_pieces(static_cast<int>(pieces), parallel, [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); ++i) {
-                band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const auto put = [&](const auto& a, const auto& b, const auto& c, auto band_list::*kind,
-                                     const auto& what) {
-                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-                    for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
-                        (lists[band].*kind).push_back(what);
-                };
-                const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
-                    put(a, b, c, &band_list::parts, typename band_list::part{a, b, c, triangle});
-                };
-                const drawn_triangle at = chunk_.place_of(i);
-                const corners c = corners_of(at);
-                if (c.crossed == 0) put(c.a, c.b, c.c, &band_list::whole, i);
-                else for_each_part(at, c, keep);
-            }
+    /// Calls put() with a triangle of the chunk, or its parts, and the bands in which they may be visible.
+    template <class Put>
+    void put_into_bands(unsigned i, int rows_a_band, const Put& put) const {
+        const auto bands = [&](const auto& a, const auto& b, const auto& c) {
+            const glm::ivec2 rows = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
+            return glm::ivec2(rows.x / rows_a_band, (greater(rows.y, 0) + rows_a_band - 1) / rows_a_band);
+        };
+        const drawn_triangle at = chunk_.place_of(i);
+        const corners c = corners_of(at);
+        if (c.crossed == 0) return put(bands(c.a, c.b, c.c), i);
+        for_each_part(at, c, [&](const auto& p, const auto& q, const auto& r, unsigned triangle) {
+            put(bands(p, q, r), typename lists::part{p, q, r, triangle});
         });
     }
 
@@ -293,7 +276,7 @@ private:
     std::vector<projection> instances_;
     snapped_chunk<OnUse> chunk_;
     std::vector<index_range> indices_;  // per piece
-    std::vector<band_list> lists_;      // per piece, band by band
+    lists lists_;
 };
 
 }  // namespace umbrage::detail

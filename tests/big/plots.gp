@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+#
+# Pictures of what big measured, in the style of ../bench/style.gp: user CPU time per element over the number of elements.
+# A function whose cost is linear has a level curve.
+set logscale x 2
+set format x "2^{%L}"
+set xrange [2**19.8:2**30.2]
+set xlabel "texels" offset 0, 0.7
+set ylabel "nanoseconds per texel"
+
+name = "big_maps"
+set title "Maps of 1024 x 1024 to 32768 x 32768 texels, one thread"
+eval start
+eval draw
+
+name = "big_passes"
+set title "Passes over maps, one thread"
+eval start
+eval draw
+
+name = "big_tables"
+set title "Tables and bounds of maps, one thread"
+eval start
+eval draw
+
+set xlabel "receivers, and texels of the map" offset 0, 0.7
+set ylabel "nanoseconds per receiver"
+name = "big_receivers"
+set title "Visibility of receivers in bands of 16 rows, map of floats, one thread"
+eval start
+eval draw
+
+name = "big_receivers_2"
+set title "Visibility of receivers, other maps, one thread"
+eval start
+eval draw
+
+set xrange [2**19.8:2**26.8]
+set xlabel "triangles" offset 0, 0.7
+set ylabel "nanoseconds per triangle"
+name = "big_triangles"
+set title "Triangles of two texels, map of 8192 x 8192 texels, one thread"
+eval start
+eval draw
