@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The live scene: a state, the GPU's picture of it, C++'s answer beside it, and the text that both run.
+import { encodings, exactness } from 'umbrage';
 import { load_values } from 'umbrage/values';
 
 import type { Answer } from './check_worker';
@@ -47,6 +48,9 @@ const check = new Worker('scene/check_worker.js', { type: 'module' });
 let drawn = 0;     // number of the frame that was drawn last
 let asked = 0;     // of the frame that C++ works on; 0: none
 let answered = 0;  // of the frame whose answer is shown
+
+/** True of formats whose decoding is not of tier A. */
+const rounds = (encoding: State['encoding']) => exactness(encodings[encoding].needs ?? []) !== 'a';
 function ask() {
     if (!picture || asked) return;
     const frame = picture.frame();
@@ -64,7 +68,8 @@ check.onmessage = ({ data }: MessageEvent<Answer | { error: string }>) => {
         const { receivers, different, milliseconds } = data, maps = picture?.map_count;
         const pages = state.light === 'adaptive_pages' ? `${maps} of 64 pages. ` : '';
         element('time').textContent = `${pages}C++ took ${milliseconds.toFixed(0)} ms`;
-        verdict.textContent = `${different.toLocaleString('en')} of ${receivers.toLocaleString('en')} pixels differ between your GPU and C++`;
+        const reason = different && rounds(state.encoding) ? ". This format's decoding rounds, and WebGL may regroup its sum: tier B" : '';
+        verdict.textContent = `${different.toLocaleString('en')} of ${receivers.toLocaleString('en')} pixels differ between your GPU and C++${reason}`;
         verdict.className = different ? 'amber' : 'good';
         Object.assign(canvas.dataset, { different, receivers, maps });
         show();
