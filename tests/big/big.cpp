@@ -36,7 +36,8 @@ int run(const work& of, int power, double least_seconds, point& at) {
     stopwatch first;
     const std::size_t peak = heap::peak_of([&] { ready.run(first); });
     const bool is_right = ready.is_right(), is_bounded = peak <= ready.most_bytes;
-    at = {ready.elements, 1e9 * first.seconds() / ready.elements, double(peak)};
+    const double ns = 1e9 * first.seconds() / ready.elements;  // of short runs, a clock's step
+    at = {ready.elements, first.seconds() < 0.05 && least_seconds > 0 ? HUGE_VAL : ns, double(peak)};
     if (!is_right) std::printf("%s, 2^%d: results are wrong\n", of.name.c_str(), power);
     if (!is_bounded)
         std::printf("%s, 2^%d: %zu bytes, of at most %zu\n", of.name.c_str(), power, peak, ready.most_bytes);
