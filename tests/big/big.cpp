@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "heap.hpp"
 #include "works.hpp"
@@ -35,7 +36,8 @@ int run(const work& of, int power, double least_seconds, point& at) {
     stopwatch first;
     const std::size_t peak = heap::peak_of([&] { ready.run(first); });
     const bool is_right = ready.is_right(), is_bounded = peak <= ready.most_bytes;
-    at = {ready.elements, 1e9 * first.seconds() / ready.elements, double(peak)};
+    const double ns = 1e9 * first.seconds() / ready.elements;  // of short runs, a clock's step
+    at = {ready.elements, first.seconds() < 0.05 && least_seconds > 0 ? HUGE_VAL : ns, double(peak)};
     if (!is_right) std::printf("%s, 2^%d: results are wrong\n", of.name.c_str(), power);
     if (!is_bounded)
         std::printf("%s, 2^%d: %zu bytes, of at most %zu\n", of.name.c_str(), power, peak, ready.most_bytes);
@@ -64,7 +66,7 @@ int main(int argc, char** argv) {
     int failures = 0;
     for (const work& of : works()) {
         if (of.name.find(wanted) == std::string::npos) continue;
-        double first_ns = 0, last_ns = 0;
+        std::vector<double> ns;
         const int lowest = sample || of.highest < 20 ? std::min(of.highest, 16) : 20;
         const int highest = sample ? std::min(of.highest, 18) : of.highest;
         for (int power = lowest; power <= highest; power += power + 1 == highest ? 1 : 2) {
@@ -74,10 +76,9 @@ int main(int argc, char** argv) {
                 continue;
             }
             point at{};
-            failures += run(of, power, sample ? 0 : power > 25 ? 0.3 : 0.5, at);
+            failures += run(of, power, sample || of.plot.empty() ? 0 : 0.5, at);
             if (sample) continue;
-            if (first_ns == 0) first_ns = at.ns;
-            last_ns = at.ns;
+            ns.push_back(at.ns);
             std::printf("%-42s %12.0f  %9.3f ns  %8.3f B each\n", of.name.c_str(), at.elements, at.ns,
                         at.bytes / at.elements);
             std::fflush(stdout);
@@ -85,8 +86,9 @@ int main(int argc, char** argv) {
                 out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ns << '\t' << at.bytes
                     << std::endl;
         }
-        if (!sample && of.highest > 20)
-            std::printf("%-42s cost of the most over cost of 2^20: %.2f\n", of.name.c_str(), last_ns / first_ns);
+        if (ns.size() > 2)  // 2^20 elements may be in the cache
+            std::printf("%-42s cost of the most over that of 2^20: %.2f, of 2^22: %.2f\n", of.name.c_str(),
+                        ns.back() / ns[0], ns.back() / ns[1]);
     }
     std::printf("%d failures\n", failures);
     return failures != 0;

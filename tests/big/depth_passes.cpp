@@ -19,7 +19,8 @@ namespace {
 using namespace umbrage;
 
 constexpr int largest_side = 16384;                        // of a depth pass
-constexpr std::size_t of_a_piece = std::size_t(48) << 16;  ///< bytes: three vertices for each of 2^16 triangles
+constexpr std::size_t of_a_piece = std::size_t(48) << 16;  // bytes: three vertices for each of 2^16 triangles
+constexpr std::size_t of_a_band = std::size_t(320) << 10;  // bytes: a copy of 2^16 texels, with a line for each row
 
 /// Part of a map as a map of its own, and the matrix that draws it.
 struct tile {
@@ -39,7 +40,7 @@ prepared fills(int power) {
     const auto map = std::make_shared<image<float>>(size_of(power), 1.0f);
     static constexpr std::array<glm::vec3, 4> corners{{{-1, -1, 0}, {1, -1, 0.5f}, {-1, 1, 0.25f}, {1, 1, 0.75f}}};
     static constexpr std::array<glm::uvec3, 2> triangles{{{0, 1, 2}, {1, 3, 2}}};
-    return {double(area(map->size())), small_change,
+    return {double(area(map->size())), of_a_band + small_change,
             [map](stopwatch& watch) {
                 std::ranges::fill(map->texels(), 1.0f);
                 watch.add([&] {

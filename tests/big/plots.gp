@@ -2,6 +2,7 @@
 #
 # Pictures of what big measured, in the style of ../bench/style.gp: user CPU time per element over the number of elements.
 # A function whose cost is linear has a level curve.
+set key noenhanced # names have underscores
 set logscale x 2
 set format x "2^{%L}"
 set xrange [2**19.8:2**30.2]

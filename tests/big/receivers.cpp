@@ -116,8 +116,8 @@ prepared looks_up_at_once(int power, const Filter& filter, double bounds) {
         image<float> depths, lit{depths.size()};
     };
     const auto of = std::make_shared<both>(both{depths_of(size_of(power))});
-    const double texels = double(area(of->depths.size()));
-    return {texels, std::size_t(texels * bounds) + (bounds > 0 ? std::size_t(4) << 20 : small_change),
+    const double texels = double(area(of->depths.size())), padding = 320.0 * of->depths.size().y;
+    return {texels, std::size_t(texels * bounds + padding) + small_change,
             [of, filter](stopwatch& watch) {
                 glm::mat4 moved(1);
                 moved[3].x = 8;

@@ -86,6 +86,9 @@ struct with_table {
 
 constexpr int radius = 3;
 
+/// Bytes of a table's further column and row, and of sums of rows and columns.
+std::size_t borders(glm::ivec2 size) { return 32 * std::size_t(size.x + size.y); }
+
 /// Sum of the codes' or moments' first channel over a box, from the table: an integer below 2^32.
 std::uint32_t box_of(const image<glm::u16vec4>& table, glm::ivec2 at, glm::ivec2 size, const auto& sum_at) {
     const glm::ivec2 first = glm::max(at - radius, glm::ivec2(0)), end = glm::min(at + radius + 1, size);
@@ -103,7 +106,7 @@ prepared variances(int power) {
     const auto of = std::make_shared<with_table<variance_table>>();
     of->of.radius = radius, of->depths = depths_of(size_of(power));
     const auto texels = area(of->depths.size());
-    return {double(texels), texels * 16 + texels / 100 + small_change,
+    return {double(texels), texels * 16 + borders(of->depths.size()) + small_change,
             [of](stopwatch& watch) {
                 of->table = {};
                 watch.add([&] { of->table = make_variance_table(of->depths, of->of); });
@@ -128,7 +131,7 @@ prepared moments(int power) {
     const auto of = std::make_shared<with_table<moment_table>>();
     of->of.radius = radius, of->depths = depths_of(size_of(power));
     const auto texels = area(of->depths.size());
-    return {double(texels), texels * 32 + texels / 100 + small_change,
+    return {double(texels), texels * 32 + borders(of->depths.size()) + small_change,
             [of](stopwatch& watch) {
                 of->table = {};
                 watch.add([&] { of->table = make_moment_table(of->depths, of->of); });

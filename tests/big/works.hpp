@@ -45,9 +45,9 @@ struct prepared {
 };
 
 struct work {
-    std::string plot, name;
-    int highest;         ///< power of two of the largest number of elements
-    double gib_at_once;  ///< memory at that number, with all arguments
+    std::string plot, name;  ///< plot of the cost; none where only results and memory count
+    int highest;             ///< power of two of the largest number of elements
+    double gib_at_once;      ///< memory at that number, with all arguments
     std::function<prepared(int power)> prepare;
 };
 
