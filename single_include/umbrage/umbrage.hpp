@@ -19803,6 +19803,8 @@ template <real T>
 ///
 /// @edge   receivers without points (a camera that sees nothing of a scene): a map of the casters' box. Without casters
 ///         too: of a box around the origin
+/// @accuracy   2^19 half sizes of the map from the origin (2^48 in double) rounding moves receivers by up to 1/16 of a
+///             half size, out of the map without a margin. Nearer to it this falls in proportion
 /// @throws std::invalid_argument  zero or non-finite direction; receivers missing or without extent; an invalid box of
 ///                                casters; a negative margin; clip unset; matrices that would not be finite
 /// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
