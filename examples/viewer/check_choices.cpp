@@ -29,7 +29,7 @@ int soft_pixels(const picture& mask) {
 
 }  // namespace
 
-TEST_CASE("choices: every filter and every encoding draws, fine encodings as floats do") {
+TEST_CASE("choices: every filter draws, and every encoding; fine ones as floats do") {
     // an offset leaves room for what an encoding loses; the smallest bias shows it where things touch
     const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk --bias normal_offset ";
     for (const std::string& filter : example::filter_names()) {
@@ -37,7 +37,7 @@ TEST_CASE("choices: every filter and every encoding draws, fine encodings as flo
         const picture floats = viewed(with_filter + " --encoding depth32f");
         CHECK(floats[{138, 86}] != floats[{120, 190}]);  // the ball's shadow on the box, the floor in front
         for (const std::string& encoding : example::encoding_names()) {
-            if (filter != "pcf_2x2" && encoding != "rg11") continue;  // filters see depths alone
+            if (filter != "pcf_2x2" && (filter != "disc16" || encoding != "rg11")) continue;  // filters see depths alone
             const int other = differing(viewed(with_filter + " --encoding " + encoding), floats);
             CAPTURE(filter);
             CAPTURE(encoding);
