@@ -26,7 +26,7 @@ protected:
         positions_ = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
         triangles_ = {{0, 1, 2}, {0, 2, 3}};
         while (triangles_.size() < 8) {
-            const glm::vec3 middle(real(-2, 2), real(0.5f, 3), real(-2, 2));
+            const glm::vec3 middle = between({-2, 0.5f, -2}, {2, 3, 2});
             std::array<glm::vec3, 3> corner;
             for (glm::vec3& c : corner) c = middle + vector(-1.5f, 1.5f), c.y = std::max(c.y, 0.1f);
             if (glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])) < 1.0f) continue;
@@ -38,10 +38,12 @@ protected:
     }
 
     [[nodiscard]] float real(float low, float high) { return std::uniform_real_distribution(low, high)(random_); }
-    [[nodiscard]] glm::vec3 vector(float low, float high) {
-        const float x = real(low, high), y = real(low, high), z = real(low, high);
+    /// Draws one number after the other: arguments of a call are evaluated in any order, and scenes are to be the same.
+    [[nodiscard]] glm::vec3 between(const glm::vec3& low, const glm::vec3& high) {
+        const float x = real(low.x, high.x), y = real(low.y, high.y), z = real(low.z, high.z);
         return {x, y, z};
     }
+    [[nodiscard]] glm::vec3 vector(float low, float high) { return between(glm::vec3(low), glm::vec3(high)); }
     [[nodiscard]] glm::vec3 around(float distance) {  // above the ground
         const glm::vec3 way = vector(-1, 1);
         return glm::normalize(glm::vec3(way.x, std::abs(way.y) + 0.2f, way.z)) * distance;

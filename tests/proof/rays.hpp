@@ -117,7 +117,7 @@ protected:
         using fitted_to = light_kind::fitted_to;
         const polyhedron seen = intersection(camera_, box_);
         do {
-            position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
+            position_ = random_() % 4 ? around(real(6, 9)) : between({-1, 1, -1}, {1, 3, 1});
             direction_ = kind_.is_spot ? vector(-1, 1) - position_ : vector(-1, 1);
         } while (kind_.is_spot && intersection(seen, cone()).empty());  // of use for nothing that is seen
         if (kind_.receivers == fitted_to::ground && std::abs(direction_.y) < 0.1f)
@@ -145,8 +145,12 @@ protected:
                 fit.receivers = sphere_around(camera_), fit.snap_texels = {map_size, map_size};
             light_ = fit_directional_light(fit);
         } else if (kind_.receivers == fitted_to::cone) {
-            light_ = make_spot_light<float>(
-                {.position = position_, .direction = direction_, .z_near = z_near, .z_far = 30, .clip = clip_});
+            light_ = make_spot_light<float>({.position = position_,
+                                             .direction = direction_,
+                                             .outer_angle_radians = 0.52f,  // C libraries agree on its tangent
+                                             .z_near = z_near,
+                                             .z_far = 30,
+                                             .clip = clip_});
         } else {
             light_ = fit_spot_light<float>({.position = position_,
                                             .direction = direction_,
@@ -189,8 +193,8 @@ protected:
     [[nodiscard]] umbrage::frustum<float> cone() const {
         return {.position = position_,
                 .direction = direction_,
-                .tan_half_x = 0.57735f,
-                .tan_half_y = 0.57735f,
+                .tan_half_x = 0.572f,
+                .tan_half_y = 0.572f,
                 .z_near = z_near,
                 .z_far = 29};
     }
