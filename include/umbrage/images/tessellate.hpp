@@ -115,8 +115,9 @@ private:
         }
     }
 
+    /// Midpoint of an edge. Its newer end lists it: a vertex has few edges to older ones, but may have any number to newer.
     unsigned between(unsigned a, unsigned b) {
-        if (b < a) return between(b, a);
+        if (a < b) return between(b, a);
         for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
             if (vertices_[m].end == b) return m;
         const unsigned m = add(middle(a, b));
@@ -128,8 +129,8 @@ private:
     static constexpr unsigned none = ~0u;
     struct vertex {
         double distance;         ///< distance from the light
-        unsigned middle = none;  ///< midpoint of the last cut edge from here to an end of a higher index
-        unsigned end = none;     ///< end of the edge, for a midpoint
+        unsigned middle = none;  ///< midpoint of the last cut edge from here to an older end
+        unsigned end = none;     ///< older end of the edge, for a midpoint
         unsigned next = none;    ///< midpoint of the edge cut before it, for a midpoint
     };
 
