@@ -162,7 +162,7 @@ prove:
 	cmake --build --preset dev --target prove_site
 	cmake --build --preset dev --target mutate
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang-optimized; fi
-	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit write_shadows
+	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_fits hostile_aarch64 unit write_expected write_shadows write_values
 	ctest --preset dev -R "^hostile/|^unit/simd/|^package/shadows"
 	@$(MAKE) --no-print-directory users
 	$(configure_bench)
