@@ -115,7 +115,8 @@ private:
         }
     }
 
-    /// Midpoint of an edge. Its newer end lists it: a vertex has few edges to older ones, but may have any number to newer.
+    /// Midpoint of an edge. Its newer end lists it: a cut gives a vertex few edges to older ones, but the older end may
+    /// be a fan's center, whose list would be searched from one end to the other for each cut.
     unsigned between(unsigned a, unsigned b) {
         if (a < b) return between(b, a);
         for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
