@@ -10,7 +10,7 @@
 #     make format  formats all C++ files
 #     make hosts   the npm package's addons in three.js, Babylon.js and PlayCanvas, and from an empty folder
 #     make users   the unit tests as users compile them: part of make prove
-#     make everywhere   tier A and the image functions on every machine that this one can be: a table, build/everywhere/everywhere.md
+#     make everywhere   tier A, image functions and all twins on every machine that this one can be: build/everywhere/everywhere.md
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make site    the project as a site, build/site: proof on your GPU, snippets, reference; make serve shows it
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
