@@ -52,7 +52,12 @@ UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
 #if defined(__GNUC__) || defined(__clang__)
 template <int... From, class Lanes, class Result>
 UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Result& result) {
+#if __has_builtin(__builtin_shufflevector)
     result = __builtin_shufflevector(a, b, From...);
+#else  // GCC 11
+    constexpr int count = sizeof(Lanes) / sizeof(a[0]);
+    result = Result{(From < count ? a[From % count] : b[From % count])...};
+#endif
 }
 
 /// Lanes 0, 1, 2 ...
@@ -67,7 +72,7 @@ template <class T, int Count, class Half>
 UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
     using half = lanes_of<T, Count / 2>;
     [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
-        v = __builtin_shufflevector(__builtin_convertvector(low, half), __builtin_convertvector(high, half), I...);
+        shuffle<I...>(__builtin_convertvector(low, half), __builtin_convertvector(high, half), v);
     }
     (std::make_integer_sequence<int, Count>{});
 }
