@@ -98,12 +98,13 @@ void images(fuzz::input& in, const page_cache& cache) {
 
 void lights(fuzz::input& in, const page_cache& cache) {
     const clip_space clip = in.clip();
-    const auto root = make_page_root<double>({.direction = glm::dvec3(in.vec3(-1, 1)),
-                                              .up = glm::dvec3(in.vec3(-1, 1)),
-                                              .center = glm::dvec3(in.vec3(-50, 50)),
-                                              .side = in.number(1, 500),
-                                              .scene = {glm::dvec3(in.vec3(-60, 0)), glm::dvec3(in.vec3(0, 60))},
-                                              .clip = clip});
+    const page_root<double> square{.direction = glm::dvec3(in.vec3(-1, 1)),
+                                   .up = glm::dvec3(in.vec3(-1, 1)),
+                                   .center = glm::dvec3(in.vec3(-50, 50)),
+                                   .side = in.number(1, 500),
+                                   .scene = {glm::dvec3(in.vec3(-60, 0)), glm::dvec3(in.vec3(0, 60))},
+                                   .clip = clip};
+    const auto root = make_page_root(square);
     const page_size size{.texels = 1 << in.within(0, 5), .gutter = in.within(0, 6)};
     const glm::dvec3 point(in.tame(-60, 60), in.tame(-60, 60), in.tame(-60, 60));
     cache.for_each([&](const page& p, glm::ivec2) {
@@ -113,7 +114,8 @@ void lights(fuzz::input& in, const page_cache& cache) {
         const double across = 1 << p.level;
         const glm::dvec2 wanted =
             (glm::dvec2(there) * across - across - glm::dvec2(p.x, p.y)) * double(size.texels) + double(size.gutter);
-        const double room = 1e-9 * (glm::length(wanted) + across * size.texels);
+        const double rounded = 1e-15 * (glm::length(point) + glm::length(square.center)) / square.side;
+        const double room = (1e-9 + rounded) * across * size.texels + 1e-9 * glm::length(wanted);
         fuzz::must(glm::distance(glm::dvec2(here), wanted) <= room, "a page shows the root's texels");
     });
     const adaptive_maps set_up(root, cache, size);

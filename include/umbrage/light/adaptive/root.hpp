@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <glm/mat4x4.hpp>
 
@@ -45,7 +46,8 @@ struct page_size {
 
 /// Light space of the whole root.
 /// @throws std::invalid_argument  zero or non-finite direction; center or scene missing or not finite; a side not above
-///                                0; clip unset; matrices that would not be finite
+///                                0, or too small for T's digits at the farthest coordinate of center and scene; clip
+///                                unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
@@ -59,6 +61,10 @@ template <real T = float>
                               root.clip};
     const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
+    const auto farthest = detail::greater(glm::abs(root.center), glm::abs(root.scene.low), glm::abs(root.scene.high));
+    const T rounding = std::numeric_limits<T>::epsilon() * detail::greater(farthest.x, farthest.y, farthest.z);
+    detail::require(root.side > T(16) * rounding, function, "side", "large enough for the digits of center and scene",
+                    root.side);
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
     const double spare =
         (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // keeps the scene off both planes

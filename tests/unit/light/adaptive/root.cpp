@@ -57,6 +57,9 @@ TEST_CASE("make_page_root, page_light: bad input") {
     CHECK(with([&](auto& r) { r.center = {0, inf, 0}; }).starts_with("umbrage::make_page_root: center "));
     CHECK(with([](auto& r) { r.side = 0; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([&](auto& r) { r.side = inf; }).starts_with("umbrage::make_page_root: side "));
+    CHECK(with([](auto& r) { r.side = 1e-8, r.center = {1e7, 0, 0}; }).starts_with("umbrage::make_page_root: side "));
+    CHECK(with([](auto& r) { r.side = 1e-8, r.scene.low.z = -1e7; }).starts_with("umbrage::make_page_root: side "));
+    CHECK(with([](auto& r) { r.side = 1e-7, r.center = {1e7, 0, 0}; }).empty());
     CHECK(with([&](auto& r) { r.scene = {{0, 0, 0}, {0, inf, 0}}; }).starts_with("umbrage::make_page_root: scene."));
     const auto light = [](const umbrage::page& p, const umbrage::page_size& size = {}) {
         return complaint([&] {
