@@ -82,29 +82,34 @@ private:
         return {0, sag > sag_ ? sag : 0};
     }
 
-    /// Point where the angle's bisector meets the edge, the same for both orders of the ends.
+    /// Point where the angle's bisector meets the edge, the same for both orders of the ends. Counted from the nearer
+    /// end, its share of the edge has digits however far the other end is.
     [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
-        const glm::vec3 &p = cut_.positions[a], &q = cut_.positions[b];
-        if (q.x != p.x ? q.x < p.x : q.y != p.y ? q.y < p.y : q.z < p.z) return middle(b, a);
+        if (vertices_[b].distance < vertices_[a].distance) return middle(b, a);
         const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
-        return glm::vec3(glm::mix(glm::dvec3(p), glm::dvec3(q), share));
+        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
     }
 
-    /// Cuts a triangle in two at the edge with the largest excess, until none has any.
+    /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
+    /// rounding leaves no point between its ends: to cut the others again and again would not shorten it.
+    [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
+        glm::length_t longest = 3;
+        std::pair<double, double> most{0, 0};
+        for (glm::length_t i = 0; i < 3; ++i)
+            if (const auto by = excess(t[i], t[(i + 1) % 3]); by > most) longest = i, most = by;
+        if (longest == 3) return 3;
+        const unsigned a = t[longest], b = t[(longest + 1) % 3];
+        const glm::vec3 m = middle(a, b);
+        return m == cut_.positions[a] || m == cut_.positions[b] ? 3 : longest;
+    }
+
+    /// Cuts a triangle in two at its longest edge, until no edge is too long.
     void cut(const glm::uvec3& whole) {
         std::vector<glm::uvec3> left{whole};
         while (!left.empty()) {
             const glm::uvec3 t = left.back();
             left.pop_back();
-            glm::length_t longest = 3;
-            std::pair<double, double> most{0, 0};
-            for (glm::length_t i = 0; i < 3; ++i) {
-                const unsigned a = t[i], b = t[(i + 1) % 3];
-                const auto by = excess(a, b);
-                if (!(by > most)) continue;
-                const glm::vec3 m = middle(a, b);
-                if (m != cut_.positions[a] && m != cut_.positions[b]) longest = i, most = by;
-            }
+            const glm::length_t longest = longest_edge(t);
             if (longest == 3) {
                 cut_.triangles.push_back(t);
                 continue;
@@ -155,6 +160,8 @@ private:
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
 ///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
 ///               contain the light, or are seen edge-on, would be cut forever
+/// @edge         far from the origin, where rounding leaves no point between the ends of a triangle's longest edge, the
+///               triangle stays. Beside neighbors that are cut it may leave a gap
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";

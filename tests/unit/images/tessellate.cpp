@@ -130,6 +130,10 @@ TEST_CASE("tessellate: small and wholly distant triangles stay, as do those that
     CHECK(count({{0, 0, 0}, {5, 0, 9}, {5.1f, 0, 9}}, {}) >= 1);      // a corner in the light
     CHECK(count({{-5, -5, 0}, {5, -5, 0}, {0, 5, 0}}, {}) < 100000);  // its plane through the light
     CHECK(count({{-5, -5, -5}, {5, 5, 5}, {0, 5, 0}}, {}) < 100000);  // an edge through the light
+    CHECK(count({{8, 7.4f, 1.7f}, {0.8f, 1.1f, 1.1f}, {8, -0.7f, 1.8e28f}},
+                {.position = {8, 8, 8}, .angle = 0.9f, .range = 11, .depth_error = 0.1f}) < 1000);
+    CHECK(count({{8, -1, -7.8f}, {0, 8, 8}, {-8, 3.4e38f, 1.8e28f}},  // where floats lack digits
+                {.position = {0, 1.8e28f, 1}, .angle = 1.8f, .range = 19, .depth_error = 0.004f}) < 1000);
     CHECK(tessellate({}, {}).triangles.empty());
 }
 
