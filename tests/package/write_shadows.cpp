@@ -19,10 +19,14 @@ constexpr glsl::version versions[]{glsl::version::v330, glsl::version::v300_es, 
                                    glsl::version::v100, glsl::version::v310_es};
 
 #ifdef UMBRAGE_ALL_BUILDS
-constexpr bool all_filters = true;
+constexpr bool all = true;
 #else
-constexpr bool all_filters = false;  // some 300 types of shadows, a minute to compile
+constexpr bool all = false;  // some 400 types of shadows, a minute to compile
 #endif
+
+/// True for lights of one map alone: a sample has every filter and every encoding with them.
+template <class Light>
+constexpr bool has_one_map = std::is_same_v<std::decay_t<Light>, umbrage::light_space<float>>;
 
 /// Result of text(), or null if it throws.
 template <class Text>
@@ -92,10 +96,10 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Every light with every filter, and with every kind of map. A sample has every filter with lights of one map alone.
+/// Every light with every filter, and with every kind of map.
 void of_filters(writer& out, const umbrage::clip_space& clip) {
     for_each_light(clip, [&](std::string_view kind, const auto& light) {
-        if constexpr (all_filters || std::is_same_v<std::decay_t<decltype(light)>, umbrage::light_space<float>>)
+        if constexpr (all || has_one_map<decltype(light)>)
             for_each_shadow_filter(light, [&](const auto& filter) {
                 out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), filter), {});
             });
@@ -111,11 +115,13 @@ void of_filters(writer& out, const umbrage::clip_space& clip) {
 /// Spot lights and cascades in every encoding.
 void of_encodings(writer& out, const umbrage::clip_space& clip) {
     for_each_light(clip, [&](std::string_view kind, const auto& light) {
+        const auto add = [&](const auto& encoding) {
+            out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding), {});
+        };
         if constexpr (!bends<std::decay_t<decltype(light)>>)
             if (kind != "spot_light" && kind != "cascades") return;
-        umbrage::for_each_encoding([&](const auto& encoding) {
-            out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding), {});
-        });
+        if constexpr (all || has_one_map<decltype(light)>) umbrage::for_each_encoding(add);
+        else add(umbrage::rg<11>{});
     });
 }
 
@@ -132,11 +138,12 @@ void of_debug(writer& out, const umbrage::clip_space& clip) {
         add(umbrage::filters::disc{});
         add(umbrage::prefilters::vsm{});
         if constexpr (!bent) add(umbrage::filters::pcss{});
-        if (bent || kind == "spot_light")
-            umbrage::for_each_encoding([&](const auto& encoding) {
-                out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding),
-                        {.debug = true});
-            });
+        if constexpr (has_one_map<decltype(light)> || (all && bent))
+            if (bent || kind == "spot_light")
+                umbrage::for_each_encoding([&](const auto& encoding) {
+                    out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding),
+                            {.debug = true});
+                });
     });
 }
 

@@ -51,7 +51,8 @@ See the proof fail: <a href="?fault=floor(=ceil(&amp;only=encode&amp;run">each <
 </section>`;
 
 export async function pages(context) {
-    const built = context.wasm('proof/wasm', `sample_of_entries=${is_sample ? 'ON' : 'OFF'}`);
+    const [sample, level] = is_sample ? ['ON', '-O1'] : ['OFF', '-O2'];
+    const built = context.wasm('proof/wasm', `sample_of_entries=${sample}`, `CMAKE_CXX_FLAGS_RELEASE=${level}`);
     context.copy(join(built, 'proof.wasm'), 'proof/proof.wasm');
     for (const script of ['main', 'worker']) await context.bundle(`proof/${script}.ts`, `proof/${script}.js`);
     return [{ path: 'proof/index.html', html: page({
