@@ -93,7 +93,7 @@ function(compare program reference found log)
             file(STRINGS ${log}.${which} ${which}_lines)
         endforeach()
         set(differing ${reference_lines})
-        list(REMOVE_ITEM differing ${found_lines})
+        list(REMOVE_ITEM differing "" ${found_lines}) # "" where it printed nothing
         list(LENGTH reference_lines lines)
         list(LENGTH differing differ)
         string(REPLACE ";" "\n" differing "${differing}")
