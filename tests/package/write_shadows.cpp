@@ -19,9 +19,9 @@ constexpr glsl::version versions[]{glsl::version::v330, glsl::version::v300_es, 
                                    glsl::version::v100, glsl::version::v310_es};
 
 #ifdef UMBRAGE_ALL_BUILDS
-constexpr bool all = true;
+constexpr bool whole = true;
 #else
-constexpr bool all = false;  // some 400 types of shadows, a minute to compile
+constexpr bool whole = false;  // some 400 types of shadows, a minute to compile
 #endif
 
 /// True for lights of one map alone: a sample has every filter and every encoding with them.
@@ -99,7 +99,7 @@ private:
 /// Every light with every filter, and with every kind of map.
 void of_filters(writer& out, const umbrage::clip_space& clip) {
     for_each_light(clip, [&](std::string_view kind, const auto& light) {
-        if constexpr (all || has_one_map<decltype(light)>)
+        if constexpr (whole || has_one_map<decltype(light)>)
             for_each_shadow_filter(light, [&](const auto& filter) {
                 out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), filter), {});
             });
@@ -120,7 +120,7 @@ void of_encodings(writer& out, const umbrage::clip_space& clip) {
         };
         if constexpr (!bends<std::decay_t<decltype(light)>>)
             if (kind != "spot_light" && kind != "cascades") return;
-        if constexpr (all || has_one_map<decltype(light)>) umbrage::for_each_encoding(add);
+        if constexpr (whole || has_one_map<decltype(light)>) umbrage::for_each_encoding(add);
         else add(umbrage::rg<11>{});
     });
 }
@@ -138,7 +138,7 @@ void of_debug(writer& out, const umbrage::clip_space& clip) {
         add(umbrage::filters::disc{});
         add(umbrage::prefilters::vsm{});
         if constexpr (!bent) add(umbrage::filters::pcss{});
-        if constexpr (has_one_map<decltype(light)> || (all && bent))
+        if constexpr (has_one_map<decltype(light)> || (whole && bent))
             if (bent || kind == "spot_light")
                 umbrage::for_each_encoding([&](const auto& encoding) {
                     out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding),
