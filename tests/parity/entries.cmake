@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# Sets entry_sources: every file of entries, and one that lists them. They find their place by where their file lies:
-# add_filter_pcf_box in entries/filter/pcf/box.cpp, and so on. With sample_of_entries, one file in eight.
+# Sets suite_sources: every file of entries, one that lists them, and what makes their inputs and texts. Entries find
+# their place by where their file lies: add_filter_pcf_box in entries/filter/pcf/box.cpp, and so on. With
+# sample_of_entries, one file in eight.
 file(GLOB_RECURSE names CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/entries ${CMAKE_CURRENT_LIST_DIR}/entries/*.cpp)
 set(declarations "")
 set(calls "")
@@ -16,5 +17,9 @@ foreach(name IN LISTS names)
     string(REPLACE "/" "_" name ${name})
     string(APPEND declarations "void add_${name}(std::vector<entry>& all);\n")
     string(APPEND calls "    add_${name}(all);\n")
+endforeach()
+set(suite_sources ${entry_sources})
+foreach(part IN ITEMS block end_to_end/ray_light hlsl job shader texture values wgsl)
+    list(APPEND suite_sources ${CMAKE_CURRENT_LIST_DIR}/${part}.cpp)
 endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/entries.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/entries.cpp @ONLY)
