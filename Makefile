@@ -299,7 +299,7 @@ bench:
 	cmake --build build/bench --target bench_table
 	cmake --build build/bench --target bench_plots
 
-# Some 25 minutes, with up to 13 GiB of memory at once: a work that finds less is skipped, and says so. The points are in
+# Up to half an hour, with up to 13 GiB of memory at once: a work that finds less is skipped, and says so. The points are in
 # build/big.tsv, the curves in build/plots/big_*.svg.
 big:
 	$(call install,$(unit_packages) gnuplot-nox)

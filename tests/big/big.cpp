@@ -27,7 +27,7 @@ double available_gib() {
     return 0;
 }
 
-/// Lets the process keep what it gives back. A virtual machine's host would take it, and find it anew in user time.
+/// Lets a work's runs keep what they give back. A virtual machine's host would take it, and find it anew in user time.
 void keep_memory() {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
         const int lowest = sample || of.highest < 20 ? std::min(of.highest, 16) : 20;
         const int highest = sample ? std::min(of.highest, 18) : of.highest;
         for (int power = lowest; power <= highest; power += power + 1 == highest ? 1 : 2) {
-            malloc_trim(0);
+            malloc_trim(0);  // what the last work has kept
             const double gib = std::ldexp(of.gib_at_once, power - of.highest);
             if (!sample && gib > 1 && available_gib() < gib + 2) {
                 std::printf("%-42s 2^%d: skipped, needs %.1f GiB and 2 to spare\n", of.name.c_str(), power, gib);

@@ -61,6 +61,7 @@ function(build program name compiler flags runner)
     endif()
     set(arguments "")
     if(program STREQUAL twins)
+        # Generic: of no machine whose flags CMake would add
         execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${root}/tests/everywhere/twins -B ${binary} -D CMAKE_SYSTEM_NAME=Generic
                 -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags} -D CMAKE_EXECUTABLE_SUFFIX_CXX=${suffix}
                 -D UMBRAGE_GLM=${OUT}/glm -D sample_of_entries=${SAMPLE}

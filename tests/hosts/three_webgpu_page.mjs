@@ -65,7 +65,8 @@ const flipped = (floats, row) => Float32Array.from(floats, (_, i) => {
 async function drawn(reversed = false) {
     const renderer = new THREE.WebGPURenderer({ antialias: false, forceWebGL: fallback, reversedDepthBuffer: reversed });
     await renderer.init();
-    if (sun.SunLight) renderer.library.addLight(sun.SunLightNode, sun.SunLight);
+    const { library } = renderer;
+    if (sun.SunLight) library.addLight(sun.SunLightNode, sun.SunLight);
     renderer.setSize(width, height);
     renderer.shadowMap.enabled = true;
     return renderer;

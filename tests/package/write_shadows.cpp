@@ -21,7 +21,7 @@ constexpr glsl::version versions[]{glsl::version::v330, glsl::version::v300_es, 
 #ifdef UMBRAGE_ALL_BUILDS
 constexpr bool whole = true;
 #else
-constexpr bool whole = false;  // some 400 types of shadows, a minute to compile
+constexpr bool whole = false;  // all types of shadows take a minute to compile
 #endif
 
 /// True for lights of one map alone: a sample has every filter and every encoding with them.
