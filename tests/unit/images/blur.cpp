@@ -15,6 +15,7 @@
 #include <umbrage/images/blur.hpp>
 
 #include "../fusing.hpp"
+#include "isas.hpp"
 #include "last_piece_first.hpp"
 
 namespace {
@@ -72,11 +73,7 @@ void check() {
             CAPTURE(size.x);
             CAPTURE(kernel.weights.size());
             const image<T> wanted = plain(plain(from, kernel, {0, 1}), kernel, {1, 0});
-            const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-            for (umbrage::detail::isa set :
-                 {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
-                if (umbrage::detail::best_isa() < set) continue;
-                umbrage::detail::isa_in_use = set;
+            for_each_isa([&] {
                 for (int pieces : {1, 3, size.y}) {
                     std::vector<T> memory(static_cast<std::size_t>((size.x + 3) * size.y),
                                           T(7));  // rows with a gap behind
@@ -90,8 +87,7 @@ void check() {
                     }
                     CHECK(wrong == 0);
                 }
-            }
-            umbrage::detail::isa_in_use = best;
+            });
         }
     }
 }

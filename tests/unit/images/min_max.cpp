@@ -12,6 +12,8 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/images/min_max.hpp>
 
+#include "isas.hpp"
+
 namespace {
 
 struct last_row_first {
@@ -33,11 +35,7 @@ TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
             const float odd[] = {nan, -nan, inf, -inf, -1.5f};
             d = engine() % 9 == 0 ? odd[engine() % 5] : static_cast<float>(engine() % 4096) / 4096.0f + 0.25f;
         }
-        const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-        for (umbrage::detail::isa set :
-             {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
-            if (umbrage::detail::best_isa() < set) continue;
-            umbrage::detail::isa_in_use = set;
+        for_each_isa([&] {
             const auto pyramid = umbrage::make_min_max_pyramid(std::as_const(map).view(), 4, last_row_first{});
             REQUIRE(pyramid.size() == 4);
             for (std::size_t level = 0; level < 4; ++level) {
@@ -63,8 +61,7 @@ TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
                     }
                 CHECK(wrong == 0);
             }
-        }
-        umbrage::detail::isa_in_use = best;
+        });
     }
 }
 

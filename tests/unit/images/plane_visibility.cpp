@@ -59,25 +59,30 @@ void check_map(Encoding encoding, const Filter& filter, glm::ivec2 map_size, boo
             const glm::ivec2 inside(std::clamp(t.x, 0, map_size.x - 1), std::clamp(t.y, 0, map_size.y - 1));
             return inside == t || outside == umbrage::outside_map::clamped ? encoding.decode(texels[inside]) : cleared;
         };
-        for_each_path([&] {
-            image<float> out(of.size);
-            umbrage::visibility(texels, encoding, of.all(), contrary(filter), out, bands{3}, outside);
-            int differ = 0, partly = 0;
+        const auto of_one = [&](glm::ivec2 p) {
+            const glm::vec2 coord(of.x[p], of.y[p]), slope(of.slope_x[p], of.slope_y[p]);
+            const auto moved = [&](glm::ivec2 t) {
+                return umbrage::apply_receiver_plane(fetch(t), slope, coord, glm::vec2(t), cleared);
+            };
+            if constexpr (requires { filter(moved, coord, 0.0f, p); }) return filter(moved, coord, of.depth[p], p);
+            else return filter(moved, coord, of.depth[p]);
+        };
+        each_rounding(rounding_modes(), [&](int mode) {
+            CAPTURE(mode);
+            image<float> wanted(of.size);
             for (glm::ivec2 p{0}; p.y < of.size.y; ++p.y)
-                for (p.x = 0; p.x < of.size.x; ++p.x) {
-                    const glm::vec2 coord(of.x[p], of.y[p]), slope(of.slope_x[p], of.slope_y[p]);
-                    const auto moved = [&](glm::ivec2 t) {
-                        return umbrage::apply_receiver_plane(fetch(t), slope, coord, glm::vec2(t), cleared);
-                    };
-                    float wanted = 0;
-                    if constexpr (requires { filter(moved, coord, 0.0f, p); })
-                        wanted = filter(moved, coord, of.depth[p], p);
-                    else wanted = filter(moved, coord, of.depth[p]);
-                    differ += visibility_bits(wanted) != visibility_bits(out[p]);
-                    partly += wanted > 0 && wanted < 1;
-                }
-            CHECK(differ <= (may_fuse ? of.size.x * of.size.y / 20 : 0));  // fused, ties on a plane fall either way
+                for (p.x = 0; p.x < of.size.x; ++p.x) wanted[p] = of_one(p);
+            const auto partly = std::ranges::count_if(wanted.texels(), [](float w) { return w > 0 && w < 1; });
             if (in_order && filter.reach() > 0.5f) CHECK(partly > 100);
+            for_each_isa([&] {
+                image<float> out(of.size);
+                umbrage::visibility(texels, encoding, of.all(), contrary(filter), out, bands{3}, outside);
+                int differ = 0;
+                for (glm::ivec2 p{0}; p.y < of.size.y; ++p.y)
+                    for (p.x = 0; p.x < of.size.x; ++p.x)
+                        differ += visibility_bits(wanted[p]) != visibility_bits(out[p]);
+                CHECK(differ <= (may_fuse ? of.size.x * of.size.y / 20 : 0));  // fused, ties fall either way
+            });
         });
     }
 }

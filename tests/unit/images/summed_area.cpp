@@ -14,6 +14,7 @@
 
 #include <umbrage/images/summed_area.hpp>
 
+#include "isas.hpp"
 #include "last_piece_first.hpp"
 
 namespace {
@@ -21,19 +22,6 @@ namespace {
 using paths::gapped;
 using umbrage::image;
 using umbrage::image_view;
-
-template <class Use>
-void for_each_isa(Use&& use) {
-    const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-    for (umbrage::detail::isa set :
-         {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
-        if (umbrage::detail::best_isa() < set) continue;
-        CAPTURE(static_cast<int>(set));
-        umbrage::detail::isa_in_use = set;
-        use();
-    }
-    umbrage::detail::isa_in_use = best;
-}
 
 template <class From, class Sum, class Use>
 void for_each_table(image_view<From> values, Use&& use) {

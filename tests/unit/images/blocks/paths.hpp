@@ -17,12 +17,12 @@
 
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/simd/dispatch.hpp>
+
+#include "../isas.hpp"
 
 namespace paths {
 
 using umbrage::image;
-using umbrage::detail::isa;
 
 /// Rounding modes to try: to nearest, and every fifth time all four; always all with UMBRAGE_ALL_BUILDS.
 inline std::vector<int> rounding_modes() {
@@ -46,20 +46,17 @@ void each_rounding(const std::vector<int>& modes, Use&& use) {
     }
 }
 
+/// Calls use() in each of the modes, with each instruction set that this machine has.
 template <class Use>
 void for_each_path(const std::vector<int>& modes, Use&& use) {
-    const isa best = umbrage::detail::isa_in_use;
-    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-        if (umbrage::detail::best_isa() < set) continue;
-        umbrage::detail::isa_in_use = set;
+    for_each_isa([&] {
         each_rounding(modes, [&](int mode) {
-            CAPTURE(static_cast<int>(set));
             CAPTURE(mode);
             use();
         });
-    }
-    umbrage::detail::isa_in_use = best;
+    });
 }
+/// Calls use() in each of the modes, with each instruction set that this machine has.
 template <class Use>
 void for_each_path(Use&& use) {
     for_each_path(rounding_modes(), use);

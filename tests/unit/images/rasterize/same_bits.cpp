@@ -14,12 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "../isas.hpp"
 #include "exact.hpp"
 #include "scene.hpp"
 
 using namespace raster_scene;
-using detail::best_isa;
-using detail::isa;
 
 TEST_CASE("rasterize_depth: permuted triangles and vertices, and a split into meshes, give the same bits") {
     generator random;
@@ -55,22 +54,18 @@ TEST_CASE("rasterize_depth: compilers, flags and machines give the same bits for
         m.add(p[0], p[1], p[2]);
     }
     const auto matrix = exact_scene({123, -77, 1999, 1000}).matrix;
-    const auto in_use = detail::isa_in_use;
-    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-        detail::isa_in_use = std::min(set, best_isa());
+    for_each_isa([&] {
         std::uint64_t hash = 14695981039346656037u;  // FNV-1a
         rasterize(size, m, matrix, cpu_clip_space, [&](glm::ivec2 texel, float depth, unsigned triangle) {
             for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(depth), triangle})
                 hash = (hash ^ word) * 1099511628211u;
         });
         CHECK(hash == 3075832276352545962u);
-    }
-    detail::isa_in_use = in_use;
+    });
 }
 
 TEST_CASE("rasterize_depth: every instruction set and every cut into pieces gives the bits of sample by sample") {
     generator random;
-    const auto in_use = detail::isa_in_use;
     int covered = 0, kept = 0;
     for (const glm::ivec2 size : {glm::ivec2(517, 300), glm::ivec2(5, 700), glm::ivec2(2100, 40), glm::ivec2(8, 1)})
         for (auto direction : {depth_direction::forward, depth_direction::reversed})
@@ -84,22 +79,21 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
                     if (random(0, 3) == 0) z = std::bit_cast<float>(unsigned(random.engine()));
                     else if (random(0, 3) == 0) z = random(0, 1) ? -0.0f : 0.0f;
                 image<float> reference = before;
-                detail::isa_in_use = isa::base;
                 rasterize(size, m, perspective(), clip, [&](glm::ivec2 texel, float z, unsigned) {
                     float& there = reference[texel];
                     ++covered;
                     if (is_nan(there) || (direction == depth_direction::forward ? z > there : z < there)) ++kept;
                     else there = z;
                 });
-                for (isa set : {isa::base, isa::avx2, isa::avx512})
+                for_each_isa([&] {
                     for (int pieces : {1, 2, 3, 7}) {
-                        detail::isa_in_use = std::min(set, best_isa());
                         image<float> depth = before;
                         rasterize_depth(depth, m, perspective(), clip, cull_mode::none, [&](int count, auto&& piece) {
                             for (int i = pieces - 1; i >= 0; --i) piece(count * i / pieces, count * (i + 1) / pieces);
                         });
                         CHECK(same_bits(depth, reference));
                     }
+                });
             }
     CHECK(covered > 1000000);
     CHECK(kept > 100000);
@@ -107,23 +101,19 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
     // coverage, planes and the order of calls as well
     mesh large = soup(random, 3000);
     std::vector<std::uint64_t> calls;
-    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-        detail::isa_in_use = std::min(set, best_isa());
+    for_each_isa([&] {
         std::uint64_t hash = 14695981039346656037u;
         rasterize({96, 64}, large, perspective(), cpu_clip_space, [&](glm::ivec2 texel, float z, unsigned triangle) {
             for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(z), triangle})
                 hash = (hash ^ word) * 1099511628211u;
         });
         calls.push_back(hash);
-    }
-    CHECK(calls[0] == calls[1]);
-    CHECK(calls[0] == calls[2]);
-    detail::isa_in_use = in_use;
+    });
+    for (const std::uint64_t hash : calls) CHECK(hash == calls.front());
 }
 
 TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are drawn like sample by sample") {
     generator random;
-    const auto in_use = detail::isa_in_use;
     const auto depth = [&] {  // some beyond the far plane, at both ends, or so small that they may be flushed
         const float special[] = {0.0f, 1.0f, 1e-40f, 1e-37f, 1.2f, -0.2f};
         return random(0, 9) == 0 ? special[random(0, 5)] : random.real(0.0f, 1.0f);
@@ -141,15 +131,14 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
             if (is_nan(there) || (clip.direction == depth_direction::forward ? z > there : z < there)) ++kept;
             else there = z;
         });
-        for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-            detail::isa_in_use = std::min(set, best_isa());
+        for_each_isa([&] {
             image<float> alone = before, in_bands = before;
             rasterize_depth(alone, m, glm::mat4(1.0f), clip);
             CHECK(same_bits(alone, reference));
             rasterize_depth(in_bands, m, glm::mat4(1.0f), clip, cull_mode::none,
                             [](int count, auto&& piece) { piece(0, count); });
             CHECK(same_bits(in_bands, reference));
-        }
+        });
     };
     for (auto direction : {depth_direction::forward, depth_direction::reversed})
         for (auto origin : {texture_origin::bottom, texture_origin::top}) {
@@ -194,7 +183,6 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
             }
             check(tiny, clip, large);
         }
-    detail::isa_in_use = in_use;
     CHECK(covered > 1000000);
     CHECK(kept > 100000);
 }

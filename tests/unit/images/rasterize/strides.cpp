@@ -12,13 +12,13 @@
 #include <cstdlib>
 #include <vector>
 
+#include "../isas.hpp"
 #include "scene.hpp"
 
 using namespace raster_scene;
 
 TEST_CASE("rasterize_depth: rows any number of bytes apart are drawn like sample by sample, and nothing else is") {
     generator random;
-    const auto in_use = detail::isa_in_use;
     const glm::ivec2 size(1001, 150);
     mesh m;
     for (int i = 0; i < 600; ++i) {
@@ -48,8 +48,7 @@ TEST_CASE("rasterize_depth: rows any number of bytes apart are drawn like sample
                     float& there = view_of(reference)[texel];
                     if (direction == depth_direction::forward ? z <= there : z >= there) there = z;
                 });
-                for (auto set : {detail::isa::base, detail::isa::avx2, detail::isa::avx512}) {
-                    detail::isa_in_use = std::min(set, detail::best_isa());
+                for_each_isa([&] {
                     std::vector<float> alone = memory, in_pieces = memory;
                     const auto same = [&](const std::vector<float>& drawn) {
                         return std::equal(drawn.begin(), drawn.end(), reference.begin(), [](float a, float b) {
@@ -64,7 +63,6 @@ TEST_CASE("rasterize_depth: rows any number of bytes apart are drawn like sample
                                         piece(0, count / 2);
                                     });
                     CHECK(same(in_pieces));
-                }
+                });
             }
-    detail::isa_in_use = in_use;
 }

@@ -19,7 +19,7 @@ TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
     const std::string forked = "a\n#if __VERSION__ >= 130\nb\n#ifdef A\nc\n#else\nd\n#endif\n#else\ne\n#endif\nf\n";
     CHECK(umbrage::glsl::detail::resolved(forked, 120) == "a\ne\nf\n");
     CHECK(umbrage::glsl::detail::resolved(forked, 130) == "a\nb\n#ifdef A\nc\n#else\nd\n#endif\nf\n");
-    const auto prelude = [](version v) {
+    const auto prelude_in = [](version v) {
         const std::string all = text({umbrage::glsl::saturate}, v);
         return all.substr(all.find("#ifndef"), all.find("\n\n#ifndef UMBRAGE_HAS") - all.find("#ifndef"));
     };
@@ -27,12 +27,12 @@ TEST_CASE("text for a dialect: what __VERSION__ and GL_ES decide is decided") {
         return std::string("#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + highp +
                "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + precise + "\n#endif";
     };
-    CHECK(prelude(version::v330) == of("", ""));
-    CHECK(prelude(version::v430) == of("", " precise"));
-    CHECK(prelude(version::vulkan) == of("", " precise"));
-    CHECK(prelude(version::v100) == of(" highp", ""));
-    CHECK(prelude(version::v310_es) == of(" highp", ""));
-    CHECK(prelude(version::v320_es) == of(" highp", " precise"));
+    CHECK(prelude_in(version::v330) == of("", ""));
+    CHECK(prelude_in(version::v430) == of("", " precise"));
+    CHECK(prelude_in(version::vulkan) == of("", " precise"));
+    CHECK(prelude_in(version::v100) == of(" highp", ""));
+    CHECK(prelude_in(version::v310_es) == of(" highp", ""));
+    CHECK(prelude_in(version::v320_es) == of(" highp", " precise"));
     CHECK(count(text({umbrage::glsl::texel}, version::v120), "texelFetch") == 0);
     CHECK(count(text({umbrage::glsl::texel}, version::v300_es), "texture2D") == 0);
 }
