@@ -11,6 +11,8 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/filters.hpp>
 
+#include "../rounds.hpp"
+
 using namespace umbrage;
 
 TEST_CASE_TEMPLATE("receiver_plane_slope: by hand", T, float, double) {
@@ -50,7 +52,7 @@ TEST_CASE("receiver_plane_slope: the slope of coordinates rounded to float is of
     std::uniform_real_distribution<double> tilt(-8, 0), place(100, 3900), turn(0, 6.3), squeeze(0.02, 1);
     double worst = 0;
     int known = 0;
-    for (int i = 0; i < 300000; ++i) {
+    for (int i = 0; i < rounds(300000); ++i) {
         const double texels = std::exp2(tilt(random)), steep = std::exp2(2 * tilt(random) - 4);
         const glm::dvec2 slope = steep * glm::dvec2(std::cos(turn(random)), std::sin(turn(random)));
         const double angle = turn(random), narrow = texels * squeeze(random);
@@ -67,7 +69,7 @@ TEST_CASE("receiver_plane_slope: the slope of coordinates rounded to float is of
         const double off = std::abs(double(plane.x) - slope.x) + std::abs(double(plane.y) - slope.y);
         worst = std::max(worst, off / double(plane.z));
     }
-    CHECK(known > 200000);
+    CHECK(known > rounds(200000));
     CHECK(worst <= 1);
     CHECK(worst > 0.2);
 }

@@ -2,6 +2,7 @@
 //
 // visibility along receivers' planes over images against the filters called for each receiver, bit by bit.
 #include "../fusing.hpp"
+#include "../rounds.hpp"
 #include "blocks/paths.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct sloped {
 
 /// Receivers of anything, or in order over a map, most of them inside.
 sloped receivers_for(glm::ivec2 map_size, bool in_order, values& v) {
-    sloped s{in_order ? glm::ivec2(192, 20) : glm::ivec2(131, 9)};
+    sloped s{in_order ? glm::ivec2(192, rounds(20)) : glm::ivec2(131, rounds(9))};
     for (glm::ivec2 p{0}; p.y < s.size.y; ++p.y)
         for (p.x = 0; p.x < s.size.x; ++p.x) {
             const bool anything = !in_order || v.word() % 200 == 0;
@@ -73,7 +74,7 @@ void check_map(Encoding encoding, const Filter& filter, glm::ivec2 map_size, boo
             for (glm::ivec2 p{0}; p.y < of.size.y; ++p.y)
                 for (p.x = 0; p.x < of.size.x; ++p.x) wanted[p] = of_one(p);
             const auto partly = std::ranges::count_if(wanted.texels(), [](float w) { return w > 0 && w < 1; });
-            if (in_order && filter.reach() > 0.5f) CHECK(partly > 100);
+            if (in_order && filter.reach() > 0.5f) CHECK(partly > rounds(100));
             for_each_isa([&] {
                 image<float> out(of.size);
                 umbrage::visibility(texels, encoding, of.all(), contrary(filter), out, bands{3}, outside);

@@ -14,6 +14,7 @@
 
 #include <umbrage/images/summed_area.hpp>
 
+#include "../rounds.hpp"
 #include "isas.hpp"
 #include "last_piece_first.hpp"
 
@@ -59,7 +60,7 @@ void check_integers(std::uint32_t greatest) {
                     wrong += sums[{x, y}] != sum;
                 }
             }
-            for (int i = 0; i < 200; ++i) {  // rectangles, some beyond a border, some the wrong way round
+            for (int i = 0; i < rounds(200); ++i) {  // rectangles, some beyond a border, some the wrong way round
                 const auto any = [&](int n) { return static_cast<int>(engine() % static_cast<unsigned>(n + 8)) - 4; };
                 const glm::ivec2 first(any(size.x), any(size.y)), last(any(size.x), any(size.y));
                 std::uint32_t sum = 0;

@@ -6,6 +6,7 @@
 
 #include <umbrage/light/sweep.hpp>
 
+#include "../rounds.hpp"
 #include "bodies.hpp"
 
 using namespace umbrage;
@@ -112,7 +113,7 @@ TEST_CASE("convex_hull: holds corners that are repeated up to rounding") {
     std::mt19937 random(3);
     bodies::real near_zero(-1e-15, 1e-15), anywhere(-2, 2);
     double farthest = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < rounds(200000); ++i) {
         std::vector<glm::dvec3> points;
         for (int corner = 0; corner < 3 + i % 6; ++corner) {
             const glm::dvec2 p(anywhere(random), anywhere(random));

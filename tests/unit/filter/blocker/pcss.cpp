@@ -7,6 +7,7 @@
 
 #include <umbrage/filter/blocker/pcss.hpp>
 
+#include "../../rounds.hpp"
 #include "../../special_values.hpp"
 #include "penumbra_width.hpp"
 #include "whole_numbers.hpp"
@@ -22,7 +23,7 @@ void check_pcss(bool forward) {
     whole::cases all;
     const comparison is_lit{forward ? depth_direction::forward : depth_direction::reversed};
     int wrong = 0, partly = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < rounds(4000); ++i) {
         const whole::receiver r = all.draw();
         const whole::softness light = all.light();
         const std::int64_t z = whole::code(double(r.depth), forward);
@@ -42,7 +43,7 @@ void check_pcss(bool forward) {
         partly += lit > 0 && lit < Points;
     }
     CHECK(wrong == 0);
-    CHECK(partly > 500);
+    CHECK(partly > rounds(500));
 }
 
 }  // namespace

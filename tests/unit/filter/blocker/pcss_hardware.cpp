@@ -11,6 +11,7 @@
 
 #include <umbrage/shader/glsl.hpp>
 
+#include "../../rounds.hpp"
 #include "../../special_values.hpp"
 #include "../real_discs.hpp"
 #include "penumbra_width.hpp"
@@ -41,7 +42,7 @@ void check_sampled_search(bool forward) {
     whole::cases all;
     const comparison is_lit{forward ? depth_direction::forward : depth_direction::reversed};
     int checked = 0, several = 0, wrong = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < rounds(4000); ++i) {
         const whole::receiver r = all.draw();
         const float radius = static_cast<float>(i % 97) / 8.0f;
         const auto under = depths_under<Points>(all.map, r.coord, r.rotation, double(radius));
@@ -55,8 +56,8 @@ void check_sampled_search(bool forward) {
         ++checked, several += count > 1 && count < Points;
     }
     CHECK(wrong == 0);
-    CHECK(checked > 3000);
-    CHECK(several > 500);
+    CHECK(checked > rounds(3000));
+    CHECK(several > rounds(500));
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, withi
     const auto radius_of = [](double apart) { return std::clamp(apart * 4096 / 32, 1.0, 6.0); };
     double worst = 0;
     int partly = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < rounds(4000); ++i) {
         const whole::receiver r = all.draw();
         if (!in_filter_domain(r.coord, r.depth)) continue;
         const double depth = double(r.depth);
@@ -160,7 +161,7 @@ TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, withi
     }
     MESSAGE("off by " << worst);
     CHECK(worst <= double(glsl::disc_hardware<16>.within) + 0x1p-13);
-    CHECK(partly > 500);
+    CHECK(partly > rounds(500));
 }
 
 TEST_CASE("blockers_hardware: the sampler reads where a map has one to itself, else we do") {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../rounds.hpp"
 #include "exact.hpp"
 #include "scene.hpp"
 
@@ -20,7 +21,7 @@ TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel c
     generator random;
     const glm::ivec2 size(40, 24);
     int on_center = 0, samples = 0, wrong = 0;
-    for (int round = 0; round < 20000; ++round) {
+    for (int round = 0; round < rounds(20000); ++round) {
         const exact_scene scene({0, 0, 2048, 0});
         exact_triangle oracle;
         mesh m;
@@ -43,12 +44,12 @@ TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel c
             }
     }
     CHECK(wrong == 0);
-    CHECK(on_center > 100);
-    CHECK(samples > 1000000);
+    CHECK(on_center > rounds(100));
+    CHECK(samples > rounds(1000000));
 
     // corners on a quarter-texel grid, so that most edges meet centers
     int ties = 0;
-    for (int round = 0; round < 20000; ++round) {
+    for (int round = 0; round < rounds(20000); ++round) {
         const glm::ivec2 small(16, 8);
         exact_triangle oracle;
         std::array<glm::vec3, 3> p;
@@ -68,13 +69,13 @@ TEST_CASE("rasterize: coverage is the oracle's, for corners and edges on texel c
             }
     }
     CHECK(wrong == 0);
-    CHECK(ties > 5000);
+    CHECK(ties > rounds(5000));
 }
 
 TEST_CASE("rasterize: each sample on a shared edge or corner is covered exactly once") {
     generator random;
     const glm::ivec2 size(24, 20);
-    for (int round = 0; round < 600; ++round) {
+    for (int round = 0; round < rounds(600); ++round) {
         mesh m;
         if (round % 2) {  // a grid over the image; its inner corners moved, a third of them onto texel centers
             const int columns = 7, rows = 6;

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../rounds.hpp"
 #include "../isas.hpp"
 #include "exact.hpp"
 #include "scene.hpp"
@@ -29,7 +30,7 @@ TEST_CASE("rasterize_depth: permuted triangles and vertices, and a split into me
         const auto reference = render(size, m, perspective(), clip);
         CHECK(std::count_if(reference.texels().begin(), reference.texels().end(),
                             [&](float z) { return z != cleared_depth(clip); }) > 40000);
-        for (int round = 0; round < 20; ++round) {
+        for (int round = 0; round < rounds(20); ++round) {
             std::shuffle(m.triangles.begin(), m.triangles.end(), random.engine);
             for (auto& t : m.triangles)
                 for (int swaps = random(0, 3); swaps > 0; --swaps) std::swap(t[random(0, 2)], t[random(0, 2)]);
@@ -71,7 +72,7 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
         for (auto direction : {depth_direction::forward, depth_direction::reversed})
             for (auto origin : {texture_origin::bottom, texture_origin::top}) {
                 const clip_space clip{.range = depth_range::zero_to_one, .direction = direction, .origin = origin};
-                const mesh m = soup(random, 2000);
+                const mesh m = soup(random, rounds(2000));
 
                 // whatever can be in an image: numbers, both zeros, denormals, infinities, NaNs of both signs
                 image<float> before(size, cleared_depth(clip));
@@ -95,11 +96,11 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
                     }
                 });
             }
-    CHECK(covered > 1000000);
-    CHECK(kept > 100000);
+    CHECK(covered > rounds(1000000));
+    CHECK(kept > rounds(100000));
 
     // coverage, planes and the order of calls as well
-    mesh large = soup(random, 3000);
+    mesh large = soup(random, rounds(3000));
     std::vector<std::uint64_t> calls;
     for_each_isa([&] {
         std::uint64_t hash = 14695981039346656037u;
@@ -146,7 +147,7 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
             const glm::ivec2 size(203, 170), tiny(4, 3);
             for (const int large_of_eight : {0, 1, 4, 6, 7}) {
                 mesh m;
-                for (int i = 0; i < 6000; ++i) {
+                for (int i = 0; i < rounds(6000); ++i) {
                     const int reach = random(1, 8) <= large_of_eight ? texels(1, 20) : random(64, 700);
                     const glm::ivec2 center{random(-512, 256 * size.x + 512), random(-512, 256 * size.y + 512)};
                     const bool alike = random(0, 2) == 0;  // depths from a power of two to the next, or near to them
@@ -164,7 +165,7 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
             }
             // Slivers through a texel's center, so steep that planes there leave what lies between the corners' depths.
             mesh slivers;
-            for (int i = 0; i < 20000; ++i) {
+            for (int i = 0; i < rounds(20000); ++i) {
                 const int x = texels(0, size.x - 1) + 128, y = texels(0, size.y - 1) + 128;
                 const glm::ivec2 step{random(-3, 3), random(-3, 3)};
                 const int most = random(0, 1) ? 100 : 3000;
@@ -176,15 +177,15 @@ TEST_CASE("rasterize_depth: triangles of a few texels, among others or not, are 
             check(size, clip, slivers);
             // Few texels of triangles whose edges do not fit 32 bits.
             mesh large;
-            for (int i = 0; i < 2000; ++i) {
+            for (int i = 0; i < rounds(2000); ++i) {
                 std::array<glm::vec3, 3> corner;
                 for (auto& c : corner) c = at(texels(-9000, 9000), texels(-9000, 9000), tiny, depth());
                 large.add(corner[0], corner[1], corner[2]);
             }
             check(tiny, clip, large);
         }
-    CHECK(covered > 1000000);
-    CHECK(kept > 100000);
+    CHECK(covered > rounds(1000000));
+    CHECK(kept > rounds(100000));
 }
 
 TEST_CASE("rasterize_depth: meshes of several chunks, coherent or not, are drawn like sample by sample") {
@@ -261,7 +262,7 @@ TEST_CASE("rasterize_depth: ground around the camera, cut by every plane, is dra
 TEST_CASE("rasterize_depth: corners so far away that cuts are rounded off their edges are drawn in bands the same") {
     generator random;
     const glm::ivec2 size(64, 700);
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < rounds(8); ++round) {
         mesh m;
         for (int i = 0; i < 3000; ++i) {
             std::array<glm::vec3, 3> corner;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "../../rounds.hpp"
 #include "../isas.hpp"
 #include "scene.hpp"
 
@@ -21,7 +22,7 @@ TEST_CASE("rasterize_depth: rows any number of bytes apart are drawn like sample
     generator random;
     const glm::ivec2 size(1001, 150);
     mesh m;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < rounds(600); ++i) {
         const glm::vec2 center{random.real(-1.1f, 1.1f), random.real(-1.1f, 1.1f)};
         std::array<glm::vec3, 3> corner;
         for (auto& c : corner) {

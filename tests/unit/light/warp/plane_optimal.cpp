@@ -10,6 +10,7 @@
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>
 
+#include "../../rounds.hpp"
 #include "../bodies.hpp"
 #include "../clip_spaces.hpp"
 #include "../reference_view.hpp"
@@ -38,7 +39,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     constexpr double size = 2048;
     int cast = 0, lost = 0, bent = 0, disordered = 0, mirrored = 0;
     double off_screen = 0, rounded_texels = 0, rounded_depth = 0;
-    for (int i = 0; i < 1200; ++i) {
+    for (int i = 0; i < rounds(1200); ++i) {
         warp_fit<double> fit = reference_view::warp_under({90, 0});
         fit.clip = all_clip_spaces()[std::size_t(i % 16)];
         const double elevation = bodies::real(3, 90)(random), azimuth = bodies::real(0, 360)(random);
@@ -89,7 +90,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     CHECK(lost == 0);
     CHECK(bent == 0);
     CHECK(disordered == 0);
-    CHECK(cast > 20000);
+    CHECK(cast > rounds(20000));
 }
 
 TEST_CASE("plane_optimal_rounding: more than rounding spreads the plane's depth by, for cameras near the origin") {
