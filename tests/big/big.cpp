@@ -27,35 +27,40 @@ double available_gib() {
     return 0;
 }
 
-/// Lets a work's runs keep what they give back. A virtual machine's host would take it, and find it anew in user time.
+/// Lets a work's runs keep what they give back: only the first one takes time to find fresh memory.
 void keep_memory() {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
+}
+
+/// Fills the caches with other memory: small maps would be in them, large ones never are.
+void empty_caches() {
+    static std::vector<unsigned char> other(std::size_t(128) << 20);
+    for (std::size_t line = 0; line < other.size(); line += 64) ++other[line];
 }
 
 struct point {
     double elements, ns, bytes;
 };
 
-/// Runs a work of 2^power elements: once for its results and memory, and then for its cost.
+/// Runs a work of 2^power elements: once for its results and memory, then up to most_times for its least cost.
 /// @return   number of failures
-int run(const work& of, int power, double least_seconds, point& at) {
+int run(const work& of, int power, int most_times, point& at) {
     const prepared ready = of.prepare(power);
     stopwatch first;
     const std::size_t peak = heap::peak_of([&] { ready.run(first); });
     const bool is_right = ready.is_right(), is_bounded = peak <= ready.most_bytes;
-    const double ns = 1e9 * first.seconds() / ready.elements;  // of short runs, a clock's step
-    at = {ready.elements, first.seconds() < 0.05 && least_seconds > 0 ? HUGE_VAL : ns, double(peak)};
+    at = {ready.elements, 1e9 * first.seconds() / ready.elements, double(peak)};
     if (!is_right) std::printf("%s, 2^%d: results are wrong\n", of.name.c_str(), power);
     if (!is_bounded)
         std::printf("%s, 2^%d: %zu bytes, of at most %zu\n", of.name.c_str(), power, peak, ready.most_bytes);
     double spent = 0;
-    for (int times = 0; least_seconds > 0 && (times < 3 || spent < least_seconds); ++times) {
-        stopwatch several;
-        int runs = 0;
-        while (several.seconds() < 0.05 && runs++ < 1000) ready.run(several);
-        at.ns = std::min(at.ns, 1e9 * several.seconds() / ready.elements / runs);
-        spent += std::max(several.seconds(), 0.01);
+    for (int times = 0; times < most_times && (times < 3 || spent < 0.5); ++times) {
+        stopwatch again;
+        empty_caches();
+        ready.run(again);
+        at.ns = std::min(at.ns, 1e9 * again.seconds() / ready.elements);
+        spent += again.seconds();
     }
     return !is_right + !is_bounded;
 }
@@ -87,7 +92,7 @@ int main(int argc, char** argv) {
                 continue;
             }
             point at{};
-            failures += run(of, power, sample || of.plot.empty() ? 0 : 0.5, at);
+            failures += run(of, power, sample || of.plot.empty() ? 0 : 20, at);
             if (sample) continue;
             ns.push_back(at.ns);
             std::printf("%-42s %12.0f  %9.3f ns  %8.3f B each\n", of.name.c_str(), at.elements, at.ns,
@@ -97,9 +102,8 @@ int main(int argc, char** argv) {
                 out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ns << '\t' << at.bytes
                     << std::endl;
         }
-        if (ns.size() > 2)  // 2^20 elements may be in the cache
-            std::printf("%-42s cost of the most over that of 2^20: %.2f, of 2^22: %.2f\n", of.name.c_str(),
-                        ns.back() / ns[0], ns.back() / ns[1]);
+        if (ns.size() > 1)
+            std::printf("%-42s cost of the most over that of 2^20: %.2f\n", of.name.c_str(), ns.back() / ns[0]);
     }
     std::printf("%d failures\n", failures);
     return failures != 0;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Pictures of what big measured, in the style of ../bench/style.gp: user CPU time per element over the number of elements.
+# Pictures of what big measured, in the style of ../bench/style.gp: CPU time per element over the number of elements,
+# the least of several runs that begin with empty caches.
 # A function whose cost is linear has a level curve.
 set key noenhanced # names have underscores
 set logscale x 2

@@ -5,18 +5,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <sys/resource.h>
-
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/image.hpp>
 
-/// User CPU time of what it runs. Time of the kernel does not count, such as that of fresh memory's first use.
+/// CPU time of what it runs.
 class stopwatch {
 public:
     template <class Run>
@@ -29,9 +28,9 @@ public:
 
 private:
     [[nodiscard]] static double now() {
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        return double(usage.ru_utime.tv_sec) + 1e-6 * double(usage.ru_utime.tv_usec);
+        timespec time{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
     }
     double seconds_ = 0;
 };
