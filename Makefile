@@ -279,8 +279,8 @@ release-check:
 	$(call install,$(unit_packages) $(node_packages) clang-14)
 	cmake -D UMBRAGE=$(CURDIR) -D CXX=g++ -D OTHER_CXX=clang++-14 -D WORK=build/release-check -P tests/release/again.cmake
 
-# The unit tests under the address and undefined behavior sanitizers, long ones in fewer rounds. Those of filters' fast forms, a fifth of the build,
-# are left to fuzz_visibility, which holds the forms to the same model under the same sanitizers.
+# The unit tests under the address and undefined behavior sanitizers, long ones in fewer rounds. Those of filters' fast
+# forms, a fifth of the build, are left to fuzz_visibility, which holds them to the same model under the same sanitizers.
 asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan
