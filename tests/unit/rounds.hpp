@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Rounds that a long test takes of so many: all, or an eighth in make asan. The sanitizers look for faults on the way,
+/// Long tests take one round in so many: all, but an eighth in make asan. The sanitizers look for faults on the way,
 /// which few rounds go as well. make fuzz takes many more under the same sanitizers.
-constexpr int rounds(int all) {
 #ifdef UMBRAGE_FEWER_ROUNDS
-    return (all + 7) / 8;
+constexpr int one_round_in = 8;
 #else
-    return all;
+constexpr int one_round_in = 1;
 #endif
-}
+
+/// Rounds that a long test takes of so many.
+constexpr int rounds(int all) { return (all + one_round_in - 1) / one_round_in; }

@@ -43,7 +43,7 @@ TEST_CASE("window_sum: brute force in whole numbers, 3 x 3 texels, every fractio
         CAPTURE(of.name);
         int wrong = 0;
         for (int fy = 0; fy < 256;
-             fy += (quadratic ? 5 : 1) * (256 / rounds(256)))  // of the one all, of the other a fifth, for the time
+             fy += (quadratic ? 5 : 1) * one_round_in)  // of the one all, of the other a fifth, for the time
             for (int fx = 0; fx < 256; ++fx) {
                 const auto columns = whole_weights(quarters, row.steps, quadratic, fx);
                 const auto lines = whole_weights(quarters, row.steps, quadratic, fy);
@@ -81,7 +81,7 @@ TEST_CASE("window_sum: brute force in whole numbers, every row of the library, e
         const auto fetch = [&](glm::ivec2 t) {
             return mask >> (touched * (t.y - first.y) + (t.x - first.x)) & 1 ? 1.0 : 0.0;
         };
-        for (int fy = 0; fy < 256; fy += 256 / rounds(256))
+        for (int fy = 0; fy < 256; fy += one_round_in)
             for (int fx = 0; fx < 256; ++fx) {
                 mask = std::uint64_t(random()) << 32 | random();
                 if (fx % 4 == 1) mask &= std::uint64_t(random()) << 32 | random();

@@ -86,7 +86,7 @@ TEST_CASE("window_hardware: between texels the sum in real numbers, on the steps
         unsigned state = 1;
         for (float& texel : map.texels()) texel = float((state = state * 1664525u + 1013904223u) >> 31);
         const bool floored = r.name == "binomial7" || r.name == "castano_dyadic5";
-        for (int y = 0; y < 256; y += 15 * (256 / rounds(256)))
+        for (int y = 0; y < 256; y += 15 * one_round_in)
             for (int x = 0; x < 512; ++x) {
                 const glm::dvec2 moved(x / 512.0, y / 512.0);
                 const auto along_x = moved_by(moved.x, r.quarters), along_y = moved_by(moved.y, r.quarters);

@@ -103,7 +103,7 @@ TEST_CASE("page_cache: 256 pages of 128 x 128 over a long ground, for suns all a
     for (std::size_t i = 0; i < reference_view::suns.size(); ++i) {
         CAPTURE(i);
         const glm::dvec3 direction = reference_view::sun(reference_view::suns[i][0], reference_view::suns[i][1]);
-        const auto seen = ground_receivers(reference_view::reference, ground_root(direction), 16 / rounds(8));
+        const auto seen = ground_receivers(reference_view::reference, ground_root(direction), 2 * one_round_in);
         umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 15});
         CHECK(cache.update(seen).drawn.size() <= 256);
         std::vector<double> extents;
