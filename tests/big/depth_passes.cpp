@@ -61,7 +61,7 @@ prepared fills(int power) {
 
 /// Layers of small triangles: two for each cell of 2 x 2 texels. The nearest layer at a texel is any of them.
 struct layers {
-    int side, cells = side / 2, rows = 128;  ///< rows of cells in a chunk
+    int side, cells = side / 2, rows = std::min(cells, (1 << 16) / cells);  ///< rows of cells in a chunk
     std::uint32_t count, a_chunk = 2u * unsigned(rows * cells), a_layer = a_chunk * unsigned(cells / rows);
     image<float> map{{side, side}};
     std::vector<glm::vec3> positions{std::size_t(cells + 1) * std::size_t(rows + 1)};
@@ -116,9 +116,10 @@ struct layers {
     }
 };
 
+/// Two or three layers, in chunks of 2^17 triangles.
 prepared draws_triangles(int power, bool scattered) {
     const std::uint32_t count = power > 26 ? 100'000'000u : 1u << power;
-    const auto of = std::make_shared<layers>(count, power < 20 ? 512 : 8192, scattered);
+    const auto of = std::make_shared<layers>(count, size_of(power).y, scattered);
     const std::size_t lists = scattered ? std::size_t(16) << 20 : 0;
     return {double(count), of_a_piece + lists + small_change, [of](stopwatch& watch) { of->draw(watch); },
             [of] { return at_probes(of->map.size(), [&](glm::ivec2 at) { return of->map[at] == of->expected(at); }); }};
