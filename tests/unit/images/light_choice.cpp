@@ -20,10 +20,10 @@ namespace {
 /// The long ground, from 36 by 20 pixels.
 std::vector<seen_point> ground_points() {
     std::vector<seen_point> all;
-    const glm::dmat4 back = glm::inverse(reference_view::reference.to_pixels);
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 36; ++x) {
-            const glm::dvec3 way = through(back, {x * 36 + 0.5, y * 36 + 0.5, 0.5}) - glm::dvec3(0, 2, 0);
+            const glm::dvec3 way =
+                through(reference_view::reference.from_pixels, {x * 36 + 0.5, y * 36 + 0.5, 0.5}) - glm::dvec3(0, 2, 0);
             if (way.y < 0 && way.z / way.y * 2 > -1000 && way.z < 0)
                 all.push_back({glm::dvec3(0, 2, 0) - way * (2 / way.y), {0, 1, 0}});
         }

@@ -11,6 +11,7 @@
 
 #include <common/quality.hpp>
 
+#include <umbrage/core/image.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -27,13 +28,14 @@ inline const glm::ivec2 map_size(2048, 2048);
 /// A camera's matrices over pixels, and the frustum that it sees.
 struct view {
     frustum<double> seen;
-    glm::dmat4 to_pixels;
+    glm::dmat4 to_pixels, from_pixels;
 
     explicit view(const frustum<double>& f) : seen(f) {
         to_pixels = texture_matrix<double>(
             {look_along(f.position, f.direction, f.up, handedness::right),
              perspective(f.tan_half_x, f.tan_half_y, f.z_near, f.z_far, cpu_clip_space), cpu_clip_space},
             screen);
+        from_pixels = glm::inverse(to_pixels);
     }
 };
 
@@ -68,19 +70,30 @@ inline warp_fit<double> warp_under(std::array<double, 2> s) {
 
 /// Point of the ground that a camera sees through a pixel, up to its far plane.
 inline std::optional<glm::dvec3> ground_at(const view& v, glm::dvec2 pixel) {
-    const glm::dvec4 h = glm::inverse(v.to_pixels) * glm::dvec4(pixel, 0.5, 1);
+    const glm::dvec4 h = v.from_pixels * glm::dvec4(pixel, 0.5, 1);
     const glm::dvec3 way = glm::dvec3(h) / h.w - v.seen.position;
     const double share = -v.seen.position.y / way.y;
     if (!(share > 0) || share * glm::dot(way, glm::normalize(v.seen.direction)) > v.seen.z_far) return std::nullopt;
     return v.seen.position + share * way;
 }
 
+/// Points of the ground that the reference sees, at every fourth pixel of every fourth row.
+inline const image<std::optional<glm::dvec3>>& reference_ground() {
+    static const image<std::optional<glm::dvec3>> points = [] {
+        image<std::optional<glm::dvec3>> all(screen / 4);
+        for (glm::ivec2 i(0); i.y < all.size().y; ++i.y)
+            for (i.x = 0; i.x < all.size().x; ++i.x) all[i] = ground_at(reference, glm::dvec2(4 * i) + 0.5);
+        return all;
+    }();
+    return points;
+}
+
 /// @param to_texels   the map's, or the cascades', which meet at ends
 inline example::quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size,
                                          glm::dvec3 ends = {}) {
     const example::measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
-    return example::measure_quality(view, [&](glm::ivec2 i) {
-        const std::optional<glm::dvec3> p = ground_at(reference, glm::dvec2(i) + 0.5);
+    return example::measure_quality(view, [&, &points = reference_ground()](glm::ivec2 i) {
+        const std::optional<glm::dvec3>& p = points[i / 4];
         if (!p) return glm::dmat2(0);
         const double number = to_texels.size() > 1 ? cascade_by_depth(-p->z, ends) : 0;
         return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels, *p, glm::dvec3(0, 1, 0));

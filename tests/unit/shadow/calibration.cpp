@@ -24,11 +24,10 @@ constexpr int maps_of = std::remove_cvref_t<decltype(std::declval<Shadow>().set_
 template <class Texel>
 image<Texel> flipped_rows(const image<Texel>& map, glm::ivec2 map_size) {
     image<Texel> out = map;
-    for (glm::ivec2 p(0); p.y < map.size().y; ++p.y)
-        for (p.x = 0; p.x < map.size().x; ++p.x) {
-            const int first = p.y / map_size.y * map_size.y;
-            out[p] = map[{p.x, first + map_size.y - 1 - (p.y - first)}];
-        }
+    for (int y = 0; y < map.size().y; ++y) {
+        const int row = y % map_size.y;
+        std::copy_n(map.view().row(y - row + map_size.y - 1 - row), map.size().x, out.view().row(y));
+    }
     return out;
 }
 
@@ -36,8 +35,9 @@ image<Texel> flipped_rows(const image<Texel>& map, glm::ivec2 map_size) {
 template <class Texel>
 image<Texel> first_everywhere(const image<Texel>& map, glm::ivec2 map_size) {
     image<Texel> out = map;
-    for (glm::ivec2 p(0); p.y < map.size().y; ++p.y)
-        for (p.x = 0; p.x < map.size().x; ++p.x) out[p] = map[p % map_size];
+    for (int y = 0; y < map.size().y; ++y)
+        for (int x = 0; x < map.size().x; x += map_size.x)
+            std::copy_n(map.view().row(y % map_size.y), map_size.x, out.view().row(y) + x);
     return out;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include <umbrage/light/cascades/cascades.hpp>
@@ -90,28 +91,51 @@ template <std::size_t Count = 3>
     return {root, cache, {.texels = 64, .gutter = 8}};
 }
 
+/// Calls use(light, map_size) for each setup.
+template <class Use>
+void for_each_light(clip_space clip, const Use& use) {
+    use(spot(clip), glm::ivec2(256, 128));
+    use(fitted(clip), glm::ivec2(200, 300));
+    use(cascades(clip), glm::ivec2(256));
+    use(cascades<6>(clip), glm::ivec2(256));
+    use(warped(clip), glm::ivec2(256));
+    use(pages(clip), glm::ivec2(80));
+    use(bulb(clip), glm::ivec2(256));
+    use(tetrahedron(clip), glm::ivec2(512));
+    use(paraboloids(clip), glm::ivec2(512));
+}
+
+/// Contact hardening has no shadows of dual paraboloids.
+template <class Light, class Filter>
+inline constexpr bool go_together =
+    !(std::is_same_v<Light, dual_paraboloid_light<float>> && detail::contact_hardening<Filter>);
+
 /// Calls use(shadow) for each setup under a filter and an encoding.
 template <class Filter, class Encoding, class Use>
 void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& encoding, const Use& use) {
-    use(shadow(spot(clip), {256, 128}, filter, encoding));
-    use(shadow(fitted(clip), {200, 300}, filter, encoding));
-    use(shadow(cascades(clip), {256, 256}, filter, encoding));
-    use(shadow(cascades<6>(clip), {256, 256}, filter, encoding));
-    use(shadow(warped(clip), {256, 256}, filter, encoding));
-    use(shadow(pages(clip), {80, 80}, filter, encoding));
-    use(shadow(bulb(clip), {256, 256}, filter, encoding));
-    use(shadow(tetrahedron(clip), {512, 512}, filter, encoding));
-    if constexpr (!detail::contact_hardening<Filter>) use(shadow(paraboloids(clip), {512, 512}, filter, encoding));
+    for_each_light(clip, [&]<class Light>(const Light& light, glm::ivec2 map_size) {
+        if constexpr (go_together<Light, Filter>) use(shadow(light, map_size, filter, encoding));
+    });
 }
 
-/// Its map: depths drawn, and stored as its encoding has them.
+/// The scene's depths. Shadows of one light have the same, whatever their filter.
 template <class Shadow>
-[[nodiscard]] image<typename Shadow::texel> drawn(const Shadow& s) {
+[[nodiscard]] image<float> depths_of(const Shadow& s) {
     image<float> depths(s.size(), cleared_depth(s.set_up().clip()));
     s.draw(depths, mesh);
+    return depths;
+}
+
+/// Its map: depths as its encoding has them.
+template <class Shadow>
+[[nodiscard]] image<typename Shadow::texel> stored(const Shadow& s, const image<float>& depths) {
     image<typename Shadow::texel> map(s.size(), s.cleared());
     s.store(depths, map);
     return map;
+}
+template <class Shadow>
+[[nodiscard]] image<typename Shadow::texel> drawn(const Shadow& s) {
+    return stored(s, depths_of(s));
 }
 
 }  // namespace shadow_scene

@@ -96,7 +96,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
 TEST_CASE("plane_optimal_rounding: more than rounding spreads the plane's depth by, for cameras near the origin") {
     std::mt19937 random(11);
     double greatest = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < rounds(20000); ++i) {
         warp_fit<double> fit = reference_view::warp_under({90, 0});
         const double yaw = bodies::real(0, 6.28)(random), pitch = bodies::real(-1.05, 0.09)(random);
         fit.camera.position = bodies::random_vector(random, -17, 17);
