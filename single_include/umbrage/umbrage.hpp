@@ -2807,7 +2807,6 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 //     umbrage::image<float> map({1024, 1024}, 1.0f);
 //     umbrage::image_view<const float> view(pixels, {width, height}, bytes_per_row);
 //     float depth = umbrage::bordered(view)(glm::ivec2(-1, 5));  // 1: the far plane
-//
 
 namespace umbrage {
 
@@ -2841,18 +2840,12 @@ struct image_view {
                         "a multiple of a texel's alignment", stride_bytes);
     }
 
-    /// Conversion from a writable view to a read-only one.
-    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) {
-        return image_view<const T>::unchecked(data, size, stride);
-    }
+    struct known_to_fit {};  ///< tag: no checks, which in debug builds take longer than reading a texel
+    constexpr image_view(known_to_fit, T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
+        : data(pixels), size(extent), stride(stride_bytes) {}
 
-    /// View without the constructor's checks, of pixels that are known to fit. In debug builds they take four times as
-    /// long as reading a texel.
-    [[nodiscard]] static constexpr image_view unchecked(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes) {
-        image_view view;
-        view.data = pixels, view.size = extent, view.stride = stride_bytes;
-        return view;
-    }
+    /// Conversion from a writable view to a read-only one.
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {{}, data, size, stride}; }
 
     [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
 
@@ -2927,16 +2920,13 @@ public:
     [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
     [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
 
-    [[nodiscard]] image_view<T> view() { return image_view<T>::unchecked(texels_.data(), size_, stride()); }
-    [[nodiscard]] image_view<const T> view() const {
-        return image_view<const T>::unchecked(texels_.data(), size_, stride());
-    }
+    [[nodiscard]] image_view<T> view() { return {{}, texels_.data(), size_, stride()}; }
+    [[nodiscard]] image_view<const T> view() const { return {{}, texels_.data(), size_, stride()}; }
     operator image_view<T>() { return view(); }
     operator image_view<const T>() const { return view(); }
 
 private:
     [[nodiscard]] std::ptrdiff_t stride() const { return size_.x * static_cast<std::ptrdiff_t>(sizeof(T)); }
-
     static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
     glm::ivec2 size_{0, 0};
     std::vector<T, detail::line_allocator<T>> texels_;
