@@ -44,8 +44,8 @@ double cost_of(const prepared& ready) {
     return watch.seconds() / ready.elements;
 }
 
-/// A work of 2^least_power elements, to compare larger ones with. It has copies of its arguments, which take turns: each
-/// has left the caches by its next turn.
+/// A work of 2^least_power elements, to compare larger ones with. It has copies of its arguments, which take turns:
+/// each has left the caches by its next turn.
 class small_work {
 public:
     explicit small_work(const work& of) {

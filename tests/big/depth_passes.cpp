@@ -61,13 +61,14 @@ prepared fills(int power) {
 
 /// Layers of small triangles: two for each cell of 2 x 2 texels. The nearest layer at a texel is any of them.
 struct layers {
-    int side, cells = side / 2, rows = std::min(cells, (1 << 16) / cells);  ///< rows of cells in a chunk
+    int side, rows, cells = side / 2;  ///< rows of cells in a chunk
     std::uint32_t count, a_chunk = 2u * unsigned(rows * cells), a_layer = a_chunk * unsigned(cells / rows);
     image<float> map{{side, side}};
     std::vector<glm::vec3> positions{std::size_t(cells + 1) * std::size_t(rows + 1)};
     std::vector<glm::uvec3> in_order{a_chunk}, drawn{a_chunk};
 
-    layers(std::uint32_t triangles, int map_side, bool scattered) : side(map_side), count(triangles) {
+    layers(std::uint32_t triangles, int map_side, int chunk_rows, bool scattered)
+        : side(map_side), rows(chunk_rows), count(triangles) {
         for (unsigned i = 0; i < a_chunk; ++i) {
             const unsigned x = i / 2 % unsigned(cells), y = i / 2 / unsigned(cells), a = y * unsigned(cells + 1) + x,
                            c = a + unsigned(cells) + 1;
@@ -116,13 +117,23 @@ struct layers {
     }
 };
 
+prepared drawn_layers(const std::shared_ptr<layers>& of, std::size_t most_bytes) {
+    return {double(of->count), most_bytes, [of](stopwatch& watch) { of->draw(watch); },
+            [of] { return at_probes(of->map.size(), [&](glm::ivec2 at) { return of->map[at] == of->expected(at); }); }};
+}
+
 /// Two or three layers, in chunks of 2^17 triangles.
 prepared draws_triangles(int power, bool scattered) {
     const std::uint32_t count = power > 26 ? 100'000'000u : 1u << power;
-    const auto of = std::make_shared<layers>(count, size_of(power).y, scattered);
-    const std::size_t lists = scattered ? std::size_t(16) << 20 : 0;
-    return {double(count), of_a_piece + lists + small_change, [of](stopwatch& watch) { of->draw(watch); },
-            [of] { return at_probes(of->map.size(), [&](glm::ivec2 at) { return of->map[at] == of->expected(at); }); }};
+    const int side = size_of(power).y, rows = std::min(side / 2, (1 << 17) / side);
+    return drawn_layers(std::make_shared<layers>(count, side, rows, scattered), of_a_piece + small_change);
+}
+
+/// Half a layer in one call.
+prepared draws_at_once(int power) {
+    const int side = 2 << power / 2;
+    return drawn_layers(std::make_shared<layers>(1u << power, side, side / 4, true),
+                        of_a_piece + (std::size_t(16) << 20) + small_change);
 }
 
 /// Triangles as high as the map, which are in all of its bands, in any order. They are culled: only lists take time.
@@ -152,6 +163,7 @@ const registered here({{"big_passes", "rasterize_depth, two triangles", 30, 4, f
                        {"big_triangles", "in the mesh's order", 27, 0.4,
                         [](int power) { return draws_triangles(power, false); }},
                        {"big_triangles", "scattered", 27, 0.4, [](int power) { return draws_triangles(power, true); }},
+                       {"", "scattered, in one call", 20, 0.1, draws_at_once},
                        {"", "triangles as high as the map", 16, 1.1, sorts_tall_triangles}});
 
 }  // namespace
