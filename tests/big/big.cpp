@@ -134,14 +134,16 @@ int main(int argc, char** argv) {
             point at{};
             failures += run_once(of, ready, power, at);
             if (sample) continue;
-            if (is_timed) compare(*small, ready, at);
-            most = std::max(most, at.ratio);
-            std::printf("%-42s %12.0f  %9.3f ns  %5.2f  %8.3f B each\n", of.name.c_str(), at.elements, at.ns, at.ratio,
-                        at.bytes / at.elements);
-            std::fflush(stdout);
-            if (is_timed)
+            std::printf("%-42s %12.0f  %8.3f B each", of.name.c_str(), at.elements, at.bytes / at.elements);
+            if (is_timed) {
+                compare(*small, ready, at);
+                most = std::max(most, at.ratio);
+                std::printf("  %9.3f ns  %5.2f", at.ns, at.ratio);
                 out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ratio << '\t' << at.ns
                     << '\t' << at.bytes << std::endl;
+            }
+            std::puts("");
+            std::fflush(stdout);
         }
         if (is_timed) std::printf("%-42s at most %.2f of the cost of 2^20\n", of.name.c_str(), most);
     }
