@@ -61,7 +61,7 @@ prepared fills(int power) {
 
 /// Layers of small triangles: two for each cell of 2 x 2 texels. The nearest layer at a texel is any of them.
 struct layers {
-    int side, rows, cells = side / 2;  ///< rows of cells in a chunk
+    int side, rows, cells = side / 2;  ///< of the map; of cells in a chunk; of cells in such a row
     std::uint32_t count, a_chunk = 2u * unsigned(rows * cells), a_layer = a_chunk * unsigned(cells / rows);
     image<float> map{{side, side}};
     std::vector<glm::vec3> positions{std::size_t(cells + 1) * std::size_t(rows + 1)};

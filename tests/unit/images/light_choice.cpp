@@ -21,12 +21,9 @@ namespace {
 std::vector<seen_point> ground_points() {
     std::vector<seen_point> all;
     for (int y = 0; y < 20; ++y)
-        for (int x = 0; x < 36; ++x) {
-            const glm::dvec3 way =
-                through(reference_view::reference.from_pixels, {x * 36 + 0.5, y * 36 + 0.5, 0.5}) - glm::dvec3(0, 2, 0);
-            if (way.y < 0 && way.z / way.y * 2 > -1000 && way.z < 0)
-                all.push_back({glm::dvec3(0, 2, 0) - way * (2 / way.y), {0, 1, 0}});
-        }
+        for (int x = 0; x < 36; ++x)
+            if (const auto p = reference_view::ground_at(reference_view::reference, glm::dvec2(x, y) * 36.0 + 0.5))
+                all.push_back({*p, {0, 1, 0}});
     return all;
 }
 

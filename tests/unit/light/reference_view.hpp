@@ -77,12 +77,14 @@ inline std::optional<glm::dvec3> ground_at(const view& v, glm::dvec2 pixel) {
     return v.seen.position + share * way;
 }
 
-/// Points of the ground that the reference sees, at every fourth pixel of every fourth row.
+inline constexpr int ground_step = 4;  ///< from pixel to pixel
+
+/// Points of the ground that the reference sees, computed once for all setups.
 inline const image<std::optional<glm::dvec3>>& reference_ground() {
     static const image<std::optional<glm::dvec3>> points = [] {
-        image<std::optional<glm::dvec3>> all(screen / 4);
+        image<std::optional<glm::dvec3>> all(screen / ground_step);
         for (glm::ivec2 i(0); i.y < all.size().y; ++i.y)
-            for (i.x = 0; i.x < all.size().x; ++i.x) all[i] = ground_at(reference, glm::dvec2(4 * i) + 0.5);
+            for (i.x = 0; i.x < all.size().x; ++i.x) all[i] = ground_at(reference, glm::dvec2(i * ground_step) + 0.5);
         return all;
     }();
     return points;
@@ -91,9 +93,10 @@ inline const image<std::optional<glm::dvec3>>& reference_ground() {
 /// @param to_texels   the map's, or the cascades', which meet at ends
 inline example::quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size,
                                          glm::dvec3 ends = {}) {
-    const example::measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
+    const example::measured_view view{
+        .screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = ground_step};
     return example::measure_quality(view, [&, &points = reference_ground()](glm::ivec2 i) {
-        const std::optional<glm::dvec3>& p = points[i / 4];
+        const std::optional<glm::dvec3>& p = points[i / ground_step];
         if (!p) return glm::dmat2(0);
         const double number = to_texels.size() > 1 ? cascade_by_depth(-p->z, ends) : 0;
         return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels, *p, glm::dvec3(0, 1, 0));
