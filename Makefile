@@ -33,7 +33,7 @@ gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri lib
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
 test_packages := $(demo_packages) clang-14 clang-format-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-dev glslang-tools spirv-cross libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers \
-    libepoxy-dev libglfw3-dev python3-moderngl xauth xvfb \
+    libepoxy-dev libglfw3-dev python3-moderngl python3-numpy xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
     chromium doxygen emscripten $(node_packages)
 
