@@ -68,37 +68,92 @@ double median_of(std::vector<double> values) {
     return *middle;
 }
 
-struct point {
-    double elements, bytes;
-    double ns = 0, ratio = 0;  ///< cost per element, and over that of the small work
+struct cost {
+    double ns, ratio;  ///< per element, and over that of the small work
 };
 
-/// Runs a work once: for its results and memory.
-/// @return   number of failures
-int run_once(const work& of, const prepared& ready, int power, point& at) {
-    stopwatch first;
-    const std::size_t peak = heap::peak_of([&] { ready.run(first); });
-    const bool is_right = ready.is_right(), is_bounded = peak <= ready.most_bytes;
-    at = {ready.elements, double(peak)};
-    if (!is_right) std::printf("%s, 2^%d: results are wrong\n", of.name.c_str(), power);
-    if (!is_bounded)
-        std::printf("%s, 2^%d: %zu bytes, of at most %zu\n", of.name.c_str(), power, peak, ready.most_bytes);
-    return !is_right + !is_bounded;
-}
-
-/// Runs a work for its cost, in turns with the small one: other programs slow the memory down for seconds at a time.
-void compare(const small_work& small, const prepared& ready, point& at) {
+/// The cost of a work, in turns with the small one: other programs slow the memory down for seconds at a time.
+cost compare(const small_work& small, const prepared& ready) {
     std::vector<double> ns, ratios;
     double spent = 0;
     for (int times = 0; times < 3 || (times < 20 && spent < 1); ++times) {
         const double before = small.cost();
-        const double cost = cost_of(ready), after = small.cost();
-        ns.push_back(1e9 * cost);
-        ratios.push_back(2 * cost / (before + after));
-        spent += cost * ready.elements;
+        const double here = cost_of(ready), after = small.cost();
+        ns.push_back(1e9 * here);
+        ratios.push_back(2 * here / (before + after));
+        spent += here * ready.elements;
     }
-    at.ns = median_of(ns);
-    at.ratio = median_of(ratios);
+    return {median_of(ns), median_of(ratios)};
+}
+
+struct outcome {
+    std::size_t bytes;  ///< at most, at once
+    int failures;
+};
+
+/// Runs a work once, for its results and memory.
+outcome check(const work& of, const prepared& ready, int power) {
+    stopwatch first;
+    const std::size_t peak = heap::peak_of([&] { ready.run(first); });
+    const bool is_right = ready.is_right(), is_bounded = peak <= ready.most_bytes;
+    if (!is_right) std::printf("%s, 2^%d: results are wrong\n", of.name.c_str(), power);
+    if (!is_bounded)
+        std::printf("%s, 2^%d: %zu bytes, of at most %zu\n", of.name.c_str(), power, peak, ready.most_bytes);
+    return {peak, !is_right + !is_bounded};
+}
+
+/// Whether the memory is there. Says so where it is not.
+bool has_memory(const work& of, int power) {
+    const double gib = std::ldexp(of.gib_at_once, power - of.highest);
+    const bool fits = gib <= 1 || available_gib() >= gib + 2;
+    if (!fits) std::printf("%-42s 2^%d: skipped, needs %.1f GiB and 2 to spare\n", of.name.c_str(), power, gib);
+    return fits;
+}
+
+/// Every second power of two, and the highest.
+std::vector<int> powers(int lowest, int highest) {
+    std::vector<int> all;
+    for (int power = lowest; power < highest; power += 2) all.push_back(power);
+    all.push_back(highest);
+    return all;
+}
+
+/// A work's small sizes alone, untimed.
+/// @return   number of failures
+int run_sample(const work& of) {
+    int failures = 0;
+    for (int power : powers(std::min(of.highest, 16), std::min(of.highest, 18)))
+        failures += check(of, of.prepare(power), power).failures;
+    return failures;
+}
+
+/// A work at all its sizes: a line for each, and a point of the table where it has a plot. Without one it is not timed.
+/// @return   number of failures
+int run_all(const work& of, std::ostream& table) {
+    const bool is_timed = !of.plot.empty();
+    std::optional<small_work> small;
+    if (is_timed) small.emplace(of);
+    int failures = 0;
+    double most = 0;
+    for (int power : powers(is_timed ? least_power : std::min(of.highest, 16), of.highest)) {
+        malloc_trim(0);  // what the last work has kept
+        if (!has_memory(of, power)) continue;
+        const prepared ready = of.prepare(power);
+        const outcome here = check(of, ready, power);
+        failures += here.failures;
+        std::printf("%-42s %12.0f  %8.3f B each", of.name.c_str(), ready.elements, double(here.bytes) / ready.elements);
+        if (is_timed) {
+            const auto [ns, ratio] = compare(*small, ready);
+            most = std::max(most, ratio);
+            std::printf("  %9.3f ns  %5.2f", ns, ratio);
+            table << of.plot << '\t' << of.name << "\tumbrage\t" << ready.elements << '\t' << ratio << '\t' << ns
+                  << '\t' << here.bytes << std::endl;
+        }
+        std::puts("");
+        std::fflush(stdout);
+    }
+    if (is_timed) std::printf("%-42s at most %.2f of the cost of 2^20\n", of.name.c_str(), most);
+    return failures;
 }
 
 }  // namespace
@@ -111,42 +166,12 @@ std::vector<work>& works() {
 int main(int argc, char** argv) {
     const bool sample = argc < 2;
     const std::string wanted = argc > 2 ? argv[2] : "";
-    std::ofstream out(sample ? "/dev/null" : argv[1]);
-    out << "# plot\twork\tby\telements\tcost per element over that of 2^20\tns per element\tbytes\n";
-    int failures = 0;
+    std::ofstream table(sample ? "/dev/null" : argv[1]);
+    table << "# plot\twork\tby\telements\tcost per element over that of 2^20\tns per element\tbytes\n";
     keep_memory();
-    for (const work& of : works()) {
-        if (of.name.find(wanted) == std::string::npos) continue;
-        const bool is_timed = !sample && !of.plot.empty();
-        std::optional<small_work> small;
-        if (is_timed) small.emplace(of);
-        double most = 0;
-        const int lowest = is_timed ? least_power : std::min(of.highest, 16);
-        const int highest = sample ? std::min(of.highest, 18) : of.highest;
-        for (int power = lowest; power <= highest; power += power + 1 == highest ? 1 : 2) {
-            malloc_trim(0);  // what the last work has kept
-            const double gib = std::ldexp(of.gib_at_once, power - of.highest);
-            if (!sample && gib > 1 && available_gib() < gib + 2) {
-                std::printf("%-42s 2^%d: skipped, needs %.1f GiB and 2 to spare\n", of.name.c_str(), power, gib);
-                continue;
-            }
-            const prepared ready = of.prepare(power);
-            point at{};
-            failures += run_once(of, ready, power, at);
-            if (sample) continue;
-            std::printf("%-42s %12.0f  %8.3f B each", of.name.c_str(), at.elements, at.bytes / at.elements);
-            if (is_timed) {
-                compare(*small, ready, at);
-                most = std::max(most, at.ratio);
-                std::printf("  %9.3f ns  %5.2f", at.ns, at.ratio);
-                out << of.plot << '\t' << of.name << "\tumbrage\t" << at.elements << '\t' << at.ratio << '\t' << at.ns
-                    << '\t' << at.bytes << std::endl;
-            }
-            std::puts("");
-            std::fflush(stdout);
-        }
-        if (is_timed) std::printf("%-42s at most %.2f of the cost of 2^20\n", of.name.c_str(), most);
-    }
+    int failures = 0;
+    for (const work& of : works())
+        if (of.name.find(wanted) != std::string::npos) failures += sample ? run_sample(of) : run_all(of, table);
     std::printf("%d failures\n", failures);
     return failures != 0;
 }
