@@ -4,12 +4,11 @@
 //     const values = await load_values();
 //     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
 //
-// It is the C++ library itself, as WebAssembly, of 197 kB.
+// It is the C++ library itself, as WebAssembly, of 199 kB.
+const { must_be_clip_space, must_in } = require('./module/check.cjs');
 const { encodings, filters, kinds } = require('./module/names.cjs');
 
-function must(holds, condition, got) {
-    if (!holds) throw new Error(`umbrage: values: ${condition}; got ${got}`);
-}
+const must = must_in('values');
 
 const point = { position: [0, 0, 0], z_near: 0.1, z_far: 100, border: 0 };
 const cascaded = { direction: [0, -1, 0], up: [0, 1, 0], scene: undefined, camera: undefined, cascades: undefined, lambda: 0.9, splits: [],
@@ -36,48 +35,63 @@ function complete(kind, light) {
     const known = { ...of_kinds[kind], ...of_all }, all = { ...known, ...light };
     for (const key of Object.keys(light)) must(key in known, `light must have no properties but ${Object.keys(known).join(', ')}`, key);
     for (const [key, value] of Object.entries(all)) must(value !== undefined, `light.${key} must be given`, value);
+    if (all.splits?.length && light.cascades !== undefined)
+        must(light.cascades === all.splits.length - 1, 'light.cascades must be left out, or one less than light.splits', light.cascades);
     return all;
+}
+
+/** What numbers must be. The C++ library holds them in an int where they are whole, and says which range they have. */
+const number = { says: 'number', holds: n => typeof n === 'number' && !Number.isNaN(n) };
+const finite = { says: 'finite number', holds: Number.isFinite };
+const whole = { says: 'whole number below 2^31', holds: n => n === (n | 0) };
+
+/** A property's numbers, of which it must have as many as size; 1 is a number alone. */
+function numbers(key, value, size, { says, holds } = number) {
+    const all = size === 1 ? [value] : value;
+    must(typeof all === 'object' && all?.length === size && Array.from(all).every(holds),
+        `light.${key} must be ${size === 1 ? `a ${says}` : `${size} ${says.replace('number', 'numbers')}`}`, value);
+    return Array.from(all);
 }
 
 /** Numbers of the filter's arguments but for a rotation, the given ones in place of defaults. */
 function arguments_of({ name, filter }, given) {
+    must(typeof given === 'object' && given !== null, 'light.filter must be an object', given);
     const known = filter.arguments.filter(argument => argument.name !== 'rotation');
     for (const key of Object.keys(given))
         must(known.some(argument => argument.name === key), `light.filter must have no properties but arguments of ${name}`, key);
-    return known.flatMap(argument => given[argument.name] ?? argument.value);
+    return known.flatMap(({ name, type, value }) => numbers(`filter.${name}`, given[name] === undefined ? value : given[name],
+        [value].flat().length, type === 'int' ? whole : finite));
 }
 
-/** The numbers in the order in which C++ reads them. */
+const box = { low: 3, high: 3 }, camera = { view: 16, projection: 16, z_near: 1, z_far: 1 };
+
+/** The numbers in the order in which C++ reads them; zeros where the kind has no such property. */
 function numbers_of({ kind, filter, direction, map_size }, light) {
-    const { clip } = light, no_box = { low: [0, 0, 0], high: [0, 0, 0] }, identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const { clip, splits = [], casters } = light, zeros = size => new Array(size).fill(0), sum = sizes => sizes.reduce((a, b) => a + b);
+    must_be_clip_space(must, 'light.clip', clip);
     must(clip.direction === direction, `light.clip must have the direction of the shadow, ${direction}`, clip.direction);
-    const vector = (value, size, what) => {
-        must(value?.length === size, `light.${what} must be ${size} numbers`, value);
-        return value;
+    const of = (key, size = 1, what = number) => key in light ? numbers(key, light[key], size, what) : zeros(size);
+    const parts = (key, sizes) => {
+        if (!(key in light)) return zeros(sum(Object.values(sizes)));
+        must(typeof light[key] === 'object' && light[key] !== null, `light.${key} must be an object of ${Object.keys(sizes).join(', ')}`, light[key]);
+        return Object.entries(sizes).flatMap(([part, size]) => numbers(`${key}.${part}`, light[key][part], size));
     };
-    const box = (of, what) => [...vector(of.low, 3, `${what}.low`), ...vector(of.high, 3, `${what}.high`)];
-    const camera = light.camera ?? { view: identity, projection: identity, z_near: 1, z_far: 2 };
-    const splits = light.splits ?? [], count = splits.length ? splits.length - 1 : light.cascades ?? (kind === 'cascades_8' ? 8 : 1);
-    const fill = (values, size) => [...values, ...new Array(size - values.length).fill(0)];
-    must(splits.length <= 9, 'light.splits must be 9 distances at most', splits.length);
+    must(splits?.length === 0 || splits?.length >= 2 && splits.length <= 9, 'light.splits must be 2 to 9 distances, or none', splits);
+    must(!('snap' in light) || typeof light.snap === 'boolean', 'light.snap must be true or false', light.snap);
+    const distances = numbers('splits', splits, splits.length), given = arguments_of(filter, light.filter);
     return [clip.hand === 'left', clip.range === 'minus_one_to_one', direction === 'reversed', clip.origin === 'top', ...map_size,
-        ...vector(light.origin, 3, 'origin'), ...vector(light.position ?? [0, 0, 0], 3, 'position'),
-        ...vector(light.direction ?? [0, -1, 0], 3, 'direction'), ...vector(light.up ?? [0, 1, 0], 3, 'up'),
-        light.outer_angle_radians ?? 0.5, light.aspect ?? 1, light.z_near ?? 0.1, light.range ?? light.z_far ?? 100, light.border ?? light.gutter ?? 0,
-        ...box(light.scene ?? light.receivers ?? no_box, 'scene'), Boolean(light.casters), ...box(light.casters ?? no_box, 'casters'),
-        light.margin ?? 0, light.snap ?? false, ...vector(camera.view, 16, 'camera.view'),
-        ...vector(camera.projection, 16, 'camera.projection'), camera.z_near, camera.z_far, count, light.lambda ?? 0,
-        light.overlap ?? 0, light.blend_texels ?? 0,
-        ...vector(light.picture ?? [1, 1], 2, 'picture'), light.target ?? 1, splits.length > 0, ...fill(splits, 9), ...fill(arguments_of(filter, light.filter), 4),
-    ].map((value, i) => {
-        const number = Number(value);
-        must(!Number.isNaN(number), 'light must hold numbers', `${value} as number ${i}`);
-        return number;
-    });
+        ...of('origin', 3), ...of('position', 3), ...of('direction', 3), ...of('up', 3), ...of('outer_angle_radians'), ...of('aspect'),
+        ...of('z_near'), ...of('range' in light ? 'range' : 'z_far'), ...of('gutter' in light ? 'gutter' : 'border', 1, whole),
+        ...parts('receivers' in light ? 'receivers' : 'scene', box), Boolean(casters), ...casters === null ? zeros(6) : parts('casters', box),
+        ...of('margin'), light.snap ?? false, ...parts('camera', camera), ...splits.length ? [splits.length - 1] : of('cascades', 1, whole),
+        ...of('lambda'), ...of('overlap'), ...of('blend_texels'), ...of('picture', 2, whole), ...of('target'),
+        splits.length > 0, ...distances, ...zeros(9 - splits.length), ...given, ...zeros(4 - given.length)].map(Number);
 }
 
 /** Points with their normals, eight floats each, as C++ reads them. */
 function seen_of({ points = [], normals = [] }) {
+    for (const [key, value] of Object.entries({ points, normals }))
+        must(typeof value === 'object' && value?.length >= 0, `light.${key} must be an array of floats`, value);
     must(points.length % 4 === 0, 'light.points must be four floats each', `${points.length} floats`);
     must(normals.length === points.length, 'light.normals must be as many as light.points', `${normals.length} floats`);
     const seen = new Float32Array(2 * points.length);
@@ -104,6 +118,7 @@ async function load_values() {
     const c = instance.exports;
     c._initialize();
     return (shadow, light) => {
+        must(shadow?.settings !== undefined, 'shadow must be one that shadow() made', shadow?.what?.name ?? shadow?.name ?? shadow);
         const { settings } = shadow, all = complete(settings.kind, light), numbers = numbers_of(settings, all);
         const seen = seen_of(all), room = c.umbrage_seen(seen.length / 8);
         new Float64Array(memory().buffer, c.umbrage_input(), numbers.length).set(numbers);

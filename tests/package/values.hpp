@@ -130,8 +130,10 @@ void with_set_up(int kind, const asked& a, std::span<const seen_point> seen, glm
     const clip_space clip = clip_of(a);
     const int size = map_size.x, border = static_cast<int>(a.border);
     const auto count = static_cast<int>(a.cascades);
-    umbrage::detail::require(count >= (kind == 3 ? 5 : 1) && count <= (kind == 3 ? 8 : 4), "values", "cascades",
-                             kind == 3 ? "5 to 8" : "1 to 4", count);
+    const int fewest = kind == 3 ? 5 : 1;
+    if (kind == 2 || kind == 3 || kind == 7)
+        umbrage::detail::require(count >= fewest && count <= fewest + 3, "values", "cascades",
+                                 kind == 3 ? "5 to 8" : "1 to 4", count);
     const auto fit = [&] { return fit_of(a, clip, map_size, reach); };
     if (kind == 0)
         use(single_map(make_spot_light<double>({.position = a.position,
@@ -246,6 +248,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
     detail::with_filter_of(filter, a.arguments, [&](const auto& f) {
         append(out.block, umbrage::detail::make_shadow_terms(map_size, f, off, clip.direction, bends));
     });
+    umbrage::detail::require_finite_uniforms(out.block);
     return out;
 }
 

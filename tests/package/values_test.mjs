@@ -47,7 +47,8 @@ for (const [light, message] of [
     [{ direction: [0, 0, 0] }, 'umbrage::make_spot_light: direction must be'], [{ outer_angle: 1 }, 'umbrage: values: light must have no properties but'],
     [{ clip: clips.godot_clip_space }, 'umbrage: values: light.clip must have the direction of the shadow, forward; got reversed'],
     [{ clip: undefined }, 'umbrage: values: light.clip must be given'], [{ position: [0, 0] }, 'umbrage: values: light.position must be 3 numbers'],
-    [{ position: [0, 0, NaN] }, 'umbrage: values: light must hold numbers'], [{ filter: { radius: 3 } }, 'umbrage: values: light.filter must have no properties but']])
+    [{ position: [0, 0, NaN] }, 'umbrage: values: light.position must be 3 numbers; got [0,0,NaN]'],
+    [{ position: [1e300, 0, 0] }, 'umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; got'], [{ filter: { radius: 3 } }, 'umbrage: values: light.filter must have no properties but']])
     for (let i = 0; i < 300; ++i) {
         let got = 'no error';
         try { values(spot, { clip, ...light }); } catch (error) { got = error.message; }
@@ -56,17 +57,58 @@ for (const [light, message] of [
         ++failed;
         break;
     }
-const pages = shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.tent3, map_size: 136 });
-const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-const seen = { clip, scene: { low: [-1, -1, -1], high: [1, 1, 1] }, camera: { view: identity, projection: identity, z_near: 1, z_far: 2 },
-    picture: [64, 64], points: [0, 0, 0, 1], normals: [0, 1, 0, 0] };
-for (const [part, message] of [
-    [{ points: [0, 0, 0] }, 'umbrage: values: light.points must be four floats each; got 3'], [{ normals: [] }, 'umbrage: values: light.normals must be as many'],
-    [{ gutter: 5 }, 'umbrage::page_light: texels must be a power of two; got 126'], [{ gutter: 60 }, 'umbrage::page_light: gutter must be'], [{ target: 0 }, 'umbrage::page_cache: target must be'],
-    [{ points: undefined }, 'umbrage: values: light.points must be given']]) {
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], box = { low: [-1, -1, -1], high: [1, 1, 1] };
+const camera = { view: identity, projection: identity, z_near: 1, z_far: 2 };
+const seen = { scene: box, camera, picture: [64, 64], points: [0, 0, 0, 1], normals: [0, 1, 0, 0] };
+const with_filter = filter => shadow('c', { kind: umbrage.spot_light, filter, map_size: 64 }), must = 'umbrage: values: light.';
+const size = 136, of = { pages: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.tent3, map_size: size }), spot,
+    cascades: shadow('b', { kind: umbrage.cascades, filter: umbrage.tent3, map_size: size }),
+    sun: shadow('b', { kind: umbrage.directional_light, filter: umbrage.tent3, map_size: size }),
+    lamp: shadow('b', { kind: umbrage.point_light, filter: umbrage.tent3, map_size: size }),
+    disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
+const ordinary = { pages: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
+for (const [kind, part, message] of [
+    ['pages', { points: [0, 0, 0] }, `${must}points must be four floats each; got 3`], ['pages', { normals: [] }, `${must}normals must be as many`],
+    ['pages', { gutter: 5 }, 'umbrage::page_light: texels must be a power of two; got 126'], ['pages', { gutter: 60 }, 'umbrage::page_light: gutter must be'],
+    ['pages', { target: 0 }, 'umbrage::page_cache: target must be'], ['pages', { points: undefined }, `${must}points must be given`],
+    ['pages', { points: null }, `${must}points must be an array of floats; got null`], ['pages', { normals: 'none' }, `${must}normals must be an array of floats; got none`],
+    ['pages', { gutter: 4.5 }, `${must}gutter must be a whole number below 2^31; got 4.5`],
+    ['pages', { picture: [64.5, 64] }, `${must}picture must be 2 whole numbers below 2^31; got [64.5,64]`],
+    ['spot', { clip: { ...clip, hand: 'LEFT' } }, `${must}clip.hand must be left or right; got LEFT`],
+    ['spot', { clip: { ...clip, range: '0..1' } }, `${must}clip.range must be zero_to_one or minus_one_to_one; got 0..1`],
+    ['spot', { clip: { ...clip, direction: 'Forward' } }, `${must}clip.direction must be forward or reversed; got Forward`],
+    ['spot', { clip: { ...clip, origin: undefined } }, `${must}clip.origin must be bottom or top; got undefined`],
+    ['spot', { clip: null }, `${must}clip must be a clip space`], ['spot', { outer_angle_radians: null }, `${must}outer_angle_radians must be a number; got null`],
+    ['spot', { outer_angle_radians: '0.5' }, `${must}outer_angle_radians must be a number; got 0.5`], ['spot', { aspect: true }, `${must}aspect must be a number; got true`],
+    ['spot', { position: null }, `${must}position must be 3 numbers; got null`], ['spot', { filter: null }, `${must}filter must be an object; got null`],
+    ['spot', { filter: 5 }, `${must}filter must be an object; got 5`], ['spot', undefined, 'umbrage: values: light must be an object; got undefined'],
+    ['cascades', { camera: null }, `${must}camera must be an object of view, projection, z_near, z_far; got null`],
+    ['cascades', { scene: null }, `${must}scene must be an object of low, high; got null`],
+    ['cascades', { scene: { low: [0, 0, 0] } }, `${must}scene.high must be 3 numbers; got undefined`],
+    ['cascades', { cascades: 2.5 }, `${must}cascades must be a whole number below 2^31; got 2.5`],
+    ['cascades', { cascades: 3e9 }, `${must}cascades must be a whole number below 2^31; got 3000000000`],
+    ['cascades', { cascades: 5 }, 'umbrage::values: cascades must be 1 to 4; got 5'],
+    ['cascades', { cascades: 3, splits: [1, 1.5, 2] }, `${must}cascades must be left out, or one less than light.splits; got 3`],
+    ['cascades', { splits: [1] }, `${must}splits must be 2 to 9 distances, or none; got [1]`], ['cascades', { splits: null }, `${must}splits must be 2 to 9 distances`],
+    ['cascades', { splits: [1, '2'] }, `${must}splits must be 2 numbers; got [1,2]`],
+    ['sun', { snap: 1 }, `${must}snap must be true or false; got 1`], ['sun', { casters: undefined }, `${must}casters must be given`],
+    ['lamp', { border: 2.7 }, `${must}border must be a whole number below 2^31; got 2.7`],
+    ['disc', { filter: { radius: [] } }, `${must}filter.radius must be a finite number; got []`],
+    ['disc', { filter: { radius: [3, 4] } }, `${must}filter.radius must be a finite number; got [3,4]`],
+    ['disc', { filter: { radius: Infinity } }, `${must}filter.radius must be a finite number; got Infinity`],
+    ['disc', { filter: { radius: null } }, `${must}filter.radius must be a finite number; got null`],
+    ['whole', { filter: { radius: 2.7 } }, `${must}filter.radius must be a whole number below 2^31; got 2.7`],
+    ['evsm', { filter: { exponents: [20] } }, `${must}filter.exponents must be 2 finite numbers; got [20]`]]) {
     let got = 'no error';
-    try { values(pages, { ...seen, ...part }); } catch (error) { got = error.message; }
-    if (!got.startsWith(message)) ++failed, console.log(`FAILED: ${JSON.stringify(part)}: ${got}`);
+    try { values(of[kind], part ? { clip, ...ordinary[kind], ...part } : undefined); } catch (error) { got = error.message; }
+    if (!got.startsWith(message)) ++failed, console.log(`FAILED: ${kind}, ${JSON.stringify(part)}: ${got}`);
+}
+values(of.cascades, { clip, ...ordinary.cascades, cascades: 2, splits: new Float32Array([1, 1.5, 2]) });
+values(of.sun, { clip, ...ordinary.sun, casters: null });
+for (const [what, got] of [[undefined, 'undefined'], [umbrage.bind(umbrage.hard, 'a'), 'hard'], [umbrage.hard, 'hard']]) {
+    let said = 'no error';
+    try { values(what, { clip }); } catch (error) { said = error.message; }
+    if (said !== `umbrage: values: shadow must be one that shadow() made; got ${got}`) ++failed, console.log(`FAILED: ${said}`);
 }
 if (values(spot, { clip }).block.join() !== before) ++failed, console.log('FAILED: other values after errors');
 process.exitCode = failed || counts.none < 500 ? 1 : 0;

@@ -71,7 +71,7 @@ std::string names_of_encodings() {
 }
 
 void write_npm(const fs::path& templates, const fs::path& folder) {
-    for (const char* const part : {"compose", "bind", "fill", "declare", "functions", "shadow", "versions"})
+    for (const char* const part : {"check", "compose", "bind", "fill", "declare", "functions", "shadow", "versions"})
         write_module(folder / "module" / part, filled(templates / (std::string(part) + ".mjs")));
     write_types(folder / "module/types", filled(templates / "types.d.mts", {{"@encodings@", names_of_encodings()}}));
     write_module(folder / "module/names", names_module());

@@ -32,8 +32,8 @@ export interface DirectionalLight extends OfAll {
     up?: Vector;
     /** What the map holds whole. */
     receivers: Box;
-    /** Left out: the near plane stands at the receivers, for depth passes that clamp depths. */
-    casters?: Box;
+    /** Left out or null: the near plane stands at the receivers, for depth passes that clamp depths. */
+    casters?: Box | null;
     /** On every side, as a share of the receivers' diameter. */
     margin?: number;
     /** Texels stay where they are while the receivers move. */
@@ -50,7 +50,7 @@ export interface Cascades extends OfAll {
     cascades?: number;
     /** 0: uniform splits, 1: logarithmic ones. */
     lambda?: number;
-    /** Distances in place of those: one more than cascades. */
+    /** Distances in place of those: one more than cascades, which may then be left out. */
     splits?: readonly number[];
     /** Share of a cascade that the next one holds too. */
     overlap?: number;
@@ -83,7 +83,7 @@ export interface AdaptivePages extends OfAll {
     points: ArrayLike<number>;
     /** Normal of the surface at each point, on the camera's side and of length one. Four floats each; the last does not count. */
     normals: ArrayLike<number>;
-    /** Texels around each page: the filter's reach and one. The others of `map_size` are a power of two. */
+    /** Texels around each page, a whole number: the filter's reach and one, rounded up. The others of `map_size` are a power of two. */
     gutter?: number;
     /** Pixels that a texel may cover. */
     target?: number;
@@ -92,7 +92,7 @@ export interface PointLight extends OfAll {
     position?: Vector;
     z_near?: number;
     z_far?: number;
-    /** Texels around each map: the filter's reach and one. */
+    /** Texels around each map, a whole number: the filter's reach and one, rounded up. */
     border?: number;
 }
 export interface DualParaboloidLight extends OfAll { position?: Vector; range?: number; border?: number }
