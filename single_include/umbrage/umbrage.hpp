@@ -71,6 +71,10 @@
 //     umbrage::set_error_handler([](const char* message) { log(message); std::exit(1); });  // with -fno-exceptions
 //
 
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "umbrage needs C++20: -std=c++20, or /std:c++20"
+#endif
+
 #if defined(GLM_FORCE_CXX98) || defined(GLM_FORCE_CXX03)
 #error "umbrage needs GLM's constexpr, which GLM_FORCE_CXX98 and GLM_FORCE_CXX03 switch off: define neither"
 #endif

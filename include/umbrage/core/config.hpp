@@ -6,6 +6,10 @@
 //
 #pragma once
 
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "umbrage needs C++20: -std=c++20, or /std:c++20"
+#endif
+
 #include <bit>
 #include <cstdio>
 #include <cstdlib>
