@@ -40,7 +40,7 @@ template <real T = float>
     const T angle = light.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
-    const T extent = std::tan(angle);
+    const T extent = static_cast<T>(std::tan(static_cast<double>(angle)));  // a float's depends on optimization
     detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians",
                     "large enough for a finite cotangent", angle);
     detail::require(is_finite(light.aspect) && light.aspect > T(0), function, "aspect", "finite and above 0",
