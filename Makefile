@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
+#     make         lists these targets
 #     make demo    makes pictures in build/demo
 #     make pictures   the pictures of the pages, in .media
 #     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
@@ -20,9 +21,14 @@
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #     make fuzz SECONDS=60   random input against models, under sanitizers, that long for each target
 #     make fuzz-accept SEED=1 COUNT=1000   shaders of random snippets and maps: glslang, Tint and naga must accept them
+#     make asan    the unit tests under the address and undefined behavior sanitizers
 #     make tsan    functions that take a hook for threads, under the thread sanitizer, for longer than make test
 #     make release       what a release attaches, with SHA256SUMS: build/release
-#     make release-check makes it twice, by two compilers at two places, and compares the bytes
+#     make release-check   makes it twice, by two compilers at two places, and compares the bytes
+#     make single-header   single_include again: single header, snippets as files, the npm package's module
+#     make readme  the pages' generated tables again
+#     make compile-time   what including the library costs a compiler
+#     make clean   removes build
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
@@ -85,7 +91,10 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench big bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
+.PHONY: help test unit gpu everywhere hosts site serve lint format newest-clang demo pictures gallery bench big bench-compare prove users asan tsan bench-packing bench-shaders single-header readme fuzz fuzz-accept release release-check compile-time clean
+
+help:
+	@awk -F '  +' '/^#     make/ { printf "%-38s %s\n", $$2, $$3 }' Makefile
 
 test:
 	$(call install,$(test_packages))
