@@ -22,8 +22,8 @@ export interface Options {
     readonly wgsl?: Snippet;
     /** The filter for an engine with WebGL 2. */
     readonly glsl?: GlslSnippet;
-    /** In place of the filter's defaults, see glsl.filter.arguments. A generator's contactHardeningLightSizeUVRatio scales the
-     *  softness. */
+    /** In place of the filter's defaults, see glsl.filter.arguments; but for rotation, of which each pixel has its own. A
+     *  generator's contactHardeningLightSizeUVRatio scales the softness. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
@@ -33,9 +33,9 @@ export interface Options {
 
 /** Puts a filter in place of Babylon.js' own, for all spot and directional lights, with cascades or without, and for all
  *  materials. A call for each kind; a second call of a kind changes its filter.
- *  @throws Error   an engine of another copy of @babylonjs/core, or with WebGL 1; a shader text that is not known; a filter or
- *                  an argument that does not fit */
+ *  @throws Error   an engine of another copy of @babylonjs/core, or with WebGL 1; a shader text that is not known; options that do not fit. Nothing is changed then */
 export function install(engine: Engine, options: Options): void;
 
-/** Restores Babylon.js' own text, byte for byte. */
+/** Restores Babylon.js' own text, byte for byte.
+ *  @throws Error   an engine of another copy of @babylonjs/core; options that do not fit */
 export function uninstall(engine: Engine, options?: { readonly scene?: Scene }): void;

@@ -15,11 +15,12 @@ import '@babylonjs/core/Shaders/ShadersInclude/shadowsFragmentFunctions.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/oitFragment.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/shadowsFragmentFunctions.js';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
-import { further_arguments, must } from './options.mjs';
+import { check_options, further_arguments, must } from './options.mjs';
 
 const where = 'babylon: install', known = '@babylonjs/core must have the shadow shader of 9.35';
 const shadows = 'shadowsFragmentFunctions', last = 'oitFragment';  // the latter is included behind a material's color
 const stores = { glsl: ShaderStore.IncludesShadersStore, wgsl: ShaderStore.IncludesShadersStoreWGSL };
+const scene_of_babylon = ['a scene of Babylon.js', value => Array.isArray(value?.meshes)];
 const installed = new Map();  // language -> Babylon.js' own texts, and the options of each kind
 
 /** Names of the functions of a kind, without and with cascades. */
@@ -101,11 +102,11 @@ function with_filters(name, own, asked) {
 
 /** Puts a filter in place of Babylon.js' own, for all lights and materials of a page. */
 export function install(engine, options = {}) {
-    must(where, engine instanceof AbstractEngine, 'engine must be an engine of this copy of @babylonjs/core',
-        engine?.constructor?.name ?? engine);
+    check_engine(where, engine);
     must(where, engine.isWebGPU || engine.version >= 2, 'engine must have WebGL 2 or WebGPU', `WebGL ${engine.version}`);
     const name = engine.isWebGPU ? 'wgsl' : 'glsl', store = stores[name];
-    const asked = { ...checked_options(where, name, options), reversed: engine.useReverseDepthBuffer };
+    const asked = {
+        ...checked_options(where, name, options, { scene: scene_of_babylon }), reversed: engine.useReverseDepthBuffer };
     const kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
     const { own, kinds } = installed.get(name) ?? { own: { [shadows]: store[shadows], [last]: store[last] }, kinds: {} };
     const all = { ...kinds, [kind]: asked };
@@ -117,11 +118,17 @@ export function install(engine, options = {}) {
 }
 
 /** Restores Babylon.js' own text, byte for byte. */
-export function uninstall(engine, { scene } = {}) {
+export function uninstall(engine, options = {}) {
+    check_engine('babylon: uninstall', engine);
+    check_options('babylon: uninstall', options, { scene: scene_of_babylon });
     const name = engine.isWebGPU ? 'wgsl' : 'glsl', { own } = installed.get(name) ?? {};
     Object.assign(stores[name], own);
     installed.delete(name);
-    compile_again(engine, scene);
+    compile_again(engine, options.scene);
+}
+
+function check_engine(where, engine) {
+    must(where, engine instanceof AbstractEngine, 'engine must be an engine of this copy of @babylonjs/core', engine);
 }
 
 function compile_again(engine, scene) {

@@ -3,7 +3,7 @@
 // Parts that the addons of engines share: both languages' words, and functions in an engine's text.
 import * as glsl from '../umbrage.mjs';
 import * as wgsl from '../wgsl.mjs';
-import { checked_arguments, end_of_body, must } from './options.mjs';
+import { check_filter, check_options, checked_arguments, checked_later, end_of_body, flag, must } from './options.mjs';
 
 /** Each language's module, and its words. */
 export const languages = {
@@ -22,13 +22,15 @@ export const languages = {
     },
 };
 
-/** Checked options: a filter in the language that the engine compiles, and its arguments. */
-export function checked_options(where, name, { [name]: filter, arguments: own, probe = false }) {
+/** Checked options: a filter in the language that the engine compiles, and its arguments. The addon may have further options. */
+export function checked_options(where, name, options, further) {
+    check_options(where, options,
+        { glsl: checked_later, wgsl: checked_later, arguments: checked_later, probe: flag, ...further });
+    const filter = options[name];
     must(where, filter !== undefined, `${name} must be given, a filter of this package, for this engine`, filter);
-    const given = checked_arguments(where, filter, own);
-    const language = name.toUpperCase();
-    must(where, filter.language.name === language, `${name} must be a filter in ${language}`, filter.language.name);
-    return { filter, given, probe };
+    for (const language of Object.keys(languages))
+        if (options[language] !== undefined) check_filter(where, language, options[language], language.toUpperCase());
+    return { filter, given: checked_arguments(where, filter, options.arguments), probe: options.probe ?? false };
 }
 
 /** A light's size in texels as the radius that scales a softness: 1.0 for 256 texels across all depths. The first eight bits,

@@ -3,31 +3,73 @@
 // What the addons share: options are checked before a host's text is touched, whose functions are found by their braces.
 
 export function must(where, holds, condition, got) {
-    if (!holds) throw new Error(`umbrage/${where}: ${condition}; got ${got}`);
+    if (!holds) throw new Error(`umbrage/${where}: ${condition}; got ${shown(got)}`);
+}
+
+/** A value in a message; of an object its class. */
+function shown(value) {
+    if (Array.isArray(value)) return `[${Array.from(value, shown).join(', ')}]`;
+    if (Object(value) === value) return value.constructor?.name ?? 'an object';
+    return value === '' ? '""' : String(value);
+}
+
+const is_object = value => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** What an option must be: words and a test. */
+export const flag = ['true or false', value => typeof value === 'boolean'];
+export const checked_later = ['', () => true];
+
+/** Refuses options that an addon does not have, and values of another kind.
+ *  @param known   what each option must be */
+export function check_options(where, options, known) {
+    must(where, is_object(options), 'options must be an object', options);
+    for (const [key, value] of Object.entries(options)) {
+        must(where, Object.hasOwn(known, key), `options must have no properties but ${Object.keys(known).join(', ')}`, key);
+        const [words, holds] = known[key];
+        must(where, value === undefined || holds(value), `${key} must be ${words}`, value);
+    }
+}
+
+/** Refuses an option that is no filter in the language, or one that engines' maps do not suit. */
+export function check_filter(where, option, filter, language) {
+    must(where, typeof filter?.text === 'string' && filter.filter,
+        `${option} must be a filter of this package, such as pcss16`, filter?.name ?? filter);
+    must(where, filter.language?.name === language, `${option} must be a filter in ${language}`, filter.language?.name);
+    must(where, filter.filter.reads !== 'moments' && !filter.filter.offsets,
+        `${option} must read depths through one coordinate`, filter.name);
+}
+
+const is_float = value => Number.isFinite(value) && Number.isFinite(Math.fround(value));
+
+/** What an argument must be, by its default. */
+function of_default({ type, value }) {
+    if (type === 'int') return ['an integer of 32 bits', given => Number.isInteger(given) && (given | 0) === given];
+    if (type === 'float') return ['a finite float of 32 bits', is_float];
+    return [`${value.length} finite floats of 32 bits`,
+        given => Array.isArray(given) && given.length === value.length && Array.from(given).every(is_float)];
 }
 
 /** A filter's arguments behind the receiver: defaults, and those that the user gave. */
-export function checked_arguments(where, filter, own = {}) {
-    must(where, typeof filter?.text === 'string' && filter.filter, 'filter must be a filter of this package, such as pcss16',
-        filter?.name ?? filter);
-    must(where, filter.filter.reads !== 'moments' && !filter.filter.offsets,
-        'filter must read depths through one coordinate', filter.name);
-    const known = filter.filter.arguments, all = {};
-    for (const name of Object.keys(own))
+export function checked_arguments(where, filter, given = {}) {
+    must(where, is_object(given), 'arguments must be an object', given);
+    const known = filter.filter.arguments.filter(({ name }) => name !== 'rotation');  // each pixel has its own
+    const own = {}, all = {};
+    for (const [name, value] of Object.entries(given)) {
         must(where, known.some(a => a.name === name),
             `arguments must be among (${known.map(a => a.name).join(', ')}) of ${filter.name}`, name);
-    for (const { name, value } of known) {
-        all[name] = own[name] ?? value;
-        const same = [all[name]].flat().length === [value].flat().length;
-        must(where, same && [all[name]].flat().every(Number.isFinite),
-            `arguments.${name} must be ${[value].flat().length} finite numbers`, all[name]);
+        if (value !== undefined) own[name] = value;
+    }
+    for (const argument of known) {
+        const { name, value } = argument, [words, holds] = of_default(argument);
+        all[name] = name in own ? own[name] : value;
+        must(where, holds(all[name]), `arguments.${name} must be ${words}`, all[name]);
     }
     return { own, all };
 }
 
 /** Numbers as a shader writes them; type is GLSL's or WGSL's. */
 function literal(type, value) {
-    if (type === 'int') return String(Math.round(value));
+    if (type === 'int') return String(value);
     const float = number => (Number.isInteger(number) ? number.toFixed(1) : String(number));
     return type === 'float' ? float(value) : `${type}(${value.map(float).join(', ')})`;
 }

@@ -17,7 +17,8 @@ export interface Options {
     readonly wgsl?: Snippet;
     /** The filter for a device with WebGL 2. */
     readonly glsl?: GlslSnippet;
-    /** In place of the filter's defaults, see glsl.filter.arguments. A light's penumbraSize scales the softness. */
+    /** In place of the filter's defaults, see glsl.filter.arguments; but for rotation, of which each pixel has its own. A
+     *  light's penumbraSize scales the softness. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
@@ -28,9 +29,10 @@ export interface Options {
 
 /** Puts a filter in place of PlayCanvas' own, for all materials that were not drawn before. A call for each kind; a second
  *  call of a kind changes its filter.
- *  @throws Error   a device of another copy of playcanvas, or of no app; chunks whose text is not known; a filter or an
- *                  argument that does not fit; a light that the filter does not reach */
+ *  @throws Error   a device of another copy of playcanvas, or of no app; chunks whose text is not known; options that do not
+ *                  fit; a light that the filter does not reach. Nothing is changed then */
 export function install(device: Device, options: Options): void;
 
-/** Restores PlayCanvas' own text, byte for byte. */
+/** Restores PlayCanvas' own text, byte for byte.
+ *  @throws Error   a device of another copy of playcanvas */
 export function uninstall(device: Device): void;

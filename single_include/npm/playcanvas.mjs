@@ -16,6 +16,8 @@ import { checked_options, filtered, globals, languages, light_radius, with_body 
 import { further_arguments, must } from './options.mjs';
 
 const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
+const lights_of_entities = ['an array of light components, such as [entity.light]',
+    value => Array.isArray(value) && Array.from(value).every(light => light?.shadowType !== undefined && light.system?.app?.scene)];
 const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and the options of each kind
 
 /** Shadow types of each kind. */
@@ -122,10 +124,10 @@ function must_reach(lights, kind, filter) {
 
 /** Puts a filter in place of PlayCanvas' own, for all lights and materials of a device. */
 export function install(device, options = {}) {
-    must(where, device instanceof GraphicsDevice, 'device must be a graphics device of this copy of playcanvas',
-        device?.constructor?.name ?? device);
+    check_device(where, device);
     const name = device.isWebGPU ? 'wgsl' : 'glsl', chunks = chunks_of(device);
-    const asked = checked_options(where, name, options), kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
+    const asked = checked_options(where, name, options, { lights: lights_of_entities });
+    const kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
     must_reach(options.lights ?? lights_of(device, kind), kind, asked.filter);
     must(where, chunks.has('shadowPCF3PS'), 'device must belong to an app that was initialized', 'no chunks');
     const names = ['shadowPCF3PS', 'shadowPCF5PS', 'shadowSoftPS', 'outputPS'];
@@ -138,8 +140,13 @@ export function install(device, options = {}) {
 
 /** Restores PlayCanvas' own text, byte for byte. */
 export function uninstall(device) {
+    check_device('playcanvas: uninstall', device);
     chunks_of(device).add(installed.get(device)?.own ?? {});
     installed.delete(device);
+}
+
+function check_device(where, device) {
+    must(where, device instanceof GraphicsDevice, 'device must be a graphics device of this copy of playcanvas', device);
 }
 
 function chunks_of(device) {

@@ -18,7 +18,7 @@ export interface Options {
     /** A filter that reads depths: hard, castano_dyadic5, disc16, pcss16, ... A light's shadow.radius is a disc's radius in
      *  texels, and scales the softness of pcss and dpcf. */
     readonly filter: Snippet;
-    /** In place of the filter's defaults, see filter.filter.arguments. */
+    /** In place of the filter's defaults, see filter.filter.arguments; but for rotation, of which each pixel has its own. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
@@ -29,8 +29,9 @@ export interface Options {
 /** Puts a filter in place of three.js' own, for all lights but point lights, and for all materials. Sets the renderer's
  *  shadowMap.type. A second call changes the filter.
  *  @throws Error   another copy of three.js than the renderer's, one older than r182, one whose shader text is not known,
- *                  a filter or an argument that does not fit */
+ *                  options that do not fit */
 export function install(THREE: Three, renderer: object, options: Options): void;
 
-/** Restores three.js' own text, byte for byte, and its type of shadow map. */
+/** Restores three.js' own text, byte for byte, and its type of shadow map.
+ *  @throws Error   options that do not fit */
 export function uninstall(THREE: Three, options?: { readonly scene?: Scene }): void;

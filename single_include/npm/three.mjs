@@ -8,9 +8,13 @@
 //     import { install } from 'umbrage/three';
 //     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
 import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
-import { checked_arguments, end_of_body, further_arguments, must } from './options.mjs';
+import {
+    check_filter, check_options, checked_arguments, checked_later, end_of_body, flag, further_arguments, must,
+} from './options.mjs';
 
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
+const members = ['BasicShadowMap', 'Material', 'ShaderChunk', 'WebGLRenderer'];
+const scene_of_three = ['a scene of three.js', value => typeof value?.traverse === 'function'];
 const installed = new Map();  // ShaderChunk -> what it takes to restore it
 
 /** three's own getShadow for maps of plain depths: where it begins and ends in the chunk. */
@@ -55,10 +59,13 @@ ${text(items, '300 es')}
 
 /** Puts a filter in place of three's own, for all lights and materials of a page. */
 export function install(THREE, renderer, options = {}) {
-    const where = 'three: install', { filter, probe = false, scene } = options;
+    const where = 'three: install';
     must(where, Number.parseInt(THREE?.REVISION) >= first_revision, `THREE must be r${first_revision} or later`, THREE?.REVISION);
-    must(where, renderer instanceof THREE.WebGLRenderer,
-        'renderer must be a WebGLRenderer of this copy of three.js', renderer?.constructor?.name ?? renderer);
+    for (const member of members) must(where, member in THREE, `THREE must have ${members.join(', ')}`, `no ${member}`);
+    must(where, renderer instanceof THREE.WebGLRenderer, 'renderer must be a WebGLRenderer of this copy of three.js', renderer);
+    check_options(where, options, { filter: checked_later, arguments: checked_later, probe: flag, scene: scene_of_three });
+    const { filter, probe = false, scene } = options;
+    check_filter(where, 'filter', filter, 'GLSL');
     const given = checked_arguments(where, filter, options.arguments);
     if (installed.has(THREE.ShaderChunk)) uninstall(THREE);
     const chunks = Object.fromEntries(chunk_names.map(name => [name, THREE.ShaderChunk[name]]));
@@ -76,14 +83,16 @@ export function install(THREE, renderer, options = {}) {
 }
 
 /** Restores three's own text, byte for byte. */
-export function uninstall(THREE, { scene } = {}) {
-    const own = installed.get(THREE.ShaderChunk);
+export function uninstall(THREE, options = {}) {
+    const where = 'three: uninstall', own = installed.get(THREE?.ShaderChunk);
+    must(where, THREE?.ShaderChunk !== undefined, 'THREE must have ShaderChunk', THREE);
+    check_options(where, options, { scene: scene_of_three });
     if (!own) return;
     Object.assign(THREE.ShaderChunk, own.chunks);
     THREE.Material.prototype.customProgramCacheKey = own.key;
     own.renderer.shadowMap.type = own.type;
     installed.delete(THREE.ShaderChunk);
-    compile_again(scene);
+    compile_again(options.scene);
 }
 
 function compile_again(scene) {

@@ -10,7 +10,7 @@ export interface Options {
     readonly wgsl: Snippet;
     /** The same filter in GLSL, for the WebGL 2 fallback; without it that one throws. */
     readonly glsl?: GlslSnippet;
-    /** In place of the filter's defaults, see wgsl.filter.arguments. */
+    /** In place of the filter's defaults, see wgsl.filter.arguments; but for rotation, of which each pixel has its own. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** A TSL property('vec4', ...) that gets the debug color of umbrage_probe_color; WebGPU alone. */
     readonly probe?: any;
@@ -20,6 +20,6 @@ export interface Options {
 
 /** A light's filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). Maps are single textures: spot
  *  and directional lights. CSMShadowNode clones shadows without their filterNode.
- *  @throws Error   a filter or an argument that does not fit; while a shader is built: a missing glsl, compatibility mode,
+ *  @throws Error   options that do not fit; while a shader is built: a missing glsl, compatibility mode,
  *                  a point light, reversed depth before r187 */
 export function shadow_filter(options: Options): any;

@@ -10,8 +10,11 @@ import { NearestFilter, REVISION } from 'three/webgpu';
 import * as TSL from 'three/tsl';
 import { bind as bind_glsl, disc_rotation as rotation_glsl, text } from '../umbrage.mjs';
 import { bind, disc_rotation, functions, probe_color } from '../wgsl.mjs';
-import { checked_arguments, further_arguments, must } from './options.mjs';
+import { check_filter, check_options, checked_arguments, checked_later, further_arguments, must } from './options.mjs';
 
+const property_of_tsl = ["a property of TSL, such as property('vec4', 'color')", value => value?.isNode === true];
+const known = {
+    wgsl: checked_later, glsl: checked_later, arguments: checked_later, probe: property_of_tsl, receiver: property_of_tsl };
 const where = 'three/webgpu: shadow_filter', made = new Map(), pieces = new Map();
 
 /** A node for each function of WGSL: those of equal text are one node, so that several filters share a shader. */
@@ -55,9 +58,13 @@ function probe_of(at, size, bias, direction) {
 }
 
 /** A filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). */
-export function shadow_filter({ wgsl, glsl, arguments: own, probe, receiver } = {}) {
-    const given = checked_arguments(where, wgsl, own);
+export function shadow_filter(options = {}) {
+    check_options(where, options, known);
+    const { wgsl, glsl, probe, receiver } = options;
+    check_filter(where, 'wgsl', wgsl, 'WGSL');
+    if (glsl !== undefined) check_filter(where, 'glsl', glsl, 'GLSL');
     must(where, glsl === undefined || glsl.name === wgsl.name, 'glsl must be the same filter in GLSL', glsl?.name);
+    const given = checked_arguments(where, wgsl, options.arguments);
     return TSL.Fn(({ depthTexture, shadowCoord, shadow }, builder) => {
         const { renderer } = builder, in_wgsl = renderer.backend.isWebGPUBackend === true;
         must(where, in_wgsl || glsl !== undefined, 'glsl must be given for the WebGL 2 fallback', glsl);

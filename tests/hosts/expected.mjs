@@ -13,9 +13,9 @@ const three_webgpu = {
         reversed: 'true',
         point: 'umbrage/three/webgpu: shadow_filter: the light must have one map: a spot, a directional light or a SunLight; '
             + 'got a point light',
-        moments: 'umbrage/three/webgpu: shadow_filter: filter must read depths through one coordinate; got ',
+        moments: 'umbrage/three/webgpu: shadow_filter: wgsl must read depths through one coordinate; got ',
         other: 'glsl must be the same filter in GLSL; got pcss16',
-        none: 'filter must be a filter of this package, such as pcss16; got undefined',
+        none: 'wgsl must be a filter of this package, such as pcss16; got undefined',
     },
 };
 
@@ -47,8 +47,8 @@ export const expected = {
             reversed: 'true',
             moments: 'umbrage/three: install: filter must read depths through one coordinate; got ',
             no_filter: 'umbrage/three: install: filter must be a filter of this package, such as pcss16; got pcss16',
-            argument: 'arguments must be among (softness, rotation) of pcss16; got softnes',
-            number: 'arguments.softness must be 3 finite numbers; got 1,2',
+            argument: 'arguments must be among (softness) of pcss16; got softnes',
+            number: 'arguments.softness must be 3 finite floats of 32 bits; got [1, 2]',
             renderer: 'renderer must be a WebGLRenderer of this copy of three.js; got Object',
             text: 'THREE must have the shadow shader of r182 or later; got another text of shadowmap_pars_fragment',
             old: 'THREE must be r182 or later; got 176',

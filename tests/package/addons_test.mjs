@@ -89,6 +89,10 @@ const hosts = {
         return {
             addon, engine, first: 'shadowsFragmentFunctions', unknown: 'another text of computeShadowWithPCF3',
             replaced: { pcf: 'computeShadowWithPCF3', pcss: 'computeShadowWithCSMPCSS64' },
+            further(language, made, say) {
+                const { hard } = { glsl, wgsl }[language];
+                say('a scene', () => addon.install(made, { [language]: hard, scene: [] }), 'scene must be a scene of Babylon.js; got []');
+            },
             kept: ['computeShadowCube', 'computeShadowWithPoissonSamplingCube', 'computeShadowWithPCF1', 'computeShadowWithCSMPCF1'],
             chunks: kept => {
                 const store = kept.isWebGPU ? ShaderStore.IncludesShadersStoreWGSL : ShaderStore.IncludesShadersStore;
@@ -117,30 +121,100 @@ const hosts = {
         };
         lights_of_playcanvas(pc, addon, engine);
         return {
+            further(language, device, say) {
+                for (const [lights, part] of [[new pc.Entity(), 'got Entity'], [[new pc.Entity()], 'got [Entity]'], [[undefined], 'got [undefined]'],
+                    [null, 'got null']])
+                    say('lights', () => addon.install(device, { [language]: { glsl, wgsl }[language].hard, lights }),
+                        `lights must be an array of light components, such as [entity.light]; ${part}`);
+            },
             addon, kept: ['getShadowPCF1x1', 'getShadowVSM16'], first: 'shadowPCF3PS', unknown: 'another text of _getShadowPCF3x3', chunks: chunks_of,
             replaced: { pcf: '_getShadowPCF5x5', pcss: 'PCSSDirectional' }, engine,
         };
     },
 };
 
-let tried = 0;
-for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'playcanvas']]) {
+/** Whether a host is there; if so, our modules find it. */
+function found(needed) {
     if (!existsSync(join(node_modules, needed))) {
         console.log(`SKIPPED: no ${needed} in ${node_modules}`);
-        continue;
+        return false;
     }
     mkdirSync(join(modules, needed, '..'), { recursive: true });
     symlinkSync(join(node_modules, needed), join(modules, needed));
-    const { addon, engine: made, first, unknown, replaced, kept, chunks: chunks_of } = await hosts[name]();
+    return true;
+}
+
+/** A call that is refused by the addon's words. */
+const refused = (where, head, what, call, part) => {
+    const said = refusal(call);
+    check(`${where}, ${what}: ${said}`, said.startsWith(`umbrage/${head}: `) && said.includes(part));
+};
+
+/** Options that every addon refuses; filters are those of a language, option is the name that the addon has for one. */
+function refuses_options(where, head, option, { box, disc16, pcss16, saturate, vsm }, call) {
+    const floats = 'must be 3 finite floats of 32 bits; got';
+    for (const [options, part] of [
+        [null, 'options must be an object; got null'],
+        [{ [option]: pcss16, argument: {} }, 'options must have no properties but '],
+        [{ [option]: null }, `${option} must be a filter of this package, such as pcss16; got null`],
+        [{ [option]: 'pcss16' }, `${option} must be a filter of this package, such as pcss16; got pcss16`],
+        [{ [option]: saturate }, `${option} must be a filter of this package, such as pcss16; got saturate`],
+        [{ [option]: vsm }, `${option} must read depths through one coordinate; got vsm`],
+        [{ [option]: pcss16, probe: 1 }, 'probe must be '],
+        [{ [option]: pcss16, arguments: null }, 'arguments must be an object; got null'],
+        [{ [option]: pcss16, arguments: { softnes: 1 } }, 'arguments must be among (softness) of pcss16; got softnes'],
+        [{ [option]: pcss16, arguments: { rotation: [64, 0] } }, 'arguments must be among (softness) of pcss16; got rotation'],
+        [{ [option]: pcss16, arguments: { softness: [1, 2] } }, `arguments.softness ${floats} [1, 2]`],
+        [{ [option]: pcss16, arguments: { softness: [1, , 2] } }, `arguments.softness ${floats} [1, undefined, 2]`],
+        [{ [option]: disc16, arguments: { radius: [3] } }, 'arguments.radius must be a finite float of 32 bits; got [3]'],
+        [{ [option]: disc16, arguments: { radius: 1e39 } }, 'arguments.radius must be a finite float of 32 bits; got 1e+39'],
+        [{ [option]: disc16, arguments: { radius: null } }, 'arguments.radius must be a finite float of 32 bits; got null'],
+        [{ [option]: box, arguments: { radius: 2.7 } }, 'arguments.radius must be an integer of 32 bits; got 2.7'],
+        [{ [option]: box, arguments: { radius: 1e10 } }, 'arguments.radius must be an integer of 32 bits; got 10000000000'],
+    ]) refused(where, head, 'options', () => call(options), part);
+}
+
+/** three.js with a fake renderer. */
+async function three() {
+    const THREE = await load('three/build/three.module.js'), { install, uninstall } = await load('umbrage/npm/three.mjs');
+    const { hard, pcss16 } = glsl, head = 'three: install', own_type = THREE.PCFShadowMap;
+    const renderer = Object.create(THREE.WebGLRenderer.prototype, {
+        state: { value: { buffers: { depth: { getReversed: () => false } } } }, shadowMap: { value: { type: own_type } } });
+    const texts = () => JSON.stringify(THREE.ShaderChunk), own = texts();
+
+    refuses_options('three', head, 'filter', glsl, options => install(THREE, renderer, options));
+    refused('three', head, 'a scene', () => install(THREE, renderer, { filter: hard, scene: {} }), 'scene must be a scene of three.js; got Object');
+    refused('three', head, 'a part of it', () => install({ REVISION: '187' }, renderer, { filter: hard }),
+        'THREE must have BasicShadowMap, Material, ShaderChunk, WebGLRenderer; got no BasicShadowMap');
+    refused('three', 'three: uninstall', 'options', () => uninstall(THREE, { scenes: [] }), 'options must have no properties but scene');
+    check('three: untouched by what is refused', texts() === own && renderer.shadowMap.type === own_type);
+
+    const { shadow_filter } = await load('umbrage/npm/three_webgpu.mjs'), where = 'three/webgpu', { pcss16: in_wgsl } = wgsl;
+    refuses_options(where, `${where}: shadow_filter`, 'wgsl', wgsl, shadow_filter);
+    for (const [options, part] of [
+        [{ glsl: pcss16 }, 'wgsl must be a filter of this package, such as pcss16; got undefined'],
+        [{ wgsl: pcss16 }, 'wgsl must be a filter in WGSL; got GLSL'],
+        [{ wgsl: in_wgsl, glsl: in_wgsl }, 'glsl must be a filter in GLSL; got WGSL'],
+        [{ wgsl: in_wgsl, glsl: null }, 'glsl must be a filter of this package, such as pcss16; got null'],
+        [{ wgsl: in_wgsl, receiver: 'vec4' }, "receiver must be a property of TSL, such as property('vec4', 'color'); got vec4"],
+    ]) refused(where, `${where}: shadow_filter`, 'languages', () => shadow_filter(options), part);
+    check(`${where}: a filter node`, typeof shadow_filter({ wgsl: in_wgsl, glsl: pcss16 }) === 'function');
+}
+
+let tried = 0;
+if (found('three')) {
+    ++tried;
+    await three();
+}
+for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'playcanvas']]) {
+    if (!found(needed)) continue;
+    const { addon, engine: made, first, further, unknown, replaced, kept, chunks: chunks_of } = await hosts[name]();
     for (const [language, { castano_dyadic5, pcss16, vsm, snippets }] of Object.entries({ glsl, wgsl })) {
         ++tried;
         const engine = made(language === 'wgsl'), chunks = chunks_of(engine), where = `${name}, ${language}`;
         const texts = () => JSON.stringify([...chunks.keys()].map(key => [key, chunks.get(key)])), own = texts();
         const body = called => texts().match(new RegExp(`${called}\\([^{]*{.*?umbrage_(\\w+)_${name}`))?.[1];
-        const say = (what, call, part) => {
-            const said = refusal(call);
-            check(`${where}, ${what}: ${said}`, said.startsWith(`umbrage/${name}: install: `) && said.includes(part));
-        };
+        const say = (what, call, part) => refused(where, `${name}: install`, what, call, part);
         addon.install(engine, { [language]: castano_dyadic5 });
         check(`${where}: PCF is replaced`, body(replaced.pcf) === 'castano_dyadic5');
         addon.install(engine, { [language]: pcss16, arguments: { softness: [0.125, 16, 256] }, probe: true });
@@ -158,11 +232,12 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
             `${language} must be given, a filter of this package, for this engine; got undefined`);
         say('another language', () => addon.install(engine, { [language]: other.pcss16 }),
             `${language} must be a filter in ${language.toUpperCase()}; got `);
-        say('moments', () => addon.install(engine, { [language]: vsm }),
-            'filter must read depths through one coordinate; got vsm');
-        say('an argument', () => addon.install(engine, { [language]: pcss16, arguments: { softnes: 1 } }),
-            'arguments must be among (softness, rotation)');
+        say('the other language', () => addon.install(engine, { [language]: pcss16, [language === 'glsl' ? 'wgsl' : 'glsl']: pcss16 }),
+            `must be a filter in ${language === 'glsl' ? 'WGSL' : 'GLSL'}; got `);
+        refuses_options(where, `${name}: install`, language, { glsl, wgsl }[language], options => addon.install(engine, options));
+        further?.(language, engine, say);
         say('another engine', () => addon.install({}, { [language]: pcss16 }), 'of this copy of');
+        refused(where, `${name}: uninstall`, 'no engine', () => addon.uninstall(), 'got undefined');
         check(`${where}: untouched by what is refused`, texts() === own);
         chunks.set(first, chunks.get(first).replace(unknown.split(' ').at(-1), 'renamed'));
         const changed = texts();
