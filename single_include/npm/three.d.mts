@@ -22,16 +22,18 @@ export interface Options {
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
-    /** A scene that was drawn before: its materials are compiled again. */
+    /** A scene that was drawn before: its materials are compiled again. Those with a customProgramCacheKey of their own may
+     *  share programs: give a scene that holds all of them. Their dispose() is called, and three.js draws them as new ones. */
     readonly scene?: Scene;
 }
 
-/** Puts a filter in place of three.js' own, for all lights but point lights, and for all materials. Sets the renderer's
- *  shadowMap.type. A second call changes the filter.
+/** Puts a filter in place of three.js' own, for all lights but point lights, and for all materials of a page. Sets the
+ *  renderer's shadowMap.type: call it for each renderer. All renderers share the last call's filter, and have one direction
+ *  of depth. Materials that were drawn before get it with their scene alone.
  *  @throws Error   another copy of three.js than the renderer's, one older than r182, one whose shader text is not known,
- *                  options that do not fit */
+ *                  a renderer of another direction of depth, options that do not fit. Nothing is changed then */
 export function install(THREE: Three, renderer: object, options: Options): void;
 
-/** Restores three.js' own text, byte for byte, and its type of shadow map.
+/** Restores three.js' own text, byte for byte, and all renderers' types of shadow maps.
  *  @throws Error   options that do not fit */
 export function uninstall(THREE: Three, options?: { readonly scene?: Scene }): void;

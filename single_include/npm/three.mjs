@@ -15,7 +15,8 @@ import {
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
 const members = ['BasicShadowMap', 'Material', 'ShaderChunk', 'WebGLRenderer'];
 const scene_of_three = ['a scene of three.js', value => typeof value?.traverse === 'function'];
-const installed = new Map();  // ShaderChunk -> what it takes to restore it
+const installed = new Map();  // ShaderChunk -> what it takes to restore it, and the first renderer's direction
+const numbers = new Map();  // chunk -> its number in the keys of programs
 
 /** three's own getShadow for maps of plain depths: where it begins and ends in the chunk. */
 function own_function(chunk) {
@@ -29,11 +30,11 @@ function own_function(chunk) {
 }
 
 /** The chunk with our function in place of three's. */
-function with_filter(chunk, filter, given, reversed, probe) {
+function with_filter(chunk, filter, given, direction, probe) {
     const { head, begin, end } = own_function(chunk);
     const further = further_arguments(filter, given,
         { rotation: 'umbrage_disc_rotation( gl_FragCoord.xy )', radius: 'shadowRadius', vec3: 'vec3' });
-    const map = { texture: 'depth', direction: reversed ? 'reversed' : 'forward', outside: 'bordered' };
+    const map = { texture: 'depth', direction, outside: 'bordered' };
     const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
     const declarations = `
 #if defined( SHADOWMAP_TYPE_BASIC )
@@ -44,7 +45,7 @@ ${text(items, '300 es')}
 `;
     const body = `${head}
 			shadowCoord.xyz /= shadowCoord.w;
-			shadowCoord.z ${reversed ? '-' : '+'}= shadowBias;
+			shadowCoord.z ${direction === 'reversed' ? '-' : '+'}= shadowBias;
 			highp vec2 size = vec2( textureSize( shadowMap, 0 ) );
 			highp vec3 at = vec3( shadowCoord.xy * size, shadowCoord.z );
 			float shadow = umbrage_${filter.name}_three( shadowMap, size, at.xy, at.z${further} );
@@ -67,19 +68,26 @@ export function install(THREE, renderer, options = {}) {
     const { filter, probe = false, scene } = options;
     check_filter(where, 'filter', filter, 'GLSL');
     const given = checked_arguments(where, filter, options.arguments);
-    if (installed.has(THREE.ShaderChunk)) uninstall(THREE);
-    const chunks = Object.fromEntries(chunk_names.map(name => [name, THREE.ShaderChunk[name]]));
-    const material = THREE.Material.prototype, key = material.customProgramCacheKey;
-    const reversed = renderer.state.buffers.depth.getReversed() === true;
-    THREE.ShaderChunk.shadowmap_pars_fragment = with_filter(chunks.shadowmap_pars_fragment, filter, given, reversed, probe);
-    if (probe)
-        THREE.ShaderChunk.dithering_fragment += '\n#if defined( USE_SHADOWMAP ) && defined( SHADOWMAP_TYPE_BASIC )\n'
-            + 'gl_FragColor.rgb = umbrage_color;\n#endif\n';
-    const mark = `umbrage ${filter.name} ${JSON.stringify(given.all)} ${reversed} ${probe}`;  // programs are cached by it
+    const { ShaderChunk, Material: { prototype: material } } = THREE;
+    const direction = renderer.state.buffers.depth.getReversed() === true ? 'reversed' : 'forward';
+    const own = installed.get(ShaderChunk) ?? {
+        chunks: Object.fromEntries(chunk_names.map(name => [name, ShaderChunk[name]])),
+        key: material.customProgramCacheKey, first: direction, types: new Map(),  // of each renderer
+    };
+    const { chunks, key, first, types } = own;
+    must(where, direction === first,
+        `renderer must have the depth direction of the page's first, ${first}: call uninstall(THREE) before`, direction);
+    const text = with_filter(chunks.shadowmap_pars_fragment, filter, given, direction, probe);
+    ShaderChunk.shadowmap_pars_fragment = text;
+    ShaderChunk.dithering_fragment = chunks.dithering_fragment + (probe
+        ? '\n#if defined( USE_SHADOWMAP ) && defined( SHADOWMAP_TYPE_BASIC )\ngl_FragColor.rgb = umbrage_color;\n#endif\n' : '');
+    if (!numbers.has(text)) numbers.set(text, numbers.size);
+    const mark = `umbrage ${numbers.get(text)}`;
     material.customProgramCacheKey = function () { return key.call(this) + mark; };
-    installed.set(THREE.ShaderChunk, { chunks, key, renderer, type: renderer.shadowMap.type });
+    if (!types.has(renderer)) types.set(renderer, renderer.shadowMap.type);
     renderer.shadowMap.type = THREE.BasicShadowMap;  // depths as they are
-    compile_again(scene);
+    installed.set(ShaderChunk, own);
+    compile_again(THREE, scene);
 }
 
 /** Restores three's own text, byte for byte. */
@@ -90,13 +98,17 @@ export function uninstall(THREE, options = {}) {
     if (!own) return;
     Object.assign(THREE.ShaderChunk, own.chunks);
     THREE.Material.prototype.customProgramCacheKey = own.key;
-    own.renderer.shadowMap.type = own.type;
+    for (const [renderer, type] of own.types) renderer.shadowMap.type = type;
     installed.delete(THREE.ShaderChunk);
-    compile_again(options.scene);
+    compile_again(THREE, options.scene);
 }
 
-function compile_again(scene) {
+function compile_again({ Material: { prototype } }, scene) {
     scene?.traverse(object => {
-        for (const material of [object.material ?? []].flat()) material.needsUpdate = true;
+        for (const material of [object.material ?? []].flat()) {
+            // a key of its own stays the same: three.js must forget its program
+            if (material.customProgramCacheKey !== prototype.customProgramCacheKey) material.dispose();
+            material.needsUpdate = true;
+        }
     });
 }

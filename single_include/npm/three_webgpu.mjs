@@ -25,25 +25,26 @@ function nodes_of(items) {
     });
 }
 
+/** A call of the filter is also its key: equal texts are one function. */
 function call_of(filter, given, map, coord, vec3) {
     const further = further_arguments(filter, given, { rotation: 'umbrage_disc_rotation(pixel)', radius: 'radius', vec3 });
     return `umbrage_${filter.name}_${map}(map, size, ${coord}, receiver${further})`;
 }
 
 function function_of(filter, given, language, direction) {
-    const name = `umbrage_three_${filter.name}`, map = `three_${direction}`;
-    const binding = { texture: 'depth', direction, outside: 'bordered' };
-    const key = JSON.stringify([language, name, map, given.all, Object.keys(given.own)]);
-    if (made.has(key)) return made.get(key);
+    const map = `three_${direction}`, binding = { texture: 'depth', direction, outside: 'bordered' };
+    const call = language === 'wgsl' ? call_of(filter, given, map, 'uv * size', 'vec3f')
+        : call_of(filter, given, map, 'vec2(uv.x, 1.0 - uv.y) * size', 'vec3');
+    if (made.has(call)) return made.get(call);
+    const name = `umbrage_three_${filter.name}_${made.size}`;
     const node = language === 'wgsl'
-        ? TSL.wgslFn(`fn ${name}_${made.size}(map: texture_depth_2d, size: vec2f, uv: vec2f, receiver: f32, radius: f32, `
-            + `pixel: vec2f) -> f32 {\n    return ${call_of(filter, given, map, 'uv * size', 'vec3f')};\n}`,
-            nodes_of([disc_rotation, bind(filter, map, binding)]))
+        ? TSL.wgslFn(`fn ${name}(map: texture_depth_2d, size: vec2f, uv: vec2f, receiver: f32, radius: f32, `
+            + `pixel: vec2f) -> f32 {\n    return ${call};\n}`, nodes_of([disc_rotation, bind(filter, map, binding)]))
         // TSL names a parameter of type sampler2D otherwise than it calls it: another word for the type helps
-        : TSL.glslFn(`float ${name}_${made.size}(depthTexture map, vec2 size, vec2 uv, float receiver, float radius, `
-            + `vec2 pixel) {\n    return ${call_of(filter, given, map, 'vec2(uv.x, 1.0 - uv.y) * size', 'vec3')};\n}`,
+        : TSL.glslFn(`float ${name}(depthTexture map, vec2 size, vec2 uv, float receiver, float radius, `
+            + `vec2 pixel) {\n    return ${call};\n}`,
             [TSL.glsl(`\n#define depthTexture highp sampler2D\n${text([rotation_glsl, bind_glsl(filter, map, binding)], '300 es')}`)]);
-    made.set(key, node);
+    made.set(call, node);
     return node;
 }
 

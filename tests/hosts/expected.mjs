@@ -44,6 +44,10 @@ export const expected = {
         said: {
             restored: 'true',
             untouched: 'true',
+            later: 'true',
+            'later.keyed': 'true',
+            two_renderers: 'true',
+            two_restored: 'true',
             reversed: 'true',
             moments: 'umbrage/three: install: filter must read depths through one coordinate; got ',
             no_filter: 'umbrage/three: install: filter must be a filter of this package, such as pcss16; got pcss16',

@@ -106,6 +106,29 @@ export const done = (async () => {
     pictures.probe = picture(renderer);
     uninstall(THREE, { scene: spot.scene });
 
+    for (const keyed of [false, true]) {  // at run time, with the default of one's own in place of the light's radius too
+        const renderer = drawn(), made = make_scene(THREE, directional(THREE)), { scene } = made;
+        made.light.shadow.radius = 3;
+        if (keyed) scene.traverse(({ material }) => { if (material) material.customProgramCacheKey = () => 'own'; });
+        const [before, with_3, with_2] = [{ filter: hard }, { filter: disc16 }, { filter: disc16, arguments: { radius: 2 } }].map(options => {
+            install(THREE, renderer, { ...options, scene });
+            renderer.render(scene, made.camera);
+            return picture(renderer);
+        });
+        said[keyed ? 'later.keyed' : 'later'] = before === pictures.hard && with_3 === pictures.disc16 && with_2 !== with_3;
+        uninstall(THREE, { scene });
+        renderer.dispose();
+    }
+    const pair = [drawn(), drawn()], scenes_of_pair = pair.map(() => make_scene(THREE, directional(THREE)));
+    const both = () => pair.map((renderer, i) => {
+        renderer.render(scenes_of_pair[i].scene, scenes_of_pair[i].camera);
+        return picture(renderer);
+    });
+    for (const renderer of pair) install(THREE, renderer, { filter: castano_dyadic5 });
+    said.two_renderers = both().every(drawn => drawn === pictures.castano_dyadic5);
+    uninstall(THREE);
+    said.two_restored = both().every(drawn => drawn === pictures.own);
+
     said.moments = refusal(() => install(THREE, renderer, { filter: vsm }));
     said.no_filter = refusal(() => install(THREE, renderer, { filter: 'pcss16' }));
     said.argument = refusal(() => install(THREE, renderer, { filter: pcss16, arguments: { softnes: 1 } }));

@@ -174,20 +174,49 @@ function refuses_options(where, head, option, { box, disc16, pcss16, saturate, v
     ]) refused(where, head, 'options', () => call(options), part);
 }
 
-/** three.js with a fake renderer. */
+/** three.js with fake renderers: their type of shadow map, and the keys that programs are cached by. */
 async function three() {
     const THREE = await load('three/build/three.module.js'), { install, uninstall } = await load('umbrage/npm/three.mjs');
-    const { hard, pcss16 } = glsl, head = 'three: install', own_type = THREE.PCFShadowMap;
-    const renderer = Object.create(THREE.WebGLRenderer.prototype, {
-        state: { value: { buffers: { depth: { getReversed: () => false } } } }, shadowMap: { value: { type: own_type } } });
+    const { disc16, hard, pcss16 } = glsl, head = 'three: install', basic = THREE.BasicShadowMap, own_type = THREE.PCFShadowMap;
+    const renderer_of = direction => Object.create(THREE.WebGLRenderer.prototype, {
+        state: { value: { buffers: { depth: { getReversed: () => direction === 'reversed' } } } },
+        shadowMap: { value: { type: own_type } } });
+    const [a, b, reversed] = ['forward', 'forward', 'reversed'].map(renderer_of);
     const texts = () => JSON.stringify(THREE.ShaderChunk), own = texts();
+    const [plain, keyed] = [{}, { customProgramCacheKey: () => 'own' }].map(
+        members => Object.assign(new THREE.MeshBasicMaterial(), members));
+    const scene = new THREE.Scene(), disposed = [], key = () => plain.customProgramCacheKey();
+    for (const material of [plain, keyed]) {
+        scene.add(new THREE.Mesh(new THREE.BufferGeometry(), material));
+        material.addEventListener('dispose', () => disposed.push(material));
+    }
 
-    refuses_options('three', head, 'filter', glsl, options => install(THREE, renderer, options));
-    refused('three', head, 'a scene', () => install(THREE, renderer, { filter: hard, scene: {} }), 'scene must be a scene of three.js; got Object');
-    refused('three', head, 'a part of it', () => install({ REVISION: '187' }, renderer, { filter: hard }),
+    refuses_options('three', head, 'filter', glsl, options => install(THREE, a, options));
+    refused('three', head, 'a scene', () => install(THREE, a, { filter: hard, scene: {} }), 'scene must be a scene of three.js; got Object');
+    refused('three', head, 'a part of it', () => install({ REVISION: '187' }, a, { filter: hard }),
         'THREE must have BasicShadowMap, Material, ShaderChunk, WebGLRenderer; got no BasicShadowMap');
     refused('three', 'three: uninstall', 'options', () => uninstall(THREE, { scenes: [] }), 'options must have no properties but scene');
-    check('three: untouched by what is refused', texts() === own && renderer.shadowMap.type === own_type);
+    check('three: untouched by what is refused', texts() === own && a.shadowMap.type === own_type);
+
+    install(THREE, a, { filter: disc16 });
+    const [first, by_light] = [texts(), key()];
+    refused('three', head, 'a second filter', () => install(THREE, a, { filter: wgsl.pcss16 }), 'filter must be a filter in GLSL; got WGSL');
+    refused('three', head, 'a second depth', () => install(THREE, reversed, { filter: pcss16 }),
+        "renderer must have the depth direction of the page's first, forward: call uninstall(THREE) before; got reversed");
+    check('three: a refused second leaves the first', texts() === first && key() === by_light && a.shadowMap.type === basic);
+    install(THREE, a, { filter: disc16, arguments: { radius: 2 } });
+    check("three: the default of one's own is another program", texts() !== first && key() !== by_light);
+    install(THREE, b, { filter: disc16, scene });
+    check('three: the same filter is the same program', texts() === first && key() === by_light);
+    check('three: materials of a scene are compiled again, with keys of their own too',
+        plain.version === 1 && keyed.version === 1 && disposed.length === 1 && disposed[0] === keyed);
+    check('three: two renderers', a.shadowMap.type === basic && b.shadowMap.type === basic);
+    uninstall(THREE, { scene });
+    check('three: restored', texts() === own && a.shadowMap.type === own_type && b.shadowMap.type === own_type
+        && key() === new THREE.Material().customProgramCacheKey() && !key().includes('umbrage') && disposed.length === 2);
+    install(THREE, reversed, { filter: hard });
+    check('three: the other direction afterwards', reversed.shadowMap.type === basic && texts() !== own);
+    uninstall(THREE);
 
     const { shadow_filter } = await load('umbrage/npm/three_webgpu.mjs'), where = 'three/webgpu', { pcss16: in_wgsl } = wgsl;
     refuses_options(where, `${where}: shadow_filter`, 'wgsl', wgsl, shadow_filter);
