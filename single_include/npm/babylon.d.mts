@@ -32,8 +32,10 @@ export interface Options {
 }
 
 /** Puts a filter in place of Babylon.js' own, for all spot and directional lights, with cascades or without, and for all
- *  materials. A call for each kind; a second call of a kind changes its filter.
- *  @throws Error   an engine of another copy of @babylonjs/core, or with WebGL 1; a shader text that is not known; options that do not fit. Nothing is changed then */
+ *  materials. A call for each kind; a second call of a kind changes its filter. All engines of a page that compile the same
+ *  language share the filters, and must have the first one's useReverseDepthBuffer.
+ *  @throws Error   an engine of another copy of @babylonjs/core, with WebGL 1, or with depth of the other direction; a shader
+ *                  text that is not known; options that do not fit. Nothing is changed then */
 export function install(engine: Engine, options: Options): void;
 
 /** Restores Babylon.js' own text, byte for byte.

@@ -21,7 +21,7 @@ const where = 'babylon: install', known = '@babylonjs/core must have the shadow 
 const shadows = 'shadowsFragmentFunctions', last = 'oitFragment';  // the latter is included behind a material's color
 const stores = { glsl: ShaderStore.IncludesShadersStore, wgsl: ShaderStore.IncludesShadersStoreWGSL };
 const scene_of_babylon = ['a scene of Babylon.js', value => Array.isArray(value?.meshes)];
-const installed = new Map();  // language -> Babylon.js' own texts, and the options of each kind
+const installed = new Map();  // language -> Babylon.js' own texts, the depth's direction, and the options of each kind
 
 /** Names of the functions of a kind, without and with cascades. */
 const functions = { pcf: ['PCF3', 'PCF5'], pcss: ['PCSS16', 'PCSS32', 'PCSS64'] };
@@ -105,15 +105,18 @@ export function install(engine, options = {}) {
     check_engine(where, engine);
     must(where, engine.isWebGPU || engine.version >= 2, 'engine must have WebGL 2 or WebGPU', `WebGL ${engine.version}`);
     const name = engine.isWebGPU ? 'wgsl' : 'glsl', store = stores[name];
-    const asked = {
-        ...checked_options(where, name, options, { scene: scene_of_babylon }), reversed: engine.useReverseDepthBuffer };
+    const asked = checked_options(where, name, options, { scene: scene_of_babylon });
     const kind = asked.filter.filter.reads === 'depths' ? 'pcss' : 'pcf';
-    const { own, kinds } = installed.get(name) ?? { own: { [shadows]: store[shadows], [last]: store[last] }, kinds: {} };
-    const all = { ...kinds, [kind]: asked };
+    const { own, reversed, kinds } = installed.get(name) ?? {
+        own: { [shadows]: store[shadows], [last]: store[last] }, reversed: engine.useReverseDepthBuffer, kinds: {} };
+    must(where, engine.useReverseDepthBuffer === reversed,
+        `engine.useReverseDepthBuffer must be ${reversed}, as at the page's first install: call uninstall(engine) before`,
+        engine.useReverseDepthBuffer);
+    const all = { ...kinds, [kind]: { ...asked, reversed } };
     store[shadows] = with_filters(name, own[shadows], all);
     store[last] = Object.values(all).some(({ probe }) => probe)
         ? `#if defined(SHADOWS)\n${words[name].color}\n#endif\n${own[last]}` : own[last];
-    installed.set(name, { own, kinds: all });
+    installed.set(name, { own, reversed, kinds: all });
     compile_again(engine, options.scene);
 }
 

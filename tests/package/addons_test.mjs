@@ -81,8 +81,8 @@ const hosts = {
         const { AbstractEngine } = await load('@babylonjs/core/Engines/abstractEngine.js');
         const { ShaderStore } = await load('@babylonjs/core/Engines/shaderStore.js');
         const addon = await load('umbrage/npm/babylon.mjs');
-        const engine = (isWebGPU, version = 2) => Object.create(AbstractEngine.prototype,
-            { isWebGPU: { value: isWebGPU }, version: { value: version }, useReverseDepthBuffer: { value: false } });
+        const engine = (isWebGPU, version = 2, reversed = false) => Object.create(AbstractEngine.prototype,
+            { isWebGPU: { value: isWebGPU }, version: { value: version }, useReverseDepthBuffer: { value: reversed } });
         const old = refusal(() => addon.install(engine(false, 1), { glsl: glsl.hard }));
         check(`babylon, WebGL 1: ${old}`, old.endsWith('engine must have WebGL 2 or WebGPU; got WebGL 1'));
         await lights_of_babylon();
@@ -90,8 +90,15 @@ const hosts = {
             addon, engine, first: 'shadowsFragmentFunctions', unknown: 'another text of computeShadowWithPCF3',
             replaced: { pcf: 'computeShadowWithPCF3', pcss: 'computeShadowWithCSMPCSS64' },
             further(language, made, say) {
-                const { hard } = { glsl, wgsl }[language];
+                const { hard, pcss16 } = { glsl, wgsl }[language], other = engine(language === 'wgsl', 2, true);
                 say('a scene', () => addon.install(made, { [language]: hard, scene: [] }), 'scene must be a scene of Babylon.js; got []');
+                addon.install(made, { [language]: hard });
+                say('another depth', () => addon.install(other, { [language]: pcss16 }),
+                    "must be false, as at the page's first install: call uninstall(engine) before; got true");
+                addon.uninstall(made);
+                check(`babylon, ${language}: another depth afterwards`,
+                    refusal(() => addon.install(other, { [language]: pcss16 })) === 'accepted');
+                addon.uninstall(other);
             },
             kept: ['computeShadowCube', 'computeShadowWithPoissonSamplingCube', 'computeShadowWithPCF1', 'computeShadowWithCSMPCF1'],
             chunks: kept => {
