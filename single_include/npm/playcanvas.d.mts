@@ -8,7 +8,17 @@ import type { Snippet } from '../wgsl.mjs';
 export interface Device { readonly isWebGPU: boolean }
 
 /** Members of a light component that the addon uses. */
-export interface Light { readonly type: string; readonly shadowType: number }
+export interface Light {
+    readonly type: string;
+    readonly shadowType: number;
+    readonly system: { readonly app: { readonly scene: Scene } };
+}
+
+/** Members of a scene that the addon uses. */
+export interface Scene {
+    readonly clusteredLightingEnabled: boolean;
+    readonly lighting: { readonly shadowType: number };
+}
 
 /** A filter that compares depths replaces SHADOW_PCF3_* and SHADOW_PCF5_*: hard, tent3, castano_dyadic5, disc16, ... One that
  *  searches for blockers replaces SHADOW_PCSS_32F of directional lights: pcss16, dpcf16, ... */

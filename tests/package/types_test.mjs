@@ -93,10 +93,10 @@ shadow_filter({ wgsl: wgsl.pcss16, glsl: pcss16 });
 install(THREE, renderer, { filter: wgsl.pcss16 });
 // @ts-expect-error no filter
 shadow_filter({});
-declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device;
+declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device, light: playcanvas.Light;
 babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, scene });
 babylon.uninstall(engine, { scene });
-playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, lights: [{ type: 'directional', shadowType: 6 }] });
+playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, lights: [light] });
 playcanvas.uninstall(device);
 // @ts-expect-error a filter in another language
 babylon.install(engine, { wgsl: pcss16 });
