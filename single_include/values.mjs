@@ -118,7 +118,7 @@ export async function load_values() {
     const c = instance.exports;
     c._initialize();
     return (shadow, light) => {
-        must(shadow?.settings !== undefined, 'shadow must be one that shadow() made', shadow?.what?.name ?? shadow?.name ?? shadow);
+        must(shadow?.settings !== undefined, 'shadow must be one that shadow() made', shadow);
         const { settings } = shadow, all = complete(settings.kind, light), numbers = numbers_of(settings, all);
         const seen = seen_of(all), room = c.umbrage_seen(seen.length / 8);
         new Float64Array(memory().buffer, c.umbrage_input(), numbers.length).set(numbers);

@@ -1,9 +1,14 @@
 // Errors for bad input, as the C++ library words them: function, argument, condition, and the value.
 
+const shown = got => got === '' ? '""' : Array.isArray(got) ? `[${got}]` : String(got?.what?.name ?? got?.name ?? got);
+
 /** must(holds, condition, got) of a function of this package. */
 const must_in = where => (holds, condition, got) => {
-    if (!holds) throw new Error(`umbrage: ${where}: ${condition}; got ${got === '' ? '""' : Array.isArray(got) ? `[${got}]` : String(got)}`);
+    if (!holds) throw new Error(`umbrage: ${where}: ${condition}; got ${shown(got)}`);
 };
+
+/** What was given in place of an encoding. */
+const given_as_encoding = got => got === undefined ? 'undefined. Is it of a name that no encoding has?' : got;
 
 const words = { hand: ['left', 'right'], range: ['zero_to_one', 'minus_one_to_one'], direction: ['forward', 'reversed'], origin: ['bottom', 'top'] };
 
@@ -15,5 +20,6 @@ function must_be_clip_space(must, argument, clip, keys = Object.keys(words)) {
 
 module.exports = {
     must_in,
+    given_as_encoding,
     must_be_clip_space,
 };

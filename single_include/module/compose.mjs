@@ -3,26 +3,38 @@
 // A snippet is data of one language. bind() makes items of a snippet and a map; a snippet alone reads a 2D texture of
 // depths, as its text stands. Nothing here knows how a map fills texts in, so that programs without bind() do without.
 
+import { must_in } from './check.mjs';
+
+const must = /*#__PURE__*/ must_in('text');
+
 export const is_of_map = s => s.role !== 'none' || s.needs.some(is_of_map);
 
 const alone = what => ({ what, suffix: '', map_key: '', parts: [what], chosen: s => s, fill: s => s.text });
 
+/** Whether it is a snippet of the language; lights of a shadow have its name, too. */
+export const is_snippet = (language, what) => what?.language === language && Array.isArray(what.needs);
+
 /** An item as it is composed; refuses what is no item of the language. */
 export function as_item(language, item) {
     const what = item?.what ?? item;
-    if (what?.language !== language)
-        throw new Error(`umbrage: text: items must be snippets of ${language.name}, bound or not; got `
-            + (what?.language ? `${what.name} of ${what.language.name}` : what));
+    must(is_snippet(language, what), `items must be snippets of ${language.name}, bound or not`,
+        what?.language ? `${what.name} of ${what.language.name}` : what);
     return item === what ? alone(what) : item;
 }
 
+/** A list of items, as they are composed. */
+export function as_items(language, items) {
+    must(Array.isArray(items), 'items must be an array of snippets', items);
+    return items.map(item => as_item(language, item));
+}
+
 /** The items, no two of which share a name and differ in their maps. */
-function checked(language, items) {
-    items = items.map(item => as_item(language, item));
+function checked(language, given) {
+    const items = as_items(language, given);
     const of_map = items.filter(item => item.parts.some(is_of_map));
     for (const item of of_map)
-        if (of_map.some(other => other.suffix === item.suffix && other.map_key !== item.map_key))
-            throw new Error(`umbrage: text: name must be another for each map; got "${item.suffix.slice(1)}" for two`);
+        must(of_map.every(other => other.suffix !== item.suffix || other.map_key === item.map_key), 'name must be another for each map',
+            `"${item.suffix.slice(1)}" for two`);
     return items;
 }
 
@@ -35,9 +47,8 @@ function for_each_part(items, use) {
         if (is_of_map(s) !== of_map) return;
         const suffix = of_map ? item.suffix : '', guard = `UMBRAGE_HAS_${s.name}${suffix}`.toUpperCase(), before = done.get(guard);
         if (before?.s === s && before.suffix === suffix) return;
-        if (before)
-            throw new Error('umbrage: text: names must keep functions apart, in capitals too; got '
-                + `umbrage_${before.s.name}${before.suffix} and umbrage_${s.name}${suffix}`);
+        must(!before, 'names must keep functions apart, in capitals too',
+            `umbrage_${before?.s.name}${before?.suffix} and umbrage_${s.name}${suffix}`);
         use(s, item, guard);
         done.set(guard, { s, suffix });
     };
@@ -99,8 +110,7 @@ export function compose(language, items, { prelude, may_reorder, version } = lan
         made.add(name);
     });
     for (const { declared } of all.filter(item => item.declared)) {
-        if (made.has(declared.name))
-            throw new Error(`umbrage: text: name must be another than a snippet's or shadow's of the text; got ${declared.name}`);
+        must(!made.has(declared.name), "name must be another than a snippet's or shadow's of the text", declared.name);
         made.add(declared.name);
         text += declared.text(version);
     }

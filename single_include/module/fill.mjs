@@ -1,5 +1,8 @@
 // A snippet's text with the words that a map fills in, and where its lines end then.
+import { must_in } from './check.mjs';
 import { is_of_map } from './compose.mjs';
+
+const must = /*#__PURE__*/ must_in('bind');
 
 /** Whether a text can stand in an expression: one line, brackets in pairs, no comment, no directive, no statement. */
 export function is_expression(text) {
@@ -39,10 +42,6 @@ function members(list) {
 
 /** The names that parameters declare. */
 const declared = parameters => members(parameters).map(p => words_of(p.replace(/\[.*|(?<!:):(?!:).*/, '')).at(-1));
-
-function must(holds, condition, got) {
-    if (!holds) throw new Error(`umbrage: bind: ${condition}; got ${got === '' ? '""' : got}`);
-}
 
 /** A snippet's text before any map has filled it in: most stand as for a 2D texture of depths. */
 function unfilled(hooks, s) {

@@ -1,11 +1,9 @@
 // A light's shadow as functions of a shader, its maps' target, and its depth pass. The texts are those of C++'s bind() and
 // bind_depth_pass(); the values of its uniforms are those of values.mjs.
 import { bound, check, complete } from './bind.mjs';
+import { given_as_encoding, must_be_clip_space, must_in } from './check.mjs';
 
-function must(holds, condition, got) {
-    if (!holds) throw new Error(`umbrage: shadow: ${condition}; got ${got === '' ? '""' : got}`);
-}
-
+const must = /*#__PURE__*/ must_in('shadow');
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
     block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
@@ -19,26 +17,31 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
     for (const key of Object.keys(options))
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
     const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
-    must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind?.name ?? kind);
+    must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
     const look = filter?.language === language && filter.filter !== undefined
         ? looks[filter.filter.arguments.map(argument => argument.name).join(', ')] : undefined;
-    must(look !== undefined && filter.filter.offsets === undefined, `filter must be one that a shadow takes, of ${language.name}`,
-        filter?.name ?? filter);
+    must(look !== undefined && filter.filter.offsets === undefined, `filter must be one that a shadow takes, of ${language.name}`, filter);
     const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
-    must(encoding?.write?.language === language, `encoding must be one of ${language.name}`, encoding);
+    must(!('encoding' in options && options.encoding === undefined) && encoding?.write?.language === language,
+        `encoding must be one of ${language.name}`, given_as_encoding(options.encoding));
+    must(encoding.reversed !== undefined, `encoding must be ${encoding.name} itself, whose reversed depth comes of direction`,
+        `${encoding.name}.reversed`);
     must(!is_moments || options.encoding === undefined, 'encoding must be left out for a filter of moments', filter.name);
     must(direction === 'forward' || reversed, 'direction must be forward or reversed', direction);
     const size = typeof map_size === 'number' ? [map_size, map_size] : map_size;
-    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1),
-        'map_size must be whole texels, or two of them', map_size);
+    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1 && n <= 2 ** 24),
+        'map_size must be whole texels from 1 to 2^24, or two of them', map_size);
+    for (const [key, slot] of Object.entries({ block, texture, sampler, set }))
+        must(slot === (slot | 0) && slot >= 0, `${key} must be a whole number, 0 or above`, slot);
     must(debug === undefined || debug?.language === language && debug.reading !== undefined, `debug must be debug of ${language.name}`, debug);
     const hardens = filter.filter.arguments.some(argument => argument.name === 'softness');
     must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
 
     const { grid: [columns, rows], outside, fields } = kind.maps, several = columns * rows > 1;
-    const lies_in = rest.map ?? (several ? 'atlas' : 'texture_2d'), layers = lies_in.includes('array');
+    const lies_in = rest.map === undefined ? (several ? 'atlas' : 'texture_2d') : rest.map;
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
+    const layers = lies_in.includes('array');
     const whole = [size[0] * columns, size[1] * rows];
     const stored = reversed ? encoding.reversed : encoding;
     const map = complete(hooks, { texture: lies_in, direction, outside, depth: stored.depth, channels: stored.channels,
@@ -64,7 +67,8 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         declared: { name, text: version => declare(declares, item.declarations(), version) },
         depth_pass: bound(hooks, texel.write, name, complete(hooks, { direction })),
         vertex_pass: clip => {
-            must(clip?.direction === direction, `clip must be a clip space whose depth is ${direction}`, clip?.direction ?? clip);
+            must_be_clip_space(must, 'clip', clip, ['direction', 'range']);
+            must(clip.direction === direction, `clip must be a clip space whose depth is ${direction}`, clip.direction);
             const near = reversed ? '1.0' : clip.range === 'zero_to_one' ? '0.0' : '-1.0', { text, needs } = kind.vertex;
             return bound(hooks, own('vertex', text.replace('NEAR', near), needs), name, complete(hooks, { direction }));
         },

@@ -1,15 +1,20 @@
 // GLSL's dialects: which of them a text suits, and what it is in one.
 const { has_region } = require('./bind.cjs');
-const { as_item, compose } = require('./compose.cjs');
+const { must_in } = require('./check.cjs');
+const { as_item, as_items, compose } = require('./compose.cjs');
 const { language } = require('./glsl/language.cjs');
 
 const versions = ['100', '110', '120', '130', '150', '300 es', '310 es', '320 es', '330', '430', '450', '460'];
 
+const must = /*#__PURE__*/ must_in('text');
 const has_gathers = ['310 es', '320 es', '430', '450', '460'];
 const in_every_dialect = ['texture_2d', 'depth', 'atlas', 'cube', 'cube_faces'];
 
+function must_be_version(must, version) { must(versions.includes(version), `version must be one of ${versions.join(', ')}`, version); }
+
 /** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
 function supports(item, version) {
+    must_be_version(must_in('supports'), version);
     const { what, map } = as_item(language, item), is_new = versions.indexOf(version) >= versions.indexOf('300 es');
     if (![what, ...(map?.needs ?? [])].every(s => s.lowest === '100' || is_new)) return false;
     if (map === undefined) return true;
@@ -41,12 +46,9 @@ function resolved(text, number) {
 /** A GLSL text of the snippets and all they need, to paste into any shader, or into one of the version. */
 function text(items, version) {
     if (version === undefined) return compose(language, items);
-    if (!versions.includes(version)) throw new Error(`umbrage: text: version must be one of versions; got ${version}`);
-    for (const item of items)
-        if (!supports(item, version)) {
-            const { what, suffix } = as_item(language, item);
-            throw new Error(`umbrage: text: version must be one that has ${what.name}${suffix}; got ${version}`);
-        }
+    must_be_version(must, version);
+    for (const item of as_items(language, items))
+        must(supports(item, version), `version must be one that has ${item.what.name}${item.suffix}`, version);
     const number = parseInt(version), es = version === '100' || version.endsWith('es'), has_precise = number >= (es ? 320 : 400);
     const prelude = `\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP${es ? ' highp' : ''}\n#endif\n`
         + `#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE${has_precise ? ' precise' : ''}\n#endif\n`;
@@ -55,6 +57,9 @@ function text(items, version) {
 
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
 function source(version, items, preamble = '') {
+    const must = must_in('source');
+    must_be_version(must, version);
+    must(typeof preamble === 'string', 'preamble must be a string', preamble);
     if (preamble !== '' && !preamble.endsWith('\n')) preamble += '\n';
     return `#version ${version}\n${preamble}${text(items, version)}`;
 }

@@ -64,5 +64,28 @@ function four({ cascades, depth_array, disc16, pcf_2x2, point_light, rg11, shado
     return language === 'glsl' ? source('450', items) : text(items);
 }
 
+// Bad input gets a clear answer, by name.
+const { cascades, esm, pcf_2x2, rg11, shadow, spot_light, encodings } = umbrage.glsl, right = { kind: spot_light, filter: pcf_2x2, map_size: 64 };
+for (const [options, message] of [
+    [{ encoding: encodings.rg_11 }, 'encoding must be one of GLSL; got undefined. Is it of a name that no encoding has?'],
+    [{ encoding: null }, 'encoding must be one of GLSL; got null'], [{ encoding: umbrage.wgsl.rg11 }, 'encoding must be one of GLSL; got rg11'],
+    [{ encoding: rg11.reversed }, 'encoding must be rg11 itself, whose reversed depth comes of direction; got rg11.reversed'],
+    [{ encoding: rg11.reversed, direction: 'reversed' }, 'encoding must be rg11 itself'], [{ filter: esm, encoding: rg11 }, 'encoding must be left out for a filter of moments'],
+    [{ filter: null }, 'filter must be one that a shadow takes'], [{ map: null }, 'map must be one of texture_2d, depth, shadow for this kind; got null'],
+    [{ kind: cascades, map: 5 }, 'map must be one of atlas, '], [{ map_size: 2 ** 40 }, 'map_size must be whole texels from 1 to 2^24, or two of them; got 1099511627776'],
+    [{ block: -1 }, 'block must be a whole number, 0 or above; got -1'], [{ texture: 1.5 }, 'texture must be a whole number, 0 or above; got 1.5'],
+    [{ sampler: '2' }, 'sampler must be a whole number, 0 or above; got 2'], [{ set: NaN }, 'set must be a whole number, 0 or above; got NaN']])
+    refused_by('shadow', `${Object.keys(options)}`, () => shadow('sun', { ...right, ...options }), message);
+for (const [clip, message] of [
+    [null, 'clip must be a clip space'], [{ direction: 'forward', range: '0_to_1' }, 'clip.range must be zero_to_one or minus_one_to_one; got 0_to_1'],
+    [{ direction: 'FORWARD', range: 'zero_to_one' }, 'clip.direction must be forward or reversed; got FORWARD'],
+    [{ direction: 'reversed', range: 'zero_to_one' }, 'clip must be a clip space whose depth is forward; got reversed']])
+    refused_by('shadow', `vertex_pass, ${JSON.stringify(clip)}`, () => shadow('sun', right).vertex_pass(clip), message);
+function refused_by(where, what, call, message) {
+    let got = 'taken without a word';
+    try { call(); } catch (error) { got = error.message; }
+    if (!got.startsWith(`umbrage: ${where}: ${message}`)) console.log(`${what}: ${got}`), ++different;
+}
+
 console.log(`${tried} tried, ${refused} refused by both, ${different} differ`);
 process.exitCode = different || tried < 2000 || refused < 100 ? 1 : 0;

@@ -97,5 +97,25 @@ for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(undefined, 'a'),
     try { bad(); } catch (error) { refused = error.message.startsWith('umbrage: '); }
     if (!refused) console.log(`taken without a word: ${bad}`), ++different;
 }
+const { hard, pcf_2x2, rg11, spot_light, supports, text } = umbrage.glsl, { wgsl } = umbrage;
+const sun = wgsl.shadow('sun', { kind: wgsl.spot_light, filter: wgsl.tent3, map_size: 64 });
+for (const [call, message] of [
+    [() => text(pcf_2x2), 'text: items must be an array of snippets; got pcf_2x2'], [() => text(), 'text: items must be an array of snippets; got undefined'],
+    [() => wgsl.text(bind(hard, 'a')), 'text: items must be an array of snippets; got hard'], [() => source('330', hard), 'text: items must be an array'],
+    [() => text([hard, null]), 'text: items must be snippets of GLSL, bound or not; got null'],
+    [() => text([spot_light]), 'text: items must be snippets of GLSL, bound or not; got spot_light of GLSL'],
+    [() => source(undefined, [hard]), `source: version must be one of ${umbrage.glsl.versions.join(', ')}; got undefined`],
+    [() => source('200', [hard]), 'source: version must be one of 100, '], [() => text([hard], '200'), 'text: version must be one of 100, '],
+    [() => source('330', [hard], null), 'source: preamble must be a string; got null'], [() => source('330', [hard], 5), 'source: preamble must be a string; got 5'],
+    [() => supports(hard, '200'), 'supports: version must be one of 100, '], [() => supports(hard, 300), 'supports: version must be one of 100, '],
+    [() => supports(hard), 'supports: version must be one of 100, '], [() => supports(undefined, '330'), 'text: items must be snippets'],
+    [() => bind(hard, 'a', []), 'bind: map must be an object; got []'], [() => bind(hard, 'a', rg11.write), 'bind: map must have no properties but'],
+    [() => bind(spot_light, 'a'), 'bind: what must be a snippet of GLSL; got spot_light'], [() => bind(bind(hard, 'a'), 'b'), 'bind: what must be a snippet of GLSL; got hard'],
+    [() => wgsl.functions([sun]), 'functions: items must be snippets, bound or not, as a shadow declares a block and a map beside its functions; got sun'],
+    [() => wgsl.functions(), 'text: items must be an array']]) {
+    let got = 'taken without a word';
+    try { call(); } catch (error) { got = error.message; }
+    if (!got.startsWith(`umbrage: ${message}`)) console.log(`${call}: ${got}`), ++different;
+}
 console.log(`${Object.entries(counts).map(([kind, n]) => `${kind} ${n}`).join(', ')}: ${different} differ`);
 process.exitCode = different || Object.keys(counts).length < 2 ? 1 : 0;

@@ -1,14 +1,16 @@
 // Snippets bound to maps: which function a map has for each hook, and what cannot be. fill.mjs makes the texts.
-import { is_of_map } from './compose.mjs';
+import { given_as_encoding, must_in } from './check.mjs';
+import { is_of_map, is_snippet } from './compose.mjs';
 import { declarations, for_map, is_expression, laid_out, words_of } from './fill.mjs';
 
+const must = /*#__PURE__*/ must_in('bind');
 const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
 const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'lit_filtered', 'lit_at', 'depth_at']);
 
 /** bind() of a language: snippet, name and map to an item of a text. */
 export const bind_in = hooks => (what, name, ...rest) => {
     const map = complete(hooks, rest.length ? rest[0] : {});
-    must(is_snippet(hooks, what), `what must be a snippet of ${hooks.language.name}`, what?.name ?? what);
+    must(is_snippet(hooks.language, what), `what must be a snippet of ${hooks.language.name}`, what);
     must(typeof name === 'string', 'name must be a string', name);
     must(name === '' || /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
         'name must be letters, digits and single underscores between them', name);
@@ -34,11 +36,6 @@ export function bound(hooks, what, name, map, own = [what]) {
 const no_words = { texel: '', sampled: '', lit: '', gather_red: '', gather_green: '', gather_lit: '', lit_filtered: '', size: '',
     sampler: '', sampler_argument: '' };
 const key_of = map => JSON.stringify(Object.keys(defaults).map(key => key === 'needs' ? map.needs.map(s => s.name) : map[key]));
-const is_snippet = (hooks, what) => what?.language === hooks.language;
-
-function must(holds, condition, got) {
-    if (!holds) throw new Error(`umbrage: bind: ${condition}; got ${got === '' ? '""' : got}`);
-}
 
 /** Refuses what does not compile, whatever the language. */
 export function check(hooks, what, map) {
@@ -86,8 +83,7 @@ const of_encodings = ['name', 'format', 'cleared', 'write', 'reversed'];  // wha
 
 /** A map's properties, those that are left out by default. */
 export function complete(hooks, map) {
-    must(typeof map === 'object' && map !== null, 'map must be an object',
-        `${map}. Is it of a name that no encoding has?`);
+    must(typeof map === 'object' && map !== null && !Array.isArray(map), 'map must be an object', given_as_encoding(map));
     const all = { ...defaults };
     for (const [key, value] of Object.entries(map)) {
         if (of_encodings.includes(key)) continue;
@@ -96,7 +92,7 @@ export function complete(hooks, map) {
         must(typeof value === typeof defaults[key], `map.${key} must be a ${typeof defaults[key]}`, value);
         all[key] = value;
     }
-    must(Array.isArray(all.needs) && all.needs.every(need => is_snippet(hooks, need)), 'map.needs must be snippets', all.needs);
+    must(Array.isArray(all.needs) && all.needs.every(need => is_snippet(hooks.language, need)), 'map.needs must be snippets', all.needs);
     return all;
 }
 

@@ -2,7 +2,10 @@
 //
 // A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
 // there it is an array of vec4, and glUniform4fv takes the same bytes.
+import { must_in } from './check.mjs';
 import { laid_out } from './fill.mjs';
+
+const must = /*#__PURE__*/ must_in('text');
 
 const prefix = i => `umbrage_${i.name}`;
 /** A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map". */
@@ -20,7 +23,7 @@ const joined = (f, declared) => f.arguments.map(([name, components]) => declared
 const float_type = components => components === 1 ? 'float' : `float${components}`;
 
 export function declare_in_glsl(i, { map }, version) {
-    if (version === undefined) throw new Error("umbrage: text: version must be given for a shadow's uniforms; got none");
+    must(version !== undefined, "version must be given for a shadow's uniforms", 'none');
     const number = parseInt(version), es = version === '100' || version.endsWith('es'), high = es ? 'highp ' : '';
     const has_blocks = number >= (es ? 300 : 150), binds = number >= (es ? 310 : 430);
     const block = `${prefix(i)}_block`, texture = `${prefix(i)}_map`;

@@ -6,5 +6,6 @@ export interface WgslFunction {
     /** Names of those that it calls. */
     readonly needs: readonly string[];
 }
-/** The functions of a text of the items, in order, each behind those that it calls: for hosts that take one at a time. */
+/** The functions of a text of the items, in order, each behind those that it calls: for hosts that take one at a time. No item
+ *  is a shadow, which declares a block and a map, too. */
 export function functions(items: readonly (Snippet | Bound)[]): WgslFunction[];
