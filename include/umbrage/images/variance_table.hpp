@@ -95,7 +95,8 @@ template <class ParallelFor = serial>
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
-/// @throws std::invalid_argument  sizes differ; a table without texels; radius below 0 or above the table's
+/// @throws std::invalid_argument  sizes differ; a table without texels; bits out of range; radius below 0 or above the
+///                                table's
 template <class ParallelFor = serial>
 void visibility(image_view<const glm::u16vec4> table, const variance_table& of, image_view<const glm::vec3> receivers,
                 int radius, image_view<float> out, ParallelFor&& parallel = {},
@@ -103,6 +104,7 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
     constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
+    detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
     if (radius < 0 || radius > of.radius)
         detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
                        radius, "Make the table with this radius.");

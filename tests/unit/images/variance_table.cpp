@@ -116,6 +116,9 @@ TEST_CASE("visibility from a variance table: the primitive for each receiver") {
         };
         CHECK_THROWS_AS(with_radius(10), std::invalid_argument);
         CHECK_THROWS_AS(with_radius(-1), std::invalid_argument);
+        for (const int bits : {-1, 0, 13, 40})
+            CHECK_THROWS_AS(visibility(table.view(), {.bits = bits, .radius = 9}, receivers.view(), 1, out.view()),
+                            std::invalid_argument);
         image<float> other({80, 61});
         CHECK_THROWS_AS(visibility(table.view(), of, receivers.view(), 1, other.view()), std::invalid_argument);
         CHECK_THROWS_AS(visibility(image_view<const glm::u16vec4>(), of, receivers.view(), 1, out.view()),
