@@ -12,15 +12,16 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/raster/projection.hpp>
@@ -37,18 +38,11 @@ public:
     /// @param world_to_clip   projection * view
     /// @param clip            clip space that the matrix leads to
     /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
+    /// @throws std::invalid_argument  clip unset; triangle or an index of its out of range; a side of the image above
+    ///                                16384
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
-        : top_(clip.origin == texture_origin::top ? size.y : 0),
-          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
-        assert(triangle < mesh.triangles.size());
-        const detail::projection project(world_to_clip, clip, size);
-        for (glm::length_t i = 0; i < 3; ++i)
-            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        bool finite = true;
-        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
-        if (!finite) vertices_ = {};
-    }
+        : triangle_weights("triangle_weights", size, mesh, world_to_clip, clip, triangle) {}
 
     /// Weights at the center of a texel.
     /// @return      weights that are not negative and sum to 1
@@ -72,14 +66,32 @@ public:
     }
 
 private:
+    triangle_weights(const char* function, glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                     clip_space clip, unsigned triangle)
+        : top_(clip.origin == texture_origin::top ? size.y : 0),
+          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
+        const detail::projection project(world_to_clip, clip, size, function);
+        detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
+        const glm::uvec3& t = mesh.triangles[triangle];
+        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
+                        "indices of positions", t);
+        for (glm::length_t i = 0; i < 3; ++i)
+            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);
+        bool finite = true;
+        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        if (!finite) vertices_ = {};
+    }
+    friend glm::vec3 barycentrics(glm::ivec2, const mesh_view&, const glm::mat4&, clip_space, glm::ivec2, unsigned);
+
     double top_, down_;
     std::array<glm::dvec4, 3> vertices_;
 };
 
 /// Weights of triangle_weights for a single texel.
+/// @throws std::invalid_argument  as triangle_weights
 [[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
                                             clip_space clip, glm::ivec2 texel, unsigned triangle) {
-    return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
+    return triangle_weights("barycentrics", size, mesh, world_to_clip, clip, triangle)(texel);
 }
 
 }  // namespace umbrage

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -46,4 +48,22 @@ TEST_CASE("triangle_weights: what has no area or is not finite counts as its fir
     }
     m.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     CHECK(triangle_weights({2, 2}, m, wide_camera, umbrage::cpu_clip_space, 0)({1, 1}) == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("triangle_weights, barycentrics: refuse what is no triangle of the mesh, and an unset clip, by their names") {
+    one_triangle m;
+    m.triangles.push_back({0, 1, 7000});
+    const auto both = [&](umbrage::clip_space clip, unsigned triangle, const std::string& rest) {
+        CHECK_THROWS_WITH_AS((void)triangle_weights({2, 2}, m, wide_camera, clip, triangle),
+                             ("umbrage::triangle_weights: " + rest).c_str(), std::invalid_argument);
+        CHECK_THROWS_WITH_AS((void)umbrage::barycentrics({2, 2}, m, wide_camera, clip, {0, 0}, triangle),
+                             ("umbrage::barycentrics: " + rest).c_str(), std::invalid_argument);
+    };
+    both(umbrage::cpu_clip_space, 1, "mesh.triangles must be indices of positions; got (0, 1, 7000)");
+    both(umbrage::cpu_clip_space, 2, "triangle must be an index of mesh.triangles; got 2");
+    std::string unset;
+    try {
+        umbrage::detail::require_given(umbrage::clip_space{}, "f");
+    } catch (const std::invalid_argument& error) { unset = error.what(); }
+    both({}, 0, unset.substr(std::string("umbrage::f: ").size()));
 }
