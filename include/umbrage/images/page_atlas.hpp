@@ -96,6 +96,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
     require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
             "square, a power of two and 2 a side", map.table.size);
+    require_filter(function, filter);
     require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
     require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
     if constexpr (requires { filter.reach(); })
@@ -126,7 +127,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
-///                                atlas; the gutter is below the filter's reach
+///                                atlas; the gutter is below the filter's reach; a filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

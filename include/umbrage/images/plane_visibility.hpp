@@ -60,7 +60,7 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
@@ -69,6 +69,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
                          "the receivers' size");
     detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    detail::require_filter("visibility", filter);
     if (out.empty()) return;
     const depth_direction direction = detail::direction_of(encoding, filter);
     const auto& directed = detail::in_direction(filter, direction);

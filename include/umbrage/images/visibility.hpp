@@ -20,6 +20,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/check.hpp>
 #include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
@@ -222,6 +223,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    require_filter("visibility", filter);
     if (out.empty()) return;
     const depth_direction direction = direction_of(encoding, filter);
     const auto& directed = in_direction(filter, direction);
@@ -255,7 +257,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,

@@ -59,6 +59,7 @@ template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
@@ -112,7 +113,7 @@ public:
     /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
     /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
-    ///                                filter's reach, or refused by the setup
+    ///                                filter's reach, or refused by the setup. A filter's number out of range
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {

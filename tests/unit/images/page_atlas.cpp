@@ -181,6 +181,9 @@ TEST_CASE("draw_pages, write_page_table, visibility: bad input") {
     CHECK(seen(map, small).starts_with(name + "out.size "));
     CHECK(seen({scene.atlas, scene.table, {.texels = 18, .gutter = 3}}, out).starts_with(name + "size.gutter "));
     CHECK(seen({scene.atlas, scene.table, {.texels = 0, .gutter = 4}}, out).starts_with(name + "size.texels "));
+    CHECK(complaint([&] {
+              umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::disc{.points = 12}, out);
+          }) == name + "filter.points must be 8, 16 or 32; got 12");
     CHECK(seen({scene.atlas, {}, scene.size}, out).starts_with(name + "table.size "));
     CHECK(seen({scene.atlas, scene.table.view().rows(0, 10), scene.size}, out).starts_with(name + "table.size "));
     CHECK(seen({small, scene.table, scene.size}, out).starts_with(name + "table "));

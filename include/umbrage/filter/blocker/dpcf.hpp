@@ -139,7 +139,7 @@ namespace filters {
 
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32, as disc's
     penumbra_params softness{};
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;

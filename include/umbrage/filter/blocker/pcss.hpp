@@ -104,7 +104,7 @@ namespace filters {
 
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32, as disc's
     penumbra_params softness{};
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;

@@ -61,14 +61,15 @@ inline constexpr std::array<disc_point, 32> disc_points<32>{
 
 namespace detail {
 
-/// Points of a disc whose number is known only at run time.
+/// Points of a disc whose number is known only at run time. A number other than 8 and 16 counts as 32.
 class points_of_disc {
 public:
-    explicit points_of_disc(int points)
+    constexpr explicit points_of_disc(int points)
         : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
-          count_(points) {}
-    [[nodiscard]] const disc_point* begin() const { return first_; }
-    [[nodiscard]] const disc_point* end() const { return first_ + count_; }
+          count_(points == 8 || points == 16 ? points : 32) {}
+    [[nodiscard]] constexpr const disc_point* begin() const { return first_; }
+    [[nodiscard]] constexpr const disc_point* end() const { return first_ + count_; }
+    [[nodiscard]] constexpr int count() const { return count_; }
 
 private:
     const disc_point* first_;
@@ -263,7 +264,7 @@ namespace filters {
 
 /// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32. shadow and visibility of images refuse others; alone, others are 32
     float radius_texels = 2.0f;
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;

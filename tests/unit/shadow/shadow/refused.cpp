@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Filters, sizes and setups that a shadow refuses when it is made.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/shadow/shadow.hpp>
+
+using namespace umbrage;
+
+namespace {
+
+/// Message with which a shadow of a spot light refuses a filter.
+std::string refused(const auto& filter) {
+    try {
+        (void)shadow(make_spot_light<float>({.clip = cpu_clip_space}), {128, 128}, filter);
+    } catch (const std::invalid_argument& error) { return error.what(); }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("shadow: discs of other than 8, 16 or 32 points are refused", Filter, filters::disc, filters::pcss,
+                   filters::dpcf) {
+    CHECK(refused(Filter{.points = 64}) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 64");
+    CHECK(refused(Filter{.points = 12}) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 12");
+    CHECK(refused(Filter{.points = 8}) == "no error");
+}
