@@ -42,9 +42,12 @@ struct page {
 
 /// Page of a level that holds a point.
 /// @param coord   position, 1 to 2 across the root, without 2
-/// @param level   a page's side is the root's over 2^level
+/// @param level   a page's side is the root's over 2^level; 0 to 15
+/// @edge          outside the root, or NaN: x and y are -1, which no page has
 template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
+    const auto in_root = [](double v) { return !is_nan(v) && v >= 1.0 && v < 2.0; };
+    if (!in_root(coord.x) || !in_root(coord.y)) return {level, -1, -1};
     const double across = std::ldexp(1.0, level);
     return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
 }
@@ -108,7 +111,7 @@ template <class = detail::on_use>
 struct page_budget {
     glm::ivec2 slots{16};    ///< columns and rows of pages in the atlas, each 1 to 256
     int deepest_level = 10;  ///< level of the finest pages, 0 to 15. A table has 2^deepest_level texels per side
-    double target = 1.0;     ///< pixels that a texel may cover, > 0
+    double target = 1.0;     ///< pixels that a texel may cover, > 0 and no denormal
 };
 
 /// Page and its slot in the atlas.
@@ -130,7 +133,8 @@ struct page_update {
 ///
 /// The root's own page is always there, so that the whole root has shadows. Pages that the view no longer needs serve
 /// until others take their slots. If the view needs more pages than there are slots, the target rises in steps of 1/16
-/// octave until they fit. It falls again when 7/8 of the slots suffice, which prevents oscillation.
+/// octave until they fit. It falls again when 7/8 of the slots suffice, which prevents oscillation. A cache that was
+/// moved from holds no page; update() fills it again.
 /// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 class page_cache {
 public:
@@ -143,15 +147,16 @@ public:
                         budget.slots);
         detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
                         "deepest_level", "from 0 to 15", budget.deepest_level);
-        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target", "finite and above 0",
-                        budget.target);
-        for (int y = budget.slots.y; y-- > 0;)
-            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
+        detail::require(detail::is_normal(budget.target) && budget.target > 0.0, function, "target",
+                        "above 0, finite and no denormal", budget.target);  // denormals would not rise in small steps
     }
 
     /// Updates the cache for the points that a view sees.
     template <class = detail::on_use>
     page_update update(std::span<const page_receiver> receivers) {
+        if (resident_.empty() && free_.empty())  // at the first update, or after a move
+            for (int y = budget_.slots.y; y-- > 0;)
+                for (int x = budget_.slots.x; x-- > 0;) free_.push_back({x, y});
         ++now_;
         page_update result;
         std::vector<page> missing;
@@ -194,6 +199,7 @@ public:
 
     /// Level of the finest page that holds a point, or -1 if there is none.
     /// @param coord   position, 1 to 2 across the root, without 2
+    /// @edge          outside the root, or NaN: -1
     template <class = detail::on_use>
     [[nodiscard]] int level_at(glm::dvec2 coord) const {
         int level = budget_.deepest_level;

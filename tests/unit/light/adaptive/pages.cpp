@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <umbrage/images/quality.hpp>
@@ -176,5 +177,42 @@ TEST_CASE("wanted_pages, page_cache: bad input") {
     CHECK(cache({.slots = {0, 4}}).starts_with("umbrage::page_cache: slots "));
     CHECK(cache({.slots = {4, 257}}).starts_with("umbrage::page_cache: slots "));
     CHECK(cache({.deepest_level = 16}).starts_with("umbrage::page_cache: deepest_level "));
-    CHECK(cache({.target = 0}).starts_with("umbrage::page_cache: target "));
+    for (const double target : {0.0, 5e-324, 1e-308, std::numeric_limits<double>::infinity()})
+        CHECK(cache({.target = target}).starts_with("umbrage::page_cache: target "));
+}
+
+TEST_CASE("page_cache: the least target that it takes rises until the pages fit") {
+    umbrage::page_cache cache({.slots = {1, 1}, .deepest_level = 3, .target = 0x1p-1022});
+    const std::vector<page_receiver> seen{{{1.2f, 1.7f}, 4.0f}};
+    CHECK(cache.update(seen).target >= 4.0);
+    CHECK(cache.level_at({1.2, 1.7}) == 0);
+}
+
+TEST_CASE("page_at, level_at: outside the root there is no page") {
+    constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    umbrage::page_cache cache({.slots = {2, 2}, .deepest_level = 3});
+    CHECK(cache.level_at({1.5, 1.5}) == -1);
+    (void)cache.update({});
+    CHECK(cache.level_at({1.0, 1.0}) == 0);
+    CHECK(cache.level_at({1.5, 2.0 - 0x1p-52}) == 0);
+    CHECK(umbrage::page_at({2.0 - 0x1p-52, 1.0}, 15) == page{15, 32767, 0});
+    for (const double beside : {nan, inf, -inf, 1e12, -1e300, 2.0, 1.0 - 0x1p-53, 0.0}) {
+        CHECK(cache.level_at({beside, 1.5}) == -1);
+        CHECK(cache.level_at({1.5, beside}) == -1);
+        CHECK(umbrage::page_at({1.5, beside}, 3) == page{3, -1, -1});
+        CHECK(umbrage::page_at({beside, 1.5}, 0) == page{0, -1, -1});
+    }
+}
+
+TEST_CASE("page_cache: one that was moved from is empty, and fills again") {
+    umbrage::page_cache cache({.slots = {2, 2}, .deepest_level = 3});
+    const std::vector<page_receiver> seen{{{1.9f, 1.9f}, 2.0f}};
+    const auto first = cache.update(seen);
+    const umbrage::page_cache moved = std::move(cache);
+    CHECK(moved.level_at({1.9, 1.9}) == 1);
+    CHECK(cache.level_at({1.9, 1.9}) == -1);
+    const auto again = cache.update(seen);
+    REQUIRE(again.drawn.size() == first.drawn.size());
+    CHECK(again.drawn.back().page == first.drawn.back().page);
+    CHECK(again.drawn.back().slot == first.drawn.back().slot);
 }
