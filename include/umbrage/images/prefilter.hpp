@@ -151,6 +151,7 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
     static_assert(is_prefilter<Prefilter>());
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    require_filter("visibility", filter);
     if (out.empty()) return;
     const bool forward = filter.direction == depth_direction::forward;
     parallel(out.size.y, [&](int first, int last) {
@@ -179,13 +180,14 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
 /// @param texels     receives the moments; same size
 /// @param filter     one of prefilters::, or any type with texel and encode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ
+/// @throws std::invalid_argument  sizes differ; a filter's number out of range
 /// @exactness        the bits of the filter's encode
 template <class Prefilter, class ParallelFor = serial>
 void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
                     const Prefilter& filter, ParallelFor&& parallel = {}) {
     using texel = typename Prefilter::texel;
     detail::require_size(texels.size, depth.size, "encode_moments", "texels.size", "depth's size");
+    detail::require_filter("encode_moments", filter);
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -242,7 +244,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param out        receives visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,

@@ -178,3 +178,16 @@ TEST_CASE("prefilter: sizes that differ, empty maps") {
     CHECK_THROWS_AS(visibility(none.view(), filter, receivers.view(), small.view()), std::invalid_argument);
     CHECK_NOTHROW(encode_moments(none.view(), none.view(), filter));
 }
+
+TEST_CASE("prefilter: an exponent that overflows is refused before a texel is written") {
+    const prefilters::esm filter{.settings = {.exponent = 80.0f}};
+    const image<float> depth({2, 2}, 0.5f);
+    const image<glm::vec3> receivers({2, 2});
+    image<float> out({2, 2}, -1.0f);
+    CHECK_THROWS_WITH_AS(encode_moments(depth, out, filter),
+                         "umbrage::encode_moments: filter.settings.exponent must be above 0 and at most 63; got 80. "
+                         "Beyond that the warped depth overflows.",
+                         std::invalid_argument);
+    CHECK_THROWS_AS(visibility(depth, filter, receivers, out), std::invalid_argument);
+    for (const float v : out.texels()) CHECK(v == -1.0f);
+}

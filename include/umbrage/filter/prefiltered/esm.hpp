@@ -13,6 +13,8 @@
 // See also: evsm.hpp, which has less light bleeding.
 #pragma once
 
+#include <string_view>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/filter/prefiltered/chebyshev.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
@@ -70,15 +72,24 @@ struct esm_settings {
     float_store store = float_store::single;
 };
 
+namespace detail {
+
+/// Refuses an exponent with which texels or their inverses would not be normal numbers.
+inline void require_esm(std::string_view function, std::string_view argument, const esm_settings& settings) {
+    const bool single = settings.store == float_store::single;
+    require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), function, argument,
+            single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
+            "Beyond that the warped depth overflows.");
+}
+
+}  // namespace detail
+
 /// Checks the settings.
 /// @return   the settings, unchanged
 /// @throws std::invalid_argument   exponent not above 0, or above 63 in 32 bits, 14 in 16. Within these limits the
 ///                                 texels and their inverses are normal numbers
 [[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
-    const bool single = settings.store == float_store::single;
-    detail::require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), "make_esm", "exponent",
-                    single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
-                    "Beyond that the warped depth overflows.");
+    detail::require_esm("make_esm", "exponent", settings);
     return settings;
 }
 

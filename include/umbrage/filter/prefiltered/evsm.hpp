@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -114,26 +115,43 @@ struct evsm_parameters {
     glm::vec2 deviations{};  ///< minimum deviations, relative to the receiver's powers
 };
 
+namespace detail {
+
+/// Refuses an exponent with which powers or their squares would not be finite normal numbers.
+inline void require_evsm_exponent(std::string_view function, std::string_view argument, float exponent,
+                                  float_store store = float_store::single) {
+    const bool single = store == float_store::single;
+    require(exponent > 0.0f && exponent <= (single ? 55.0f : 7.99f), function, argument,
+            single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
+}
+
+/// True if squared distances of a deviation's size are normal numbers, and hardware flushes none to 0.
+/// @param deviation  minimum deviation, relative to the receiver's power
+/// @param falling    exponent of the falling power; 0 for the growing one
+[[nodiscard]] inline bool holds_deviation(float deviation, float falling = 0.0f) {
+    const float least_power = falling > 0.0f ? exp2_polynomial(-falling) : 1.0f;
+    return is_finite(deviation) && deviation * least_power >= 0x1p-51f;  // its square may be below 2^-126
+}
+
+}  // namespace detail
+
 /// Parameters from settings.
 /// @throws std::invalid_argument   an exponent not above 0, or above 55 in 32 bits, 7.99 in 16: powers and squares must
-///                                 be finite normal numbers. A minimum deviation below 0, or so small that squared
-///                                 distances of its size are not normal numbers, which hardware flushes to 0. The
-///                                 default is large enough up to a falling exponent of 43
+///                                 be finite normal numbers. A minimum deviation below 0 or infinite, or so small that
+///                                 squared distances of its size are not normal numbers, which hardware flushes to 0.
+///                                 The default is large enough up to a falling exponent of 43
 /// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
-    const bool single = settings.store == float_store::single;
-    const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
+    const float usual = settings.store == float_store::single ? 1e-4f : 1e-2f;
     constexpr auto function = "make_evsm";
-    detail::require(settings.least_deviation >= 0.0f, function, "least_deviation", "0 or more",
-                    settings.least_deviation);
+    detail::require(is_finite(settings.least_deviation) && settings.least_deviation >= 0.0f, function,
+                    "least_deviation", "finite, 0 or more", settings.least_deviation);
     const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
     const auto deviation = [&](float exponent, bool falls) {
-        detail::require(exponent > 0.0f && exponent <= most, function, falls ? "falling" : "exponent",
-                        single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
+        detail::require_evsm_exponent(function, falls ? "falling" : "exponent", exponent, settings.store);
         const float part = exponent * (1.38629436f * least);
-        const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
-        // squared distances of that size may be below 2^-126
-        detail::require(part * least_power >= 0x1p-51f, function, "least_deviation", "larger for this exponent", least);
+        detail::require(detail::holds_deviation(part, falls ? exponent : 0.0f), function, "least_deviation",
+                        "larger for this exponent", least);
         return part;
     };
     return {{settings.exponent, settings.falling},

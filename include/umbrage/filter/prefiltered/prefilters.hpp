@@ -12,8 +12,10 @@
 #include <concepts>
 #include <string_view>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/list.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace umbrage {
@@ -170,4 +172,47 @@ struct msm_hausdorff {
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters
+
+namespace detail {
+
+inline void require_filter(std::string_view function, const prefilters::vsm& filter) {
+    require(is_finite(filter.min_variance) && filter.min_variance >= 0.0f, function, "filter.min_variance",
+            "finite, 0 or more", filter.min_variance);
+}
+inline void require_filter(std::string_view function, const prefilters::esm& filter) {
+    require_esm(function, "filter.settings.exponent", filter.settings);
+}
+
+/// Refuses what make_evsm refuses, of the first `count` powers.
+inline void require_evsm(std::string_view function, const evsm_parameters& parameters, int count) {
+    for (glm::length_t i = 0; i < count; ++i) {
+        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
+        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
+                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
+                "make_evsm computes them.");
+    }
+}
+inline void require_filter(std::string_view function, const prefilters::evsm2& filter) {
+    require_evsm(function, filter.parameters, 1);
+}
+inline void require_filter(std::string_view function, const prefilters::evsm4& filter) {
+    require_evsm(function, filter.parameters, 2);
+}
+
+/// Refuses a bias that moves moments away from those of depths in [-1, 1].
+inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
+    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
+            "filter.bias", "from 0 to 1", bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm& filter) {
+    require_msm_bias(function, filter.bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm_unorm16& filter) {
+    require_msm_bias(function, filter.bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm_hausdorff& filter) {
+    require_msm_bias(function, filter.bias);
+}
+
+}  // namespace detail
 }  // namespace umbrage

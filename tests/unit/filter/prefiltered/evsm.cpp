@@ -45,12 +45,13 @@ TEST_CASE("evsm: set-up") {
     const evsm_parameters half = make_evsm({.exponent = 7.99f, .falling = 5.0f, .store = float_store::half});
     CHECK(double(half.deviations.x) == doctest::Approx(2 * 7.99 * std::log(2.0) * 1e-2));
     CHECK(encode_evsm2(1.0f, 7.99f).y < 65504.0f);  // the greatest number of 16 bits
-    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const evsm_settings& bad :
          {evsm_settings{.exponent = 55.5f}, evsm_settings{.falling = 55.5f}, evsm_settings{.exponent = 0.0f},
           evsm_settings{.falling = nan}, evsm_settings{.least_deviation = -1.0f}, evsm_settings{.falling = 44.0f},
           evsm_settings{.falling = 40.0f, .least_deviation = 1e-6f}, evsm_settings{.least_deviation = 1e-18f},
-          evsm_settings{.least_deviation = nan}, evsm_settings{.exponent = 8.0f, .store = float_store::half}})
+          evsm_settings{.least_deviation = nan}, evsm_settings{.least_deviation = infinity},
+          evsm_settings{.exponent = 8.0f, .store = float_store::half}})
         CHECK_THROWS_AS((void)make_evsm(bad), std::invalid_argument);
 }
 

@@ -29,3 +29,16 @@ TEST_CASE_TEMPLATE("shadow: discs of other than 8, 16 or 32 points are refused",
     CHECK(refused(Filter{.points = 12}) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 12");
     CHECK(refused(Filter{.points = 8}) == "no error");
 }
+
+TEST_CASE("shadow: prefilters whose powers overflow or whose bias is no number are refused") {
+    CHECK(refused(prefilters::esm{.settings = {.exponent = 120}}) ==
+          "umbrage::shadow: filter.settings.exponent must be above 0 and at most 63; got 120. Beyond that the warped "
+          "depth overflows.");
+    CHECK(refused(prefilters::evsm2{{glm::vec2(200), glm::vec2(0.01f)}}) ==
+          "umbrage::shadow: filter.parameters.exponents must be above 0 and at most 55; got 200");
+    CHECK(refused(prefilters::msm{.bias = {2, 0.4f}}) ==
+          "umbrage::shadow: filter.bias must be from 0 to 1; got (2, 0.4)");
+    CHECK(refused(prefilters::vsm{.min_variance = -1}) ==
+          "umbrage::shadow: filter.min_variance must be finite, 0 or more; got -1");
+    CHECK(refused(prefilters::vsm{}) == "no error");
+}
