@@ -9,7 +9,6 @@
 
 #include <cassert>
 #include <cstddef>
-#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -19,6 +18,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/core/line_allocator.hpp>
 #include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
@@ -38,19 +38,22 @@ struct image_view {
     constexpr image_view(T* pixels, glm::ivec2 extent)
         : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
 
-    /// @throws std::invalid_argument  negative size; no pixels; stride shorter than a row, or not a multiple of the
-    ///                                alignment of T
+    /// @throws std::invalid_argument  negative size; no pixels; stride shorter than a row, not a multiple of the
+    ///                                alignment of T, or such that no memory holds the rows
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
         detail::require(extent.x >= 0 && extent.y >= 0, "image_view", "extent", "0 or more", extent);
         if (empty()) return;
-        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
-        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        const auto row_bytes = static_cast<std::size_t>(extent.x) * sizeof(T);
+        auto distance = static_cast<std::size_t>(stride_bytes);
+        if (stride_bytes < 0) distance = 0 - distance;
         detail::require(pixels != nullptr, "image_view", "pixels", "given", "nullptr");
         detail::require(extent.y <= 1 || distance >= row_bytes, "image_view", "stride_bytes", "a row's bytes or more",
                         stride_bytes);
-        detail::require(distance % static_cast<std::ptrdiff_t>(alignof(T)) == 0, "image_view", "stride_bytes",
-                        "a multiple of a texel's alignment", stride_bytes);
+        detail::require(distance % alignof(T) == 0, "image_view", "stride_bytes", "a multiple of a texel's alignment",
+                        stride_bytes);
+        detail::require(distance <= (static_cast<std::size_t>(-1) >> 1) / static_cast<std::size_t>(extent.y),
+                        "image_view", "stride_bytes", "small enough for memory to hold the rows", stride_bytes);
     }
 
     struct known_to_fit {};  ///< tag: no checks, which in debug builds take longer than reading a texel
@@ -84,41 +87,33 @@ struct image_view {
             detail::refuse("image_view::region", "extent",
                            std::string("inside the image, at most ").append(detail::printed(rest)), extent);
         const bool none = extent.x == 0 || extent.y == 0;
-        return {none ? data : row(first.y) + first.x, extent, stride};
+        return {{}, none ? data : row(first.y) + first.x, extent, stride};
     }
 
     /// Rows first <= y < last as a view of their own: the work of one thread.
     [[nodiscard]] image_view rows(int first, int last) const {
         assert(0 <= first && first <= last && last <= size.y);
-        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+        return {{}, first < last ? row(first) : data, {size.x, last - first}, stride};
     }
 };
 
-namespace detail {
-
-/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
-
-}  // namespace detail
-
-/// Owner of pixels, without gaps between rows.
+/// Owner of pixels, without gaps between rows. Moved from, it is empty.
 template <class T>
 class image {
 public:
     image() = default;
+    image(const image&) = default;
+    image& operator=(const image&) = default;
+    image(image&& from) noexcept
+        : size_(std::exchange(from.size_, glm::ivec2(0))), texels_(std::exchange(from.texels_, {})) {}
+    image& operator=(image&& from) noexcept {
+        texels_ = std::exchange(from.texels_, {});
+        size_ = std::exchange(from.size_, glm::ivec2(0));
+        return *this;
+    }
 
     /// @throws std::invalid_argument  negative size
+    /// @throws std::length_error      more texels than a std::vector holds; std::bad_alloc: more than memory has
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
         detail::require(size.x >= 0 && size.y >= 0, "image", "size", "0 or more", size);
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);

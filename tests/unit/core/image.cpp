@@ -99,6 +99,14 @@ TEST_CASE("image_view: bad input") {
     CHECK_THROWS_AS(make(pixels.data(), {2, 2}, 0), std::invalid_argument);
     CHECK_THROWS_AS(make(pixels.data(), {2, 2}, 10), std::invalid_argument);  // breaks the alignment
     CHECK_NOTHROW(make(pixels.data(), {2, 1}, 0));                            // one row has no next one
+    constexpr auto least = std::numeric_limits<std::ptrdiff_t>::min(), greatest = -(least + 1);
+    for (const std::ptrdiff_t far_rows : {least, least + 4, greatest - 3, greatest / 2 + 1}) {
+        CHECK_THROWS_AS(make(pixels.data(), {2, 2}, far_rows), std::invalid_argument);
+        CHECK_THROWS_AS(make(pixels.data(), {2, 3}, far_rows), std::invalid_argument);
+    }
+    const ivec2 many(std::numeric_limits<int>::max());
+    CHECK_THROWS_AS((void)image_view<int>(pixels.data(), many), std::invalid_argument);
+    CHECK_THROWS_AS((void)image<int>(many), std::length_error);
     CHECK_NOTHROW(make(pixels.data(), {2, 2}, 8));
     CHECK_NOTHROW(make(pixels.data() + 2, {2, 2}, -8));
     CHECK_THROWS_AS((void)image_view<int>(nullptr, ivec2(1, 1)), std::invalid_argument);
@@ -118,6 +126,27 @@ TEST_CASE("image: owns its texels") {
     CHECK(moved[{1, 2}] == 0.25f);
     const image<int> zeros({2, 1});
     CHECK(zeros.texels()[1] == 0);
+}
+
+TEST_CASE("image: moved from, it is empty, and may be assigned to") {
+    static_assert(std::is_nothrow_move_constructible_v<image<float>> &&
+                  std::is_nothrow_move_assignable_v<image<float>>);
+    image<float> map({2, 3}, 0.5f), other({4, 4});
+    const float* const texels = map.texels().data();
+    other = std::move(map);
+    CHECK(other.size() == ivec2(2, 3));
+    CHECK(other.texels().data() == texels);
+    CHECK(map.size() == ivec2(0));
+    CHECK(map.view().empty());
+    image<float> third = std::move(other);
+    CHECK(third.texels().data() == texels);
+    CHECK(other.size() == ivec2(0));
+    CHECK(other.empty());
+    auto& same = third;
+    third = std::move(same);
+    CHECK(third.view().empty() == third.empty());
+    other = image<float>({1, 1}, 0.25f);
+    CHECK(other[{0, 0}] == 0.25f);
 }
 
 TEST_CASE("fetch_clamped: outside goes to the nearest texel inside") {
