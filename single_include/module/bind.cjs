@@ -1,7 +1,7 @@
 // Snippets bound to maps: which function a map has for each hook, and what cannot be. fill.mjs makes the texts.
 const { given_as_encoding, must_in } = require('./check.cjs');
 const { is_of_map, is_snippet } = require('./compose.cjs');
-const { declarations, for_map, is_expression, laid_out, words_of } = require('./fill.cjs');
+const { declarations, for_map, is_expression, is_one_expression, laid_out, words_of } = require('./fill.cjs');
 
 const must = /*#__PURE__*/ must_in('bind');
 const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
@@ -45,7 +45,7 @@ function check(hooks, what, map) {
     must(!compares(map) || map.depth === '', 'map.depth must be empty for a comparison sampler', map.depth);
     must(!compares(map) || map.compare === '', 'map.compare must be empty for a comparison sampler', map.compare);
     for (const key of ['depth', 'compare', 'origin', 'texture_size', 'texel'])
-        must(map[key] === '' || is_expression(map[key]), `map.${key} must be one expression on one line`, map[key]);
+        must(map[key] === '' || is_one_expression(map[key]), `map.${key} must be one expression on one line`, map[key]);
     must(map.parameters === '' || is_expression(map.parameters), 'map.parameters must be parameters on one line',
         map.parameters);
     must(map.arguments === '' || is_expression(map.arguments), 'map.arguments must be expressions on one line',

@@ -14,6 +14,16 @@ export function is_expression(text) {
     return closing.length === 0;
 }
 
+/** Whether it is one expression: no list, whose commas lie outside brackets, and no assignment. */
+export const is_one_expression = text => is_expression(text) && members(text).length === 1 && !/(?<![=<>!])=(?!=)/.test(text);
+
+/** An expression as an operand: in parentheses, unless it is a name, a number, a call or in brackets already. */
+function as_operand(text) {
+    let outside = text, before;
+    do { before = outside; outside = outside.replace(/\([^()]*\)|\[[^[\]]*\]|\{[^{}]*\}/, ''); } while (outside !== before);
+    return /^[\w.]*$/.test(outside) ? text : `(${text})`;
+}
+
 /** The text with each word replaced by replacement(word, in_comment). */
 function replace_words(text, replacement) {
     let comment = false;
@@ -67,10 +77,10 @@ const not_declared_in = (text, parameters) => members(parameters)
 /** A snippet's text with what a map fills in; what declares the receiver's plane stands behind the map. */
 export function for_map(hooks, s, suffix, map, words, receiver_plane) {
     let text = unfilled(hooks, s);
-    const origin = map.texture === 'atlas' ? map.origin || 'origin' : map.origin;
+    const origin = as_operand(map.texture === 'atlas' ? map.origin || 'origin' : map.origin);
     const is_scaled = map.needs.some(need => need.scaled);
     const border = is_scaled ? '65536.0' : map.direction === 'forward' ? '1.0' : '0.0';
-    const texture_size = map.texture_size || (origin === '' ? 'size' : words.size);
+    const texture_size = as_operand(map.texture_size) || (origin === '' ? 'size' : words.size);
     const texel = map.texel || words.texel;
     if (texel.startsWith('#')) text = text.replaceAll('    return UMBRAGE_TEXEL;\n', 'UMBRAGE_TEXEL');
     if (origin === '') text = text.replace(/\n.*UMBRAGE_ORIGIN.*/, '');

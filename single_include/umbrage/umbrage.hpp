@@ -1311,6 +1311,12 @@ consteval bool is_filter() {
     return true;
 }
 
+/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so; a filter of your
+/// own passes.
+/// @throws std::invalid_argument  a number out of range, in the name of `function`
+template <class Filter>
+constexpr void require_filter(std::string_view, const Filter&) {}
+
 }  // namespace detail
 }  // namespace umbrage
 
@@ -2805,6 +2811,30 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/core/line_allocator.hpp
+// Allocator of images' memory, which starts at a cache line.
+//
+//     std::vector<float, detail::line_allocator<float>> texels;
+//
+
+namespace umbrage::detail {
+
+/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/core/image.hpp
 // Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel, clamped and bordered.
 //
@@ -2829,19 +2859,22 @@ struct image_view {
     constexpr image_view(T* pixels, glm::ivec2 extent)
         : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
 
-    /// @throws std::invalid_argument  negative size; no pixels; stride shorter than a row, or not a multiple of the
-    ///                                alignment of T
+    /// @throws std::invalid_argument  negative size; no pixels; stride shorter than a row, not a multiple of the
+    ///                                alignment of T, or such that no memory holds the rows
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
         detail::require(extent.x >= 0 && extent.y >= 0, "image_view", "extent", "0 or more", extent);
         if (empty()) return;
-        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
-        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        const auto row_bytes = static_cast<std::size_t>(extent.x) * sizeof(T);
+        auto distance = static_cast<std::size_t>(stride_bytes);
+        if (stride_bytes < 0) distance = 0 - distance;
         detail::require(pixels != nullptr, "image_view", "pixels", "given", "nullptr");
         detail::require(extent.y <= 1 || distance >= row_bytes, "image_view", "stride_bytes", "a row's bytes or more",
                         stride_bytes);
-        detail::require(distance % static_cast<std::ptrdiff_t>(alignof(T)) == 0, "image_view", "stride_bytes",
-                        "a multiple of a texel's alignment", stride_bytes);
+        detail::require(distance % alignof(T) == 0, "image_view", "stride_bytes", "a multiple of a texel's alignment",
+                        stride_bytes);
+        detail::require(distance <= (static_cast<std::size_t>(-1) >> 1) / static_cast<std::size_t>(extent.y),
+                        "image_view", "stride_bytes", "small enough for memory to hold the rows", stride_bytes);
     }
 
     struct known_to_fit {};  ///< tag: no checks, which in debug builds take longer than reading a texel
@@ -2875,41 +2908,33 @@ struct image_view {
             detail::refuse("image_view::region", "extent",
                            std::string("inside the image, at most ").append(detail::printed(rest)), extent);
         const bool none = extent.x == 0 || extent.y == 0;
-        return {none ? data : row(first.y) + first.x, extent, stride};
+        return {{}, none ? data : row(first.y) + first.x, extent, stride};
     }
 
     /// Rows first <= y < last as a view of their own: the work of one thread.
     [[nodiscard]] image_view rows(int first, int last) const {
         assert(0 <= first && first <= last && last <= size.y);
-        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+        return {{}, first < last ? row(first) : data, {size.x, last - first}, stride};
     }
 };
 
-namespace detail {
-
-/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
-
-}  // namespace detail
-
-/// Owner of pixels, without gaps between rows.
+/// Owner of pixels, without gaps between rows. Moved from, it is empty.
 template <class T>
 class image {
 public:
     image() = default;
+    image(const image&) = default;
+    image& operator=(const image&) = default;
+    image(image&& from) noexcept
+        : size_(std::exchange(from.size_, glm::ivec2(0))), texels_(std::exchange(from.texels_, {})) {}
+    image& operator=(image&& from) noexcept {
+        texels_ = std::exchange(from.texels_, {});
+        size_ = std::exchange(from.size_, glm::ivec2(0));
+        return *this;
+    }
 
     /// @throws std::invalid_argument  negative size
+    /// @throws std::length_error      more texels than a std::vector holds; std::bad_alloc: more than memory has
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
         detail::require(size.x >= 0 && size.y >= 0, "image", "size", "0 or more", size);
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
@@ -4486,14 +4511,15 @@ inline constexpr std::array<disc_point, 32> disc_points<32>{
 
 namespace detail {
 
-/// Points of a disc whose number is known only at run time.
+/// Points of a disc whose number is known only at run time. A number other than 8 and 16 counts as 32.
 class points_of_disc {
 public:
-    explicit points_of_disc(int points)
+    constexpr explicit points_of_disc(int points)
         : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
-          count_(points) {}
-    [[nodiscard]] const disc_point* begin() const { return first_; }
-    [[nodiscard]] const disc_point* end() const { return first_ + count_; }
+          count_(points == 8 || points == 16 ? points : 32) {}
+    [[nodiscard]] constexpr const disc_point* begin() const { return first_; }
+    [[nodiscard]] constexpr const disc_point* end() const { return first_ + count_; }
+    [[nodiscard]] constexpr int count() const { return count_; }
 
 private:
     const disc_point* first_;
@@ -4688,7 +4714,7 @@ namespace filters {
 
 /// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32. shadow and visibility of images refuse others; alone, others are 32
     float radius_texels = 2.0f;
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
@@ -5060,7 +5086,7 @@ namespace filters {
 
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32, as disc's
     penumbra_params softness{};
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
@@ -5186,7 +5212,7 @@ namespace filters {
 
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
-    int points = 16;  ///< 8, 16 or 32
+    int points = 16;  ///< 8, 16 or 32, as disc's
     penumbra_params softness{};
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
@@ -5872,6 +5898,28 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 
 }  // namespace glsl
 }  // namespace umbrage
+
+// ---- umbrage/filter/check.hpp
+// Checks of a filter's numbers, for functions that take the filter for many lookups. A filter alone does not check.
+
+namespace umbrage::detail {
+
+/// Refuses a number of points for which there is no disc.
+inline void require_points(std::string_view function, int points) {
+    require(points == points_of_disc(points).count(), function, "filter.points", "8, 16 or 32", points);
+}
+
+inline void require_filter(std::string_view function, const filters::disc& filter) {
+    require_points(function, filter.points);
+}
+inline void require_filter(std::string_view function, const filters::pcss& filter) {
+    require_points(function, filter.points);
+}
+inline void require_filter(std::string_view function, const filters::dpcf& filter) {
+    require_points(function, filter.points);
+}
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/filter/pcf/box.hpp
 // Percentage-closer filtering (PCF) with a (2r+1) x (2r+1) box of equal weights.
@@ -7625,15 +7673,24 @@ struct esm_settings {
     float_store store = float_store::single;
 };
 
+namespace detail {
+
+/// Refuses an exponent with which texels or their inverses would not be normal numbers.
+inline void require_esm(std::string_view function, std::string_view argument, const esm_settings& settings) {
+    const bool single = settings.store == float_store::single;
+    require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), function, argument,
+            single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
+            "Beyond that the warped depth overflows.");
+}
+
+}  // namespace detail
+
 /// Checks the settings.
 /// @return   the settings, unchanged
 /// @throws std::invalid_argument   exponent not above 0, or above 63 in 32 bits, 14 in 16. Within these limits the
 ///                                 texels and their inverses are normal numbers
 [[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
-    const bool single = settings.store == float_store::single;
-    detail::require(settings.exponent > 0.0f && settings.exponent <= (single ? 63.0f : 14.0f), "make_esm", "exponent",
-                    single ? "above 0 and at most 63" : "above 0 and at most 14 in 16 bits", settings.exponent,
-                    "Beyond that the warped depth overflows.");
+    detail::require_esm("make_esm", "exponent", settings);
     return settings;
 }
 
@@ -7799,26 +7856,43 @@ struct evsm_parameters {
     glm::vec2 deviations{};  ///< minimum deviations, relative to the receiver's powers
 };
 
+namespace detail {
+
+/// Refuses an exponent with which powers or their squares would not be finite normal numbers.
+inline void require_evsm_exponent(std::string_view function, std::string_view argument, float exponent,
+                                  float_store store = float_store::single) {
+    const bool single = store == float_store::single;
+    require(exponent > 0.0f && exponent <= (single ? 55.0f : 7.99f), function, argument,
+            single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
+}
+
+/// True if squared distances of a deviation's size are normal numbers, and hardware flushes none to 0.
+/// @param deviation  minimum deviation, relative to the receiver's power
+/// @param falling    exponent of the falling power; 0 for the growing one
+[[nodiscard]] inline bool holds_deviation(float deviation, float falling = 0.0f) {
+    const float least_power = falling > 0.0f ? exp2_polynomial(-falling) : 1.0f;
+    return is_finite(deviation) && deviation * least_power >= 0x1p-51f;  // its square may be below 2^-126
+}
+
+}  // namespace detail
+
 /// Parameters from settings.
 /// @throws std::invalid_argument   an exponent not above 0, or above 55 in 32 bits, 7.99 in 16: powers and squares must
-///                                 be finite normal numbers. A minimum deviation below 0, or so small that squared
-///                                 distances of its size are not normal numbers, which hardware flushes to 0. The
-///                                 default is large enough up to a falling exponent of 43
+///                                 be finite normal numbers. A minimum deviation below 0 or infinite, or so small that
+///                                 squared distances of its size are not normal numbers, which hardware flushes to 0.
+///                                 The default is large enough up to a falling exponent of 43
 /// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
-    const bool single = settings.store == float_store::single;
-    const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
+    const float usual = settings.store == float_store::single ? 1e-4f : 1e-2f;
     constexpr auto function = "make_evsm";
-    detail::require(settings.least_deviation >= 0.0f, function, "least_deviation", "0 or more",
-                    settings.least_deviation);
+    detail::require(is_finite(settings.least_deviation) && settings.least_deviation >= 0.0f, function,
+                    "least_deviation", "finite, 0 or more", settings.least_deviation);
     const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
     const auto deviation = [&](float exponent, bool falls) {
-        detail::require(exponent > 0.0f && exponent <= most, function, falls ? "falling" : "exponent",
-                        single ? "above 0 and at most 55" : "above 0 and at most 7.99 in 16 bits", exponent);
+        detail::require_evsm_exponent(function, falls ? "falling" : "exponent", exponent, settings.store);
         const float part = exponent * (1.38629436f * least);
-        const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
-        // squared distances of that size may be below 2^-126
-        detail::require(part * least_power >= 0x1p-51f, function, "least_deviation", "larger for this exponent", least);
+        detail::require(detail::holds_deviation(part, falls ? exponent : 0.0f), function, "least_deviation",
+                        "larger for this exponent", least);
         return part;
     };
     return {{settings.exponent, settings.falling},
@@ -12837,18 +12911,11 @@ public:
     /// @param world_to_clip   projection * view
     /// @param clip            clip space that the matrix leads to
     /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
+    /// @throws std::invalid_argument  clip unset; triangle or an index of its out of range; a side of the image above
+    ///                                16384
     triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      unsigned triangle)
-        : top_(clip.origin == texture_origin::top ? size.y : 0),
-          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
-        assert(triangle < mesh.triangles.size());
-        const detail::projection project(world_to_clip, clip, size);
-        for (glm::length_t i = 0; i < 3; ++i)
-            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        bool finite = true;
-        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
-        if (!finite) vertices_ = {};
-    }
+        : triangle_weights("triangle_weights", size, mesh, world_to_clip, clip, triangle) {}
 
     /// Weights at the center of a texel.
     /// @return      weights that are not negative and sum to 1
@@ -12872,14 +12939,32 @@ public:
     }
 
 private:
+    triangle_weights(const char* function, glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                     clip_space clip, unsigned triangle)
+        : top_(clip.origin == texture_origin::top ? size.y : 0),
+          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
+        const detail::projection project(world_to_clip, clip, size, function);
+        detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
+        const glm::uvec3& t = mesh.triangles[triangle];
+        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
+                        "indices of positions", t);
+        for (glm::length_t i = 0; i < 3; ++i)
+            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);
+        bool finite = true;
+        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        if (!finite) vertices_ = {};
+    }
+    friend glm::vec3 barycentrics(glm::ivec2, const mesh_view&, const glm::mat4&, clip_space, glm::ivec2, unsigned);
+
     double top_, down_;
     std::array<glm::dvec4, 3> vertices_;
 };
 
 /// Weights of triangle_weights for a single texel.
+/// @throws std::invalid_argument  as triangle_weights
 [[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
                                             clip_space clip, glm::ivec2 texel, unsigned triangle) {
-    return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
+    return triangle_weights("barycentrics", size, mesh, world_to_clip, clip, triangle)(texel);
 }
 
 }  // namespace umbrage
@@ -18030,6 +18115,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    require_filter("visibility", filter);
     if (out.empty()) return;
     const depth_direction direction = direction_of(encoding, filter);
     const auto& directed = in_direction(filter, direction);
@@ -18063,7 +18149,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
@@ -18114,9 +18200,12 @@ struct page {
 
 /// Page of a level that holds a point.
 /// @param coord   position, 1 to 2 across the root, without 2
-/// @param level   a page's side is the root's over 2^level
+/// @param level   a page's side is the root's over 2^level; 0 to 15
+/// @edge          outside the root, or NaN: x and y are -1, which no page has
 template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
+    const auto in_root = [](double v) { return !is_nan(v) && v >= 1.0 && v < 2.0; };
+    if (!in_root(coord.x) || !in_root(coord.y)) return {level, -1, -1};
     const double across = std::ldexp(1.0, level);
     return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
 }
@@ -18180,7 +18269,7 @@ template <class = detail::on_use>
 struct page_budget {
     glm::ivec2 slots{16};    ///< columns and rows of pages in the atlas, each 1 to 256
     int deepest_level = 10;  ///< level of the finest pages, 0 to 15. A table has 2^deepest_level texels per side
-    double target = 1.0;     ///< pixels that a texel may cover, > 0
+    double target = 1.0;     ///< pixels that a texel may cover, > 0 and no denormal
 };
 
 /// Page and its slot in the atlas.
@@ -18202,7 +18291,8 @@ struct page_update {
 ///
 /// The root's own page is always there, so that the whole root has shadows. Pages that the view no longer needs serve
 /// until others take their slots. If the view needs more pages than there are slots, the target rises in steps of 1/16
-/// octave until they fit. It falls again when 7/8 of the slots suffice, which prevents oscillation.
+/// octave until they fit. It falls again when 7/8 of the slots suffice, which prevents oscillation. A cache that was
+/// moved from holds no page; update() fills it again.
 /// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 class page_cache {
 public:
@@ -18215,15 +18305,16 @@ public:
                         budget.slots);
         detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
                         "deepest_level", "from 0 to 15", budget.deepest_level);
-        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target", "finite and above 0",
-                        budget.target);
-        for (int y = budget.slots.y; y-- > 0;)
-            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
+        detail::require(detail::is_normal(budget.target) && budget.target > 0.0, function, "target",
+                        "above 0, finite and no denormal", budget.target);  // denormals would not rise in small steps
     }
 
     /// Updates the cache for the points that a view sees.
     template <class = detail::on_use>
     page_update update(std::span<const page_receiver> receivers) {
+        if (resident_.empty() && free_.empty())  // at the first update, or after a move
+            for (int y = budget_.slots.y; y-- > 0;)
+                for (int x = budget_.slots.x; x-- > 0;) free_.push_back({x, y});
         ++now_;
         page_update result;
         std::vector<page> missing;
@@ -18266,6 +18357,7 @@ public:
 
     /// Level of the finest page that holds a point, or -1 if there is none.
     /// @param coord   position, 1 to 2 across the root, without 2
+    /// @edge          outside the root, or NaN: -1
     template <class = detail::on_use>
     [[nodiscard]] int level_at(glm::dvec2 coord) const {
         int level = budget_.deepest_level;
@@ -18698,6 +18790,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
     require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
             "square, a power of two and 2 a side", map.table.size);
+    require_filter(function, filter);
     require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
     require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
     if constexpr (requires { filter.reach(); })
@@ -18728,7 +18821,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
-///                                atlas; the gutter is below the filter's reach
+///                                atlas; the gutter is below the filter's reach; a filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
@@ -18980,7 +19073,7 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
@@ -18989,6 +19082,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
     detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
                          "the receivers' size");
     detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    detail::require_filter("visibility", filter);
     if (out.empty()) return;
     const depth_direction direction = detail::direction_of(encoding, filter);
     const auto& directed = detail::in_direction(filter, direction);
@@ -19175,6 +19269,49 @@ struct msm_hausdorff {
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters
+
+namespace detail {
+
+inline void require_filter(std::string_view function, const prefilters::vsm& filter) {
+    require(is_finite(filter.min_variance) && filter.min_variance >= 0.0f, function, "filter.min_variance",
+            "finite, 0 or more", filter.min_variance);
+}
+inline void require_filter(std::string_view function, const prefilters::esm& filter) {
+    require_esm(function, "filter.settings.exponent", filter.settings);
+}
+
+/// Refuses what make_evsm refuses, of the first `count` powers.
+inline void require_evsm(std::string_view function, const evsm_parameters& parameters, int count) {
+    for (glm::length_t i = 0; i < count; ++i) {
+        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
+        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
+                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
+                "make_evsm computes them.");
+    }
+}
+inline void require_filter(std::string_view function, const prefilters::evsm2& filter) {
+    require_evsm(function, filter.parameters, 1);
+}
+inline void require_filter(std::string_view function, const prefilters::evsm4& filter) {
+    require_evsm(function, filter.parameters, 2);
+}
+
+/// Refuses a bias that moves moments away from those of depths in [-1, 1].
+inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
+    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
+            "filter.bias", "from 0 to 1", bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm& filter) {
+    require_msm_bias(function, filter.bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm_unorm16& filter) {
+    require_msm_bias(function, filter.bias);
+}
+inline void require_filter(std::string_view function, const prefilters::msm_hausdorff& filter) {
+    require_msm_bias(function, filter.bias);
+}
+
+}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/images/prefilter.hpp
@@ -19307,6 +19444,7 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
     static_assert(is_prefilter<Prefilter>());
     require_size(out.size, size_of(receivers, "visibility"), "visibility", "out.size", "the receivers' size");
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
+    require_filter("visibility", filter);
     if (out.empty()) return;
     const bool forward = filter.direction == depth_direction::forward;
     parallel(out.size.y, [&](int first, int last) {
@@ -19335,13 +19473,14 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
 /// @param texels     receives the moments; same size
 /// @param filter     one of prefilters::, or any type with texel and encode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ
+/// @throws std::invalid_argument  sizes differ; a filter's number out of range
 /// @exactness        the bits of the filter's encode
 template <class Prefilter, class ParallelFor = serial>
 void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
                     const Prefilter& filter, ParallelFor&& parallel = {}) {
     using texel = typename Prefilter::texel;
     detail::require_size(texels.size, depth.size, "encode_moments", "texels.size", "depth's size");
+    detail::require_filter("encode_moments", filter);
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -19398,7 +19537,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param out        receives visibility, 1 lit; same size as receivers
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
-/// @throws std::invalid_argument  sizes differ; an empty map
+/// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
 template <class Prefilter, class ParallelFor = serial>
 void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
@@ -19702,7 +19841,8 @@ template <class ParallelFor = serial>
 /// @param out         receives visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
-/// @throws std::invalid_argument  sizes differ; a table without texels; radius below 0 or above the table's
+/// @throws std::invalid_argument  sizes differ; a table without texels; bits out of range; radius below 0 or above the
+///                                table's
 template <class ParallelFor = serial>
 void visibility(image_view<const glm::u16vec4> table, const variance_table& of, image_view<const glm::vec3> receivers,
                 int radius, image_view<float> out, ParallelFor&& parallel = {},
@@ -19710,6 +19850,7 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
     constexpr auto function = "visibility";
     detail::require_size(out.size, receivers.size, function, "out.size", "the receivers' size");
     detail::require(table.size.x >= 2 && table.size.y >= 2, function, "table.size", "2 x 2 or more", table.size);
+    detail::require(of.bits >= 1 && of.bits <= 12, function, "bits", "from 1 to 12", of.bits);
     if (radius < 0 || radius > of.radius)
         detail::refuse(function, "radius", std::string("from 0 to the table's, ").append(detail::printed(of.radius)),
                        radius, "Make the table with this radius.");
@@ -22105,6 +22246,46 @@ template <class = umbrage::detail::on_use>
     return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
 }
 
+/// Members of a list separated by commas. Commas in brackets do not count.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
+    std::vector<std::string_view> all;
+    int open = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
+        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
+        if (c != ',' || (open > 0 && i < list.size())) continue;
+        all.push_back(list.substr(begin, i - begin));
+        begin = i + 1;
+    }
+    return all;
+}
+
+/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_one_expression(std::string_view text) {
+    for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {
+        const bool compares = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
+        if (!compares && text.substr(i + 1, 1) != "=") return false;
+    }
+    return is_expression(text) && members(text).size() == 1;
+}
+
+/// Expression as an operand: in parentheses, unless it is a name, a number, a call or in brackets already.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string as_operand(const std::string& text) {
+    int open = 0;
+    bool simple = true;
+    for (const char c : text) {
+        if (c == '(' || c == '[' || c == '{') ++open;
+        simple = simple && (open > 0 || is_word(c) || c == '.');
+        if (c == ')' || c == ']' || c == '}') --open;
+    }
+    return simple ? text : "(" + text + ")";
+}
+
 /// Checks that the map supports every hook that the snippet calls.
 template <class = umbrage::detail::on_use>
 void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
@@ -22134,8 +22315,11 @@ void check(const snippet& what, std::string_view name, const binding& map) {
                              map.channels);
     umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
                              "empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* argument,
-                               const char* condition = "one expression on one line") {
+    const auto expression = [](const std::string& own, const char* argument) {
+        umbrage::detail::require(own.empty() || is_one_expression(own), "glsl::bind", argument,
+                                 "one expression on one line", own);
+    };
+    const auto expressions = [](const std::string& own, const char* argument, const char* condition) {
         umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
     };
     umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
@@ -22145,8 +22329,8 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expression(map.origin, "map.origin");
     expression(map.texture_size, "map.texture_size");
     expression(map.texel, "map.texel");
-    expression(map.parameters, "map.parameters", "parameters on one line");
-    expression(map.arguments, "map.arguments", "expressions on one line");
+    expressions(map.parameters, "map.parameters", "parameters on one line");
+    expressions(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
     umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",
@@ -22251,23 +22435,6 @@ template <class = umbrage::detail::on_use>
     return std::string(text.substr(0, text.find_first_of(",)")));
 }
 
-/// Members of a list separated by commas. Commas in brackets do not count.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
-    std::vector<std::string_view> all;
-    int open = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        const char c = i < list.size() ? list[i] : ',';
-        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
-        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
-        if (c != ',' || (open > 0 && i < list.size())) continue;
-        all.push_back(list.substr(begin, i - begin));
-        begin = i + 1;
-    }
-    return all;
-}
-
 /// Names that parameters declare: `map` for "sampler2D map", "map: texture_2d<f32>" and "sampler2D map[4]".
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
@@ -22313,10 +22480,10 @@ template <class = umbrage::detail::on_use>
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
     };
-    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string origin = as_operand(map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin);
     // Farther than every depth where depths have their own scale.
     const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
-    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const std::string texture_size = one_of(as_operand(map.texture_size), origin.empty() ? "size" : words.size);
     const auto replace = [&](std::string_view what, std::string_view with) {
         for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
             text.replace(at, what.size(), with);
@@ -25869,6 +26036,7 @@ template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
@@ -25922,7 +26090,7 @@ public:
     /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
     /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
-    ///                                filter's reach, or refused by the setup
+    ///                                filter's reach, or refused by the setup. A filter's number out of range
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {

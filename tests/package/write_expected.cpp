@@ -72,6 +72,15 @@ std::vector<glsl::binding> maps() {
     all.push_back({.texture = glsl::texture::shadow, .compare = "exp(stored - receiver)"});
     for (const bool gather : {false, true}) all.push_back({.gather = gather, .depth = "value.x + texel.x"});
     all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
+    for (const char* own : {"size * 2.0", "at + size", "vec2(64.0, 32.0)", "f(a)[1].xy", "(a) * (b)", "map.size"})
+        for (const bool gather : {false, true}) all.push_back({.gather = gather, .origin = own, .texture_size = own});
+    for (const char* own :
+         {"value.x, extra", "f(value.x, extra)", "receiver = 1.0", "receiver += 1.0", "a == b ? 1.0 : 0.0",
+          "float(a <= b && c >= d && e != f)", "a<b, c>(d)", "a,b", "=", "a=="}) {
+        all.push_back({.depth = own});
+        all.push_back({.compare = own});
+        all.push_back({.origin = own, .texture_size = own, .texel = own});
+    }
     all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
     all.push_back(
         {.parameters = "maps: array<texture_2d<f32>, 4>, map: i32", .arguments = "maps, map", .texel = "f(at)"});

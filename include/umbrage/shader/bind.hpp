@@ -96,6 +96,46 @@ template <class = umbrage::detail::on_use>
     return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
 }
 
+/// Members of a list separated by commas. Commas in brackets do not count.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
+    std::vector<std::string_view> all;
+    int open = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
+        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
+        if (c != ',' || (open > 0 && i < list.size())) continue;
+        all.push_back(list.substr(begin, i - begin));
+        begin = i + 1;
+    }
+    return all;
+}
+
+/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_one_expression(std::string_view text) {
+    for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {
+        const bool compares = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
+        if (!compares && text.substr(i + 1, 1) != "=") return false;
+    }
+    return is_expression(text) && members(text).size() == 1;
+}
+
+/// Expression as an operand: in parentheses, unless it is a name, a number, a call or in brackets already.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string as_operand(const std::string& text) {
+    int open = 0;
+    bool simple = true;
+    for (const char c : text) {
+        if (c == '(' || c == '[' || c == '{') ++open;
+        simple = simple && (open > 0 || is_word(c) || c == '.');
+        if (c == ')' || c == ']' || c == '}') --open;
+    }
+    return simple ? text : "(" + text + ")";
+}
+
 /// Checks that the map supports every hook that the snippet calls.
 template <class = umbrage::detail::on_use>
 void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
@@ -125,8 +165,11 @@ void check(const snippet& what, std::string_view name, const binding& map) {
                              map.channels);
     umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
                              "empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* argument,
-                               const char* condition = "one expression on one line") {
+    const auto expression = [](const std::string& own, const char* argument) {
+        umbrage::detail::require(own.empty() || is_one_expression(own), "glsl::bind", argument,
+                                 "one expression on one line", own);
+    };
+    const auto expressions = [](const std::string& own, const char* argument, const char* condition) {
         umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
     };
     umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
@@ -136,8 +179,8 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expression(map.origin, "map.origin");
     expression(map.texture_size, "map.texture_size");
     expression(map.texel, "map.texel");
-    expression(map.parameters, "map.parameters", "parameters on one line");
-    expression(map.arguments, "map.arguments", "expressions on one line");
+    expressions(map.parameters, "map.parameters", "parameters on one line");
+    expressions(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
     umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",

@@ -43,23 +43,6 @@ template <class = umbrage::detail::on_use>
     return std::string(text.substr(0, text.find_first_of(",)")));
 }
 
-/// Members of a list separated by commas. Commas in brackets do not count.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
-    std::vector<std::string_view> all;
-    int open = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        const char c = i < list.size() ? list[i] : ',';
-        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
-        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
-        if (c != ',' || (open > 0 && i < list.size())) continue;
-        all.push_back(list.substr(begin, i - begin));
-        begin = i + 1;
-    }
-    return all;
-}
-
 /// Names that parameters declare: `map` for "sampler2D map", "map: texture_2d<f32>" and "sampler2D map[4]".
 template <class = umbrage::detail::on_use>
 [[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
@@ -105,10 +88,10 @@ template <class = umbrage::detail::on_use>
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
     };
-    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string origin = as_operand(map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin);
     // Farther than every depth where depths have their own scale.
     const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
-    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const std::string texture_size = one_of(as_operand(map.texture_size), origin.empty() ? "size" : words.size);
     const auto replace = [&](std::string_view what, std::string_view with) {
         for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
             text.replace(at, what.size(), with);

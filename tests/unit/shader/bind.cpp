@@ -63,10 +63,16 @@ TEST_CASE("bind: texts of one's own are expressions, on one line") {
             "umbrage::glsl::bind: map.origin must be one expression on one line; got \"vec2(1.0\"");
     refused({.texture_size = " "},
             "umbrage::glsl::bind: map.texture_size must be one expression on one line; got \" \"");
+    refused({.depth = "value.x, extra"},
+            "umbrage::glsl::bind: map.depth must be one expression on one line; got \"value.x, extra\"");
+    refused({.compare = "receiver = 1.0"},
+            "umbrage::glsl::bind: map.compare must be one expression on one line; got \"receiver = 1.0\"");
     refused({.texel = "#ifdef A"},
             "umbrage::glsl::bind: map.texel must be one expression on one line; got \"#ifdef A\"");
     refused({.parameters = "int a // layer"},
             "umbrage::glsl::bind: map.parameters must be parameters on one line; got \"int a // layer\"");
     refused({.arguments = "a)(b"}, "umbrage::glsl::bind: map.arguments must be expressions on one line; got \"a)(b\"");
+    for (const char* own : {"f(value.x, 1.0)", "a == b ? 1.0 : 0.0", "float(a <= b && c >= d && e != f)"})
+        CHECK_NOTHROW((void)bind(glsl::hard, "a", {.compare = own}));
     CHECK_NOTHROW((void)bind(glsl::hard, "a", {.texel = "metal::float4{maps[layer].read(uint2(at)).x}"}));
 }

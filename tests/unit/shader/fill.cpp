@@ -14,19 +14,32 @@
 
 using namespace umbrage;
 using namespace umbrage::glsl;
-using texts = std::vector<std::string_view>;
+using views = std::vector<std::string_view>;
 
 TEST_CASE("lists: members between commas, and the names that parameters declare") {
-    CHECK(glsl::detail::members("a, f(b, c)[d, e], g<h, i>") == texts{"a", " f(b, c)[d, e]", " g<h, i>"});
-    CHECK(glsl::detail::declared("highp sampler2D map, float layer") == texts{"map", "layer"});
-    CHECK(glsl::detail::declared("map: texture_storage_2d<r32float, read>, i: i32") == texts{"map", "i"});
+    CHECK(glsl::detail::members("a, f(b, c)[d, e], g<h, i>") == views{"a", " f(b, c)[d, e]", " g<h, i>"});
+    CHECK(glsl::detail::declared("highp sampler2D map, float layer") == views{"map", "layer"});
+    CHECK(glsl::detail::declared("map: texture_storage_2d<r32float, read>, i: i32") == views{"map", "i"});
     CHECK(glsl::detail::declared("metal::depth2d<float> map, metal::sampler map_sampler") ==
-          texts{"map", "map_sampler"});
-    CHECK(glsl::detail::declared("sampler2D maps[4], Texture2D<float4> map") == texts{"maps", "map"});
+          views{"map", "map_sampler"});
+    CHECK(glsl::detail::declared("sampler2D maps[4], Texture2D<float4> map") == views{"maps", "map"});
+}
+
+TEST_CASE("operands: only sums and the like get parentheses") {
+    using glsl::detail::as_operand;
+    for (const char* own : {"", "size", "64.0", "map.size", "vec2(64.0, f(32.0))", "sizes[i + 1].xy", "(size * 2.0)"})
+        CHECK(as_operand(own) == own);
+    CHECK(as_operand("size * 2.0") == "(size * 2.0)");
+    CHECK(as_operand("(a) + (b)") == "((a) + (b))");
+    CHECK(as_operand("-a") == "(-a)");
+    const std::string text = glsl::text({bind(
+        glsl::hard, "a", {.texture = glsl::texture::shadow, .origin = "first + 1.0", .texture_size = "size * 2.0"})});
+    CHECK(text.find("texel + (first + 1.0);") != text.npos);
+    CHECK(text.find("(at + 0.5) / (size * 2.0)") != text.npos);
 }
 
 TEST_CASE("words: those of code, and not of comments") {
-    CHECK(glsl::detail::words_of("a += b2; // c\nd(e_f)") == texts{"a", "b2", "d", "e_f"});
+    CHECK(glsl::detail::words_of("a += b2; // c\nd(e_f)") == views{"a", "b2", "d", "e_f"});
 }
 
 TEST_CASE("parameters of one's own: what is read is among them, and no name is taken twice") {
