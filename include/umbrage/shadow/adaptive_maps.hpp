@@ -37,7 +37,8 @@ struct adaptive_maps {
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
     /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page that
+    ///                                page_light refuses, or of more than 32768 texels
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -47,6 +48,8 @@ struct adaptive_maps {
                         "8 x 8 or fewer", budget.slots, instead);
         detail::require(budget.deepest_level <= deepest_level, function, "cache.deepest_level", "4 or less",
                         budget.deepest_level, instead);
+        detail::require(size.texels <= 32768, function, "of.texels", "32768 or less", size.texels);
+        static_cast<void>(page_light(root, umbrage::page{}, size));  // checks the size
         cache.for_each([&](const page& p, glm::ivec2 slot) { pages.push_back({p, slot}); });
     }
 
@@ -75,6 +78,13 @@ struct adaptive_maps {
             all[number] = page_light(root, page, size);
         }
         return all;
+    }
+    /// Refuses a filter that reads beyond the gutter: each page would end in a line.
+    /// @param reach   distance from a receiver to the farthest texel that counts, texels
+    /// @throws std::invalid_argument  a reach above the gutter
+    void require_reach(float reach) const {
+        detail::require(float(size.gutter) >= reach, "shadow", "light.size.gutter",
+                        std::string("the filter's reach or more, ").append(detail::printed(reach)), size.gutter);
     }
     /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {

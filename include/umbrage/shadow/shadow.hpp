@@ -121,6 +121,7 @@ public:
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         detail::require_shadow(set_up_.clip(), map_size, filter_);
+        if constexpr (requires { set_up_.require_reach(0.0f); }) set_up_.require_reach(detail::reach_of(filter_));
         uniforms_ = uniforms();
     }
 

@@ -108,3 +108,23 @@ TEST_CASE("adaptive_maps: what a block cannot hold is refused, and what takes it
                          "umbrage::shadow: map_size must be the pages' pitch(), 80 x 80; got 64 x 64",
                          std::invalid_argument);
 }
+
+TEST_CASE("adaptive_maps: a page has a gutter, as wide as the filter reaches, and texels of its own") {
+    const auto root = shadow_scene::pages(cpu_clip_space).root;
+    const page_cache cache({.slots = {8, 8}, .deepest_level = 4});
+    for (const page_size bad : {page_size{128, -4}, {100, 60}, {64, 33}, {0, 0}, {-64, 0}, {96, 4}, {1 << 30, 1 << 29}})
+        CHECK_THROWS_AS(adaptive_maps(root, cache, bad), std::invalid_argument);
+    const auto made = [&](int gutter, const auto& filter) {
+        static_cast<void>(shadow(adaptive_maps(root, cache, {64, gutter}), glm::ivec2(64 + 2 * gutter), filter));
+    };
+    CHECK_THROWS_WITH_AS(made(8, filters::box{.radius = 8}),
+                         "umbrage::shadow: light.size.gutter must be the filter's reach or more, 8.5; got 8",
+                         std::invalid_argument);
+    CHECK_NOTHROW(made(9, filters::box{.radius = 8}));
+    CHECK_THROWS_AS(made(0, filters::hard{}), std::invalid_argument);
+    CHECK_NOTHROW(made(1, filters::hard{}));
+    CHECK_THROWS_AS(made(0, prefilters::vsm{}), std::invalid_argument);
+    CHECK_NOTHROW(made(1, prefilters::vsm{}));
+    CHECK_THROWS_AS(made(5, filters::pcss{}), std::invalid_argument);
+    CHECK_NOTHROW(made(6, filters::pcss{}));
+}
