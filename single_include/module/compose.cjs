@@ -109,10 +109,18 @@ function compose(language, items, { prelude, may_reorder, version } = language) 
         text += language.preprocessor ? `\n#ifndef ${guard}\n#define ${guard}${body}#endif\n` : body;
         made.add(name);
     });
+    const taken = {};  // slots, by the shadows that have them
     for (const { declared } of all.filter(item => item.declared)) {
-        must(!made.has(declared.name), "name must be another than a snippet's or shadow's of the text", declared.name);
-        made.add(declared.name);
-        text += declared.text(version);
+        const { names, slots, text: declaration } = declared.text(version);
+        for (const name of names.filter(Boolean).map(name => name.slice(8))) {  // without umbrage_
+            must(!made.has(name), "name must be another than a snippet's or shadow's of the text", name);
+            made.add(name);
+        }
+        for (const slot of slots) {
+            must(!taken[slot], 'slots must be others for each block, texture and sampler of a text', `${slot} for ${taken[slot]} and ${declared.name}`);
+            taken[slot] = declared.name;
+        }
+        text += declaration;
     }
     return text;
 }

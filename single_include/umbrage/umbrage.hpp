@@ -22041,6 +22041,13 @@ template <class Type>
     return all;
 }
 
+/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows of
+/// a text differ in all of them.
+struct declaration {
+    std::string text;
+    std::vector<std::string> names, slots{};
+};
+
 [[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
     return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
 }
@@ -22063,7 +22070,7 @@ template <class Type>
            laid_out(declaration + " {\n    return " + call + ";\n}\n");
 }
 
-[[nodiscard]] inline std::string glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
+[[nodiscard]] inline declaration glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
     const bool vulkan = v == version::vulkan, es = directive(v).ends_with("es") || v == version::v100;
     const bool blocks = v >= version::v150;
     const bool binds = vulkan || v == version::v430 || v == version::v450 || v == version::v460 ||
@@ -22073,13 +22080,21 @@ template <class Type>
     };
     const std::string block = i.prefix() + "_block", high = es ? "highp " : "";
     std::string out = "\n";
+    declaration all{{}, {block, i.prefix() + "_map"}};
+    if (binds) {
+        const std::string set = " of set " + std::to_string(i.slots.set);
+        all.slots = {"binding " + std::to_string(i.slots.block) + (vulkan ? set : " of uniform blocks"),
+                     "binding " + std::to_string(i.slots.texture) + (vulkan ? set : " of textures")};
+    }
     std::size_t vectors = 0;
     std::vector<std::size_t> first;
     for (const uniform_field& f : i.fields) first.push_back(vectors), vectors += f.vectors();
     if (blocks) {
         out += "layout(std140" + (binds ? ", " + slot(i.slots.block) : "") + ") uniform " + block + " {\n";
-        for (const uniform_field& f : i.fields)
-            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + i.prefix() + "_" + std::string(f.name) + ";\n";
+        for (const uniform_field& f : i.fields) {
+            all.names.push_back(i.prefix() + "_" + std::string(f.name));
+            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + all.names.back() + ";\n";
+        }
         out += "};\n";
     } else {
         out += "uniform " + high + "vec4 " + block + "[" + std::to_string(vectors) + "];\n";
@@ -22098,41 +22113,59 @@ template <class Type>
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
                          interface_call(i, f, i.prefix() + "_map", "", member));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
     const auto slot = [&](char kind, int number) {
         return " : register(" + (kind + std::to_string(number)) +
                (i.slots.set > 0 ? ", space" + std::to_string(i.slots.set) : "") + ")";
     };
-    std::string out = "\ncbuffer " + i.prefix() + "_block" + slot('b', i.slots.block) + " {\n";
-    for (const uniform_field& f : i.fields)
-        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + i.prefix() + "_" +
-               std::string(f.name) + ";\n";
+    const auto taken = [&](char kind, int number) {
+        return "register " + (kind + std::to_string(number)) + " of space " + std::to_string(i.slots.set);
+    };
+    declaration all{
+        {}, {i.prefix() + "_block", i.prefix() + "_map"}, {taken('b', i.slots.block), taken('t', i.slots.texture)}};
+    std::string out = "\ncbuffer " + all.names[0] + slot('b', i.slots.block) + " {\n";
+    for (const uniform_field& f : i.fields) {
+        all.names.push_back(i.prefix() + "_" + std::string(f.name));
+        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + all.names.back() + ";\n";
+    }
     out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+    if (!sampler.empty()) {
+        out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken('s', i.slots.sampler));
+    }
     for (const interface_function& f : i.functions)
         out += with_head(
             name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
             interface_call(i, f, i.prefix() + "_map", sampler,
                            [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
     const auto slot = [&](int number) {
         return "@group(" + std::to_string(i.slots.set) + ") @binding(" + std::to_string(number) + ") var";
     };
+    const auto taken = [&](int number) {
+        return "binding " + std::to_string(number) + " of group " + std::to_string(i.slots.set);
+    };
     const std::string block = i.prefix() + "_block", uniforms = i.prefix() + "_uniforms";
+    declaration all{{}, {block, uniforms, i.prefix() + "_map"}, {taken(i.slots.block), taken(i.slots.texture)}};
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
         out += "    " + std::string(f.name) + (f.matrix ? ": mat4x4f,\n" : ": vec4f,\n");
     out += "}\n" + slot(i.slots.block) + "<uniform> " + uniforms + ": " + block + ";\n" + slot(i.slots.texture) + " " +
            renamed(map.map, "map", i.prefix() + "_map") + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+    if (!sampler.empty()) {
+        out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken(i.slots.sampler));
+    }
     const auto type = [](int components) {
         return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
     };
@@ -22141,10 +22174,11 @@ template <class Type>
                          "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
                          interface_call(i, f, i.prefix() + "_map", sampler,
                                         [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string msl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration msl_interface(const shader_interface& i, const map_parameter& map, version) {
     const std::string block = i.prefix() + "_block";
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
@@ -22157,7 +22191,7 @@ template <class Type>
                              (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
                          interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
                                         [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
-    return out;
+    return {std::move(out), {block}};
 }
 
 }  // namespace detail
@@ -22584,7 +22618,7 @@ struct language {
     std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;        ///< guards parts against being pasted twice
     std::string_view function = "glsl::text";  ///< function that the user called
-    std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
+    declaration (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
     std::optional<version> dialect{};  ///< GLSL version, where it is known
 };
 
@@ -22641,6 +22675,10 @@ private:
         std::string what, suffix, guard;
     };
 
+    struct slot_of {
+        std::string slot, shadow;
+    };
+
     /// Calls use(snippet, item, guard) for each part of the text, in order. Parts that belong to no map come first, in
     /// any order of the items, since hooks may call them.
     template <class Part>
@@ -22685,14 +22723,6 @@ private:
         const shader_interface& i = *item.declared;
         umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
                                  "given for a shadow's uniforms", "none");
-        for (const interface_function& f : i.functions) {
-            const std::string name = name_of(i, f).substr(8);  // without umbrage_
-            for (const part& done : done_)
-                if (done.what + done.suffix == name)
-                    umbrage::detail::refuse(language_.function, "name",
-                                            "another than a snippet's or shadow's of the text", std::string_view(name));
-            done_.push_back({name, {}, {}});
-        }
         map_parameter map;
         const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
         for (const std::string_view parameter : members(parameters)) {
@@ -22701,7 +22731,25 @@ private:
             if (name == "map") map.map = std::move(one);
             if (name == "map_sampler") map.sampler = std::move(one);
         }
-        text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        const declaration all = language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        std::vector<std::string> names;
+        for (const interface_function& f : i.functions) names.push_back(name_of(i, f));
+        names.insert(names.end(), all.names.begin(), all.names.end());
+        for (const std::string& name : names) {
+            const std::string own = name.substr(8);  // without umbrage_
+            for (const part& done : done_)
+                umbrage::detail::require(done.what + done.suffix != own, language_.function, "name",
+                                         "another than a snippet's or shadow's of the text", std::string_view(own));
+            done_.push_back({own, {}, {}});
+        }
+        for (const std::string& slot : all.slots) {
+            for (const slot_of& other : slots_)
+                umbrage::detail::require(other.slot != slot, language_.function, "slots",
+                                         "others for each block, texture and sampler of a text",
+                                         (slot + " for " + other.shadow + " and " + i.name).c_str());
+            slots_.push_back({slot, i.name});
+        }
+        text_ += all.text;
     }
 
     /// True when the item prints functions that belong to its map.
@@ -22715,6 +22763,7 @@ private:
     const std::vector<bound>& items_;
     std::string text_;
     std::vector<part> done_;
+    std::vector<slot_of> slots_;
 };
 
 /// Comment lines that bound the result of each function. Empty for a text of tier A.
@@ -25271,8 +25320,9 @@ struct map_grid {
 /// alike. `visibility` and `text` are the C++ and the GLSL version of one function. C++ calls look(place) where GLSL
 /// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
 ///
-/// Two kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup that
-/// bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place.
+/// Three kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup
+/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue beyond
+/// their border by a number of texels has require_reach(reach), which refuses filters that read farther.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
@@ -25360,7 +25410,8 @@ struct adaptive_maps {
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
     /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page that
+    ///                                page_light refuses, or of more than 32768 texels
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -25370,6 +25421,8 @@ struct adaptive_maps {
                         "8 x 8 or fewer", budget.slots, instead);
         detail::require(budget.deepest_level <= deepest_level, function, "cache.deepest_level", "4 or less",
                         budget.deepest_level, instead);
+        detail::require(size.texels <= 32768, function, "of.texels", "32768 or less", size.texels);
+        static_cast<void>(page_light(root, umbrage::page{}, size));  // checks the size
         cache.for_each([&](const page& p, glm::ivec2 slot) { pages.push_back({p, slot}); });
     }
 
@@ -25398,6 +25451,13 @@ struct adaptive_maps {
             all[number] = page_light(root, page, size);
         }
         return all;
+    }
+    /// Refuses a filter that reads beyond the gutter: each page would end in a line.
+    /// @param reach   distance from a receiver to the farthest texel that counts, texels
+    /// @throws std::invalid_argument  a reach above the gutter
+    void require_reach(float reach) const {
+        detail::require(float(size.gutter) >= reach, "shadow", "light.size.gutter",
+                        std::string("the filter's reach or more, ").append(detail::printed(reach)), size.gutter);
     }
     /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
@@ -26098,6 +26158,7 @@ public:
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         detail::require_shadow(set_up_.clip(), map_size, filter_);
+        if constexpr (requires { set_up_.require_reach(0.0f); }) set_up_.require_reach(detail::reach_of(filter_));
         uniforms_ = uniforms();
     }
 
@@ -26680,7 +26741,7 @@ template <class SetUp, class Filter>
 // Shadow in a shader, in any language: its uniform block, its map and one function.
 //
 //     using namespace umbrage::glsl;
-//     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 1, .texture = 3})});
+//     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 3, .texture = 4})});
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
@@ -26694,9 +26755,10 @@ template <class SetUp, class Filter>
 
 namespace umbrage::glsl {
 
-/// Bindings of a shadow in a shader, and the type of its texture.
+/// Bindings of a shadow in a shader, and the type of its texture. Each shadow of a text has its own, where the language
+/// and version write them.
 struct shadow_slots {
-    int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
+    int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
@@ -26741,8 +26803,8 @@ template <class SetUp, class Filter, class Encoding>
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
 /// @param slots   bindings, and the type of the texture
-/// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter
-///                                 that reads depths, with a comparison sampler
+/// @throws std::invalid_argument   a name of other characters; a slot below 0; a texture type that does not hold
+///                                 the maps; a filter that reads depths, with a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
     constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
@@ -26754,6 +26816,13 @@ template <class SetUp, class Filter, class Encoding>
                                      : "texture_2d, depth or shadow, as the shadow has one map",
                              static_cast<int>(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
+    const auto slot = [](int number, const char* argument) {
+        umbrage::detail::require(number >= 0, "glsl::bind", argument, "0 or above", number);
+    };
+    slot(slots.block, "slots.block");
+    slot(slots.texture, "slots.texture");
+    slot(slots.sampler, "slots.sampler");
+    slot(slots.set, "slots.set");
     binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;

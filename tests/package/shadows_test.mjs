@@ -57,10 +57,10 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
     }
 }
 function four({ cascades, depth_array, disc16, pcf_2x2, point_light, rg11, shadow, source, spot_light, tent3, text }, language) {
-    const items = [shadow('packed', { kind: spot_light, filter: tent3, encoding: rg11, map_size: 256, block: 1, texture: 4 }),
-        shadow('compared', { kind: spot_light, filter: tent3, map_size: 256, map: 'shadow', block: 2, texture: 6, sampler: 7 }),
+    const items = [shadow('packed', { kind: spot_light, filter: tent3, encoding: rg11, map_size: 256, block: 3, texture: 4 }),
+        shadow('compared', { kind: spot_light, filter: tent3, map_size: 256, map: 'shadow', block: 5, texture: 6, sampler: 7 }),
         shadow('sun', { kind: cascades, filter: disc16, map_size: 256 }),
-        shadow('cube', { kind: point_light, filter: pcf_2x2, map_size: 256, map: 'depth_array', block: 3, texture: 8 })];
+        shadow('cube', { kind: point_light, filter: pcf_2x2, map_size: 256, map: 'depth_array', block: 8, texture: 9 })];
     return language === 'glsl' ? source('450', items) : text(items);
 }
 
@@ -81,6 +81,20 @@ for (const [clip, message] of [
     [{ direction: 'FORWARD', range: 'zero_to_one' }, 'clip.direction must be forward or reversed; got FORWARD'],
     [{ direction: 'reversed', range: 'zero_to_one' }, 'clip must be a clip space whose depth is forward; got reversed']])
     refused_by('shadow', `vertex_pass, ${JSON.stringify(clip)}`, () => shadow('sun', right).vertex_pass(clip), message);
+const two = (language, options, name = 'sun', more = []) => {
+    const { text, source, shadow, spot_light, tent3, bind, hard } = umbrage[language], of = { kind: spot_light, filter: tent3, map_size: 64 };
+    const items = [shadow('lamp', of), ...more.map(own => bind(hard, own)), shadow(name, { ...of, ...options })];
+    return language === 'glsl' ? version => source(version, items) : () => text(items);
+};
+const slots = 'slots must be others for each block, texture and sampler of a text; got', name = "name must be another than a snippet's or shadow's of the text; got";
+for (const [call, message] of [
+    [() => two('glsl', {})('450'), `${slots} binding 0 of uniform blocks for lamp and sun`], [() => two('glsl', { block: 1 })('310 es'), `${slots} binding 1 of textures for lamp and sun`],
+    [two('wgsl', {}), `${slots} binding 0 of group 0 for lamp and sun`], [two('wgsl', { block: 3 }), `${slots} binding 1 of group 0 for lamp and sun`],
+    [two('hlsl', {}), `${slots} register b0 of space 0 for lamp and sun`], [two('wgsl', { block: 3, texture: 3 }), `${slots} binding 3 of group 0 for sun and sun`],
+    [() => two('glsl', {}, 'lamp_block')('330'), `${name} lamp_block`], [two('msl', {}, 'hard', ['block']), `${name} hard_block`],
+    [() => two('glsl', {}, 'lamp_terms')('330'), `${name} lamp_terms`]])
+    refused_by('text', `${call}`, call, message);
+two('glsl', {})('330'), two('glsl', {}, 'lamp_terms')('100'), two('msl', {})(), two('wgsl', { set: 1 })(), two('glsl', { block: 1, texture: 2 })('450');
 function refused_by(where, what, call, message) {
     let got = 'taken without a word';
     try { call(); } catch (error) { got = error.message; }

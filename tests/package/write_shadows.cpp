@@ -167,13 +167,13 @@ void with_four(const Use& use) {
             items.push_back(glsl::bind(umbrage::shadow(light, size, umbrage::filters::disc{}), "sun"));
         if (kind == "spot_light") {
             items.push_back(glsl::bind(umbrage::shadow(light, size, tent, umbrage::rg<11>{}), "packed",
-                                       {.block = 1, .texture = 4}));
+                                       {.block = 3, .texture = 4}));
             items.push_back(glsl::bind(umbrage::shadow(light, size, tent), "compared",
-                                       {.block = 2, .texture = 6, .sampler = 7, .map = glsl::texture::shadow}));
+                                       {.block = 5, .texture = 6, .sampler = 7, .map = glsl::texture::shadow}));
         }
         if (kind == "point_light")
             items.push_back(glsl::bind(umbrage::shadow(light, size, umbrage::filters::pcf_2x2{}), "cube",
-                                       {.block = 3, .texture = 8, .map = glsl::texture::depth_array}));
+                                       {.block = 8, .texture = 9, .map = glsl::texture::depth_array}));
     });
     use(items);
 }

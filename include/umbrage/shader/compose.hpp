@@ -29,7 +29,7 @@ struct language {
     std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;        ///< guards parts against being pasted twice
     std::string_view function = "glsl::text";  ///< function that the user called
-    std::string (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
+    declaration (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
     std::optional<version> dialect{};  ///< GLSL version, where it is known
 };
 
@@ -86,6 +86,10 @@ private:
         std::string what, suffix, guard;
     };
 
+    struct slot_of {
+        std::string slot, shadow;
+    };
+
     /// Calls use(snippet, item, guard) for each part of the text, in order. Parts that belong to no map come first, in
     /// any order of the items, since hooks may call them.
     template <class Part>
@@ -130,14 +134,6 @@ private:
         const shader_interface& i = *item.declared;
         umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
                                  "given for a shadow's uniforms", "none");
-        for (const interface_function& f : i.functions) {
-            const std::string name = name_of(i, f).substr(8);  // without umbrage_
-            for (const part& done : done_)
-                if (done.what + done.suffix == name)
-                    umbrage::detail::refuse(language_.function, "name",
-                                            "another than a snippet's or shadow's of the text", std::string_view(name));
-            done_.push_back({name, {}, {}});
-        }
         map_parameter map;
         const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
         for (const std::string_view parameter : members(parameters)) {
@@ -146,7 +142,25 @@ private:
             if (name == "map") map.map = std::move(one);
             if (name == "map_sampler") map.sampler = std::move(one);
         }
-        text_ += language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        const declaration all = language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        std::vector<std::string> names;
+        for (const interface_function& f : i.functions) names.push_back(name_of(i, f));
+        names.insert(names.end(), all.names.begin(), all.names.end());
+        for (const std::string& name : names) {
+            const std::string own = name.substr(8);  // without umbrage_
+            for (const part& done : done_)
+                umbrage::detail::require(done.what + done.suffix != own, language_.function, "name",
+                                         "another than a snippet's or shadow's of the text", std::string_view(own));
+            done_.push_back({own, {}, {}});
+        }
+        for (const std::string& slot : all.slots) {
+            for (const slot_of& other : slots_)
+                umbrage::detail::require(other.slot != slot, language_.function, "slots",
+                                         "others for each block, texture and sampler of a text",
+                                         (slot + " for " + other.shadow + " and " + i.name).c_str());
+            slots_.push_back({slot, i.name});
+        }
+        text_ += all.text;
     }
 
     /// True when the item prints functions that belong to its map.
@@ -160,6 +174,7 @@ private:
     const std::vector<bound>& items_;
     std::string text_;
     std::vector<part> done_;
+    std::vector<slot_of> slots_;
 };
 
 /// Comment lines that bound the result of each function. Empty for a text of tier A.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <umbrage/core/check.hpp>
@@ -92,6 +93,13 @@ template <class Type>
     return all;
 }
 
+/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows of
+/// a text differ in all of them.
+struct declaration {
+    std::string text;
+    std::vector<std::string> names, slots{};
+};
+
 [[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
     return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
 }
@@ -114,7 +122,7 @@ template <class Type>
            laid_out(declaration + " {\n    return " + call + ";\n}\n");
 }
 
-[[nodiscard]] inline std::string glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
+[[nodiscard]] inline declaration glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
     const bool vulkan = v == version::vulkan, es = directive(v).ends_with("es") || v == version::v100;
     const bool blocks = v >= version::v150;
     const bool binds = vulkan || v == version::v430 || v == version::v450 || v == version::v460 ||
@@ -124,13 +132,21 @@ template <class Type>
     };
     const std::string block = i.prefix() + "_block", high = es ? "highp " : "";
     std::string out = "\n";
+    declaration all{{}, {block, i.prefix() + "_map"}};
+    if (binds) {
+        const std::string set = " of set " + std::to_string(i.slots.set);
+        all.slots = {"binding " + std::to_string(i.slots.block) + (vulkan ? set : " of uniform blocks"),
+                     "binding " + std::to_string(i.slots.texture) + (vulkan ? set : " of textures")};
+    }
     std::size_t vectors = 0;
     std::vector<std::size_t> first;
     for (const uniform_field& f : i.fields) first.push_back(vectors), vectors += f.vectors();
     if (blocks) {
         out += "layout(std140" + (binds ? ", " + slot(i.slots.block) : "") + ") uniform " + block + " {\n";
-        for (const uniform_field& f : i.fields)
-            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + i.prefix() + "_" + std::string(f.name) + ";\n";
+        for (const uniform_field& f : i.fields) {
+            all.names.push_back(i.prefix() + "_" + std::string(f.name));
+            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + all.names.back() + ";\n";
+        }
         out += "};\n";
     } else {
         out += "uniform " + high + "vec4 " + block + "[" + std::to_string(vectors) + "];\n";
@@ -149,41 +165,59 @@ template <class Type>
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
                          interface_call(i, f, i.prefix() + "_map", "", member));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
     const auto slot = [&](char kind, int number) {
         return " : register(" + (kind + std::to_string(number)) +
                (i.slots.set > 0 ? ", space" + std::to_string(i.slots.set) : "") + ")";
     };
-    std::string out = "\ncbuffer " + i.prefix() + "_block" + slot('b', i.slots.block) + " {\n";
-    for (const uniform_field& f : i.fields)
-        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + i.prefix() + "_" +
-               std::string(f.name) + ";\n";
+    const auto taken = [&](char kind, int number) {
+        return "register " + (kind + std::to_string(number)) + " of space " + std::to_string(i.slots.set);
+    };
+    declaration all{
+        {}, {i.prefix() + "_block", i.prefix() + "_map"}, {taken('b', i.slots.block), taken('t', i.slots.texture)}};
+    std::string out = "\ncbuffer " + all.names[0] + slot('b', i.slots.block) + " {\n";
+    for (const uniform_field& f : i.fields) {
+        all.names.push_back(i.prefix() + "_" + std::string(f.name));
+        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + all.names.back() + ";\n";
+    }
     out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+    if (!sampler.empty()) {
+        out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken('s', i.slots.sampler));
+    }
     for (const interface_function& f : i.functions)
         out += with_head(
             name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
             interface_call(i, f, i.prefix() + "_map", sampler,
                            [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
     const auto slot = [&](int number) {
         return "@group(" + std::to_string(i.slots.set) + ") @binding(" + std::to_string(number) + ") var";
     };
+    const auto taken = [&](int number) {
+        return "binding " + std::to_string(number) + " of group " + std::to_string(i.slots.set);
+    };
     const std::string block = i.prefix() + "_block", uniforms = i.prefix() + "_uniforms";
+    declaration all{{}, {block, uniforms, i.prefix() + "_map"}, {taken(i.slots.block), taken(i.slots.texture)}};
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
         out += "    " + std::string(f.name) + (f.matrix ? ": mat4x4f,\n" : ": vec4f,\n");
     out += "}\n" + slot(i.slots.block) + "<uniform> " + uniforms + ": " + block + ";\n" + slot(i.slots.texture) + " " +
            renamed(map.map, "map", i.prefix() + "_map") + ";\n";
     const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+    if (!sampler.empty()) {
+        out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken(i.slots.sampler));
+    }
     const auto type = [](int components) {
         return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
     };
@@ -192,10 +226,11 @@ template <class Type>
                          "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
                          interface_call(i, f, i.prefix() + "_map", sampler,
                                         [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
-    return out;
+    all.text = std::move(out);
+    return all;
 }
 
-[[nodiscard]] inline std::string msl_interface(const shader_interface& i, const map_parameter& map, version) {
+[[nodiscard]] inline declaration msl_interface(const shader_interface& i, const map_parameter& map, version) {
     const std::string block = i.prefix() + "_block";
     std::string out = "\nstruct " + block + " {\n";
     for (const uniform_field& f : i.fields)
@@ -208,7 +243,7 @@ template <class Type>
                              (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
                          interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
                                         [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
-    return out;
+    return {std::move(out), {block}};
 }
 
 }  // namespace detail

@@ -3,7 +3,7 @@
 // Shadow in a shader, in any language: its uniform block, its map and one function.
 //
 //     using namespace umbrage::glsl;
-//     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 1, .texture = 3})});
+//     std::string shader = source(version::v330, {bind(sun, "sun"), bind(lamp, "lamp", {.block = 3, .texture = 4})});
 //     // ... float visibility = umbrage_sun(world, normal) * umbrage_lamp(world, normal);
 //     auto bytes = sun.uniforms();  // what the block holds: copy sizeof bytes into its buffer
 //
@@ -30,9 +30,10 @@
 
 namespace umbrage::glsl {
 
-/// Bindings of a shadow in a shader, and the type of its texture.
+/// Bindings of a shadow in a shader, and the type of its texture. Each shadow of a text has its own, where the language
+/// and version write them.
 struct shadow_slots {
-    int block = 0, texture = 1, sampler = 2, set = 0;  ///< see shader_slots
+    int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
@@ -77,8 +78,8 @@ template <class SetUp, class Filter, class Encoding>
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
 /// @param slots   bindings, and the type of the texture
-/// @throws std::invalid_argument   a name of other characters; a texture type that does not hold the maps; a filter
-///                                 that reads depths, with a comparison sampler
+/// @throws std::invalid_argument   a name of other characters; a slot below 0; a texture type that does not hold
+///                                 the maps; a filter that reads depths, with a comparison sampler
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
     constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
@@ -90,6 +91,13 @@ template <class SetUp, class Filter, class Encoding>
                                      : "texture_2d, depth or shadow, as the shadow has one map",
                              static_cast<int>(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
+    const auto slot = [](int number, const char* argument) {
+        umbrage::detail::require(number >= 0, "glsl::bind", argument, "0 or above", number);
+    };
+    slot(slots.block, "slots.block");
+    slot(slots.texture, "slots.texture");
+    slot(slots.sampler, "slots.sampler");
+    slot(slots.set, "slots.set");
     binding map = umbrage::detail::binding_of<Filter>(of.encoding());
     map.texture = kind;
     map.outside = SetUp::outside;

@@ -122,7 +122,8 @@ export interface ShadowOptionsOf<L extends Language> {
     direction?: 'forward' | 'reversed';
     /** What the maps lie in. One: texture_2d, depth or shadow. Several: atlas, array, depth_array or shadow_array. */
     map?: Texture;
-    /** What block, map and sampler are bound to; set is WGSL's group, Vulkan's set or HLSL's space. */
+    /** What block, map and sampler are bound to, 0 or above; set is WGSL's group or HLSL's space. Each shadow of a text has
+     *  others, but for GLSL before 430 and 310 es, and Metal, whose texts have none. WGSL counts all three alike. */
     block?: number;
     texture?: number;
     sampler?: number;

@@ -19,7 +19,7 @@ TEST_CASE("interface: blocks, and arrays of vec4 where there are none") {
         .calls = "shadow", .says = "1.0 is lit", .arguments = {{"world"}, {"normal"}}};
     const glsl::shader_interface sun{"sun", {{"to_texels"}, {"terms", false}}, {}, {visibility}};
     const glsl::detail::map_parameter map{"UMBRAGE_HIGHP sampler2D map", ""};
-    CHECK(glsl::detail::glsl_interface(sun, map, glsl::version::v120) == R"GLSL(
+    CHECK(glsl::detail::glsl_interface(sun, map, glsl::version::v120).text == R"GLSL(
 uniform vec4 umbrage_sun_block[5];
 uniform UMBRAGE_HIGHP sampler2D umbrage_sun_map;
 

@@ -63,7 +63,8 @@ TEST_CASE("in_shader: comparison samplers, arrays, and the pixel of filters that
 TEST_CASE("in_shader: contact hardening along the receiver's plane, and prefiltered maps, in each language") {
     const shadow soft(shadow_scene::cascades(cpu_clip_space), {256, 256}, filters::pcss{});
     const shadow smooth(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::evsm4{});
-    const auto both = {bind(soft, "soft", {.map = glsl::texture::array}), bind(smooth, "smooth", {.block = 2})};
+    const auto both = {bind(soft, "soft", {.map = glsl::texture::array}),
+                       bind(smooth, "smooth", {.block = 3, .texture = 4, .sampler = 5})};
     const std::string gl = glsl::text(both, version::v330), w = wgsl::text(both);
     CHECK(has(gl, "vec2 receiver_slope = slope;"));
     CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_slope, receiver_coord,"));
@@ -94,10 +95,39 @@ TEST_CASE("in_shader: functions to debug a shadow, in each language") {
 }
 
 TEST_CASE("in_shader: several shadows in one text, each under its name") {
-    const std::string both = wgsl::text({bind(lamp_in_shader, "lamp"), bind(sun_in_shader, "sun", {.block = 2})});
+    const std::string both =
+        wgsl::text({bind(lamp_in_shader, "lamp"), bind(sun_in_shader, "sun", {.block = 3, .texture = 4})});
     CHECK(has(both, "fn umbrage_lamp("));
     CHECK(has(both, "fn umbrage_sun("));
     CHECK(both.find("fn umbrage_acne_free_bias(") == both.rfind("fn umbrage_acne_free_bias("));
+}
+
+TEST_CASE("in_shader: shadows of a text have slots and names of their own, where it writes them") {
+    const auto lamp = bind(lamp_in_shader, "lamp"), sun = bind(sun_in_shader, "sun");
+    const auto slots = [](const std::string& function, const std::string& got) {
+        return "umbrage::" + function + ": slots must be others for each block, texture and sampler of a text; got " +
+               got + " for lamp and sun";
+    };
+    CHECK(refusal([&] {
+              (void)glsl::text({lamp, sun}, version::v450);
+          }) == slots("glsl::text", "binding 0 of uniform blocks"));
+    CHECK(refusal([&] {
+              (void)glsl::text({lamp, bind(sun_in_shader, "sun", {.block = 1})}, version::v450);
+          }) == slots("glsl::text", "binding 1 of textures"));
+    CHECK(refusal([&] {
+              (void)glsl::text({lamp, bind(sun_in_shader, "sun", {.block = 1, .texture = 2})}, version::vulkan);
+          }) == slots("glsl::text", "binding 1 of set 0"));
+    CHECK(refusal([&] { (void)wgsl::text({lamp, sun}); }) == slots("wgsl::text", "binding 0 of group 0"));
+    CHECK(refusal([&] { (void)hlsl::text({lamp, sun}); }) == slots("hlsl::text", "register b0 of space 0"));
+    (void)glsl::text({lamp, sun}, version::v330);
+    (void)msl::text({lamp, sun});
+    (void)wgsl::text({lamp, bind(sun_in_shader, "sun", {.set = 1})});
+    CHECK(refusal([&] {
+              (void)glsl::text({lamp, bind(glsl::hard, "map"), bind(sun_in_shader, "hard")}, version::v330);
+          }) == "umbrage::glsl::text: name must be another than a snippet's or shadow's of the text; got \"hard_map\"");
+    CHECK(refusal([&] {
+              (void)glsl::text({lamp, bind(sun_in_shader, "lamp_block")}, version::v330);
+          }).ends_with("got \"lamp_block\""));
 }
 
 TEST_CASE("in_shader: a text promises what its parts promise") {
@@ -120,6 +150,9 @@ TEST_CASE("in_shader: bad input") {
     CHECK(refusal([&] {
               (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::shadow});
           }).starts_with("umbrage::glsl::bind: map.channels must be 1 for a depth texture"));
+    CHECK(refusal([&] {
+              (void)bind(lamp_in_shader, "lamp", {.sampler = -1});
+          }).starts_with("umbrage::glsl::bind: slots.sampler must be 0 or above; got -1"));
     CHECK(refusal([&] {
               (void)glsl::text({lamp, lamp}, version::v330);
           }).starts_with("umbrage::glsl::text: name must be another"));
