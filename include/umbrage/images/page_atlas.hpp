@@ -33,8 +33,20 @@
 
 namespace umbrage {
 
+namespace detail {
+
+/// Checks that an atlas of 256 pages of this size a side has a size.
+inline void require_page_size(const page_size& size, const char* function) {
+    require(size.texels >= 1 && size.texels <= 16384, function, "size.texels", "from 1 to 16384", size.texels);
+    require(size.gutter >= 0 && size.gutter <= 8192, function, "size.gutter", "from 0 to 8192", size.gutter);
+}
+
+}  // namespace detail
+
 /// Size in texels of an atlas with a slot for every page that a cache may hold.
+/// @throws std::invalid_argument  texels or gutter out of range
 [[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
+    detail::require_page_size(size, "page_atlas_size");
     return cache.budget().slots * size.pitch();
 }
 
@@ -57,6 +69,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
                 std::span<const placed_page> pages, Draw&& draw) {
     for (const auto& [page, slot] : pages) {
         const light_space<double> light = page_light(root, page, size);
+        detail::require(slot.x >= 0 && slot.y >= 0 && slot.x < 256 && slot.y < 256, "draw_pages", "slot",
+                        "from 0 to 255 each", slot);
         const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
         for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
         draw(map, glm::mat4(light.projection * light.view));
@@ -92,13 +106,13 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
     constexpr auto function = "visibility";
-    const int side = map.table.size.x, pitch = map.size.pitch();
+    const int side = map.table.size.x;
     require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
     require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
             "square, a power of two and 2 a side", map.table.size);
     require_filter(function, filter);
-    require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
-    require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
+    require_page_size(map.size, function);
+    const int pitch = map.size.pitch();
     if constexpr (requires { filter.reach(); })
         require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
                 std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
@@ -127,7 +141,8 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
-///                                atlas; the gutter is below the filter's reach; a filter's number out of range
+///                                atlas; texels or gutter out of range, or the gutter below the filter's reach; a
+///                                filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

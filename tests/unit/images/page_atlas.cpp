@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -180,7 +181,23 @@ TEST_CASE("draw_pages, write_page_table, visibility: bad input") {
     CHECK(seen(map, out).empty());
     CHECK(seen(map, small).starts_with(name + "out.size "));
     CHECK(seen({scene.atlas, scene.table, {.texels = 18, .gutter = 3}}, out).starts_with(name + "size.gutter "));
-    CHECK(seen({scene.atlas, scene.table, {.texels = 0, .gutter = 4}}, out).starts_with(name + "size.texels "));
+    constexpr int greatest = std::numeric_limits<int>::max();
+    for (const int texels : {0, 16385, 1 << 30, greatest})
+        CHECK(seen({scene.atlas, scene.table, {texels, 4}}, out).starts_with(name + "size.texels "));
+    for (const int gutter : {-1, 8193, greatest})
+        CHECK(seen({scene.atlas, scene.table, {16, gutter}}, out).starts_with(name + "size.gutter "));
+    const umbrage::page_cache wide({.slots = {256, 256}});
+    const auto atlas_size = [&](const umbrage::page_size& size) {
+        return complaint([&] { (void)page_atlas_size(wide, size); });
+    };
+    CHECK(page_atlas_size(wide, {16384, 8192}) == glm::ivec2(1 << 23));
+    CHECK(atlas_size({1 << 25, 0}).starts_with("umbrage::page_atlas_size: size.texels "));
+    CHECK(atlas_size({16, greatest}).starts_with("umbrage::page_atlas_size: size.gutter "));
+    for (const glm::ivec2 slot : {glm::ivec2(greatest, 0), {0, -greatest}, {256, 0}, {0, -1}})
+        CHECK(complaint([&] {
+                  const umbrage::placed_page placed{{}, slot};
+                  umbrage::draw_pages(scene.atlas, scene.size, scene.root, {&placed, 1}, [](auto, const glm::mat4&) {});
+              }).starts_with("umbrage::draw_pages: slot "));
     CHECK(complaint([&] {
               umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::disc{.points = 12}, out);
           }) == name + "filter.points must be 8, 16 or 32; got 12");

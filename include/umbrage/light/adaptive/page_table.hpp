@@ -47,7 +47,8 @@ inline constexpr int deepest_page_level = 15;
 /// @return        entry of the page. All zero, which no page gives, means no page
 [[nodiscard]] inline glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v & 0xFF); };
-    return {byte(slot.x), byte(slot.y), byte(1 << level), byte((1 << level) >> 8)};
+    const int across = 1 << (level & 15);  // a shift within the width for any level
+    return {byte(slot.x), byte(slot.y), byte(across), byte(across >> 8)};
 }
 
 /// Position of a receiver in the page that holds it.
@@ -80,7 +81,7 @@ inline constexpr int page_tile_columns = 8;
 
 /// First texel of a page in an atlas of eight a row, without a table of texels: see shadow/adaptive_maps.hpp.
 /// @param number   number of the page's slot, an integer >= 0
-/// @param size     size of a page with its gutter, texels
+/// @param size     size of a page with its gutter, texels. The atlas has sides below 2^31
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 page_tile(int number, int size) {
     return glm::ivec2(number % page_tile_columns, number / page_tile_columns) * size;

@@ -38,7 +38,7 @@ struct page_root {
 
 /// Size of the pages in an atlas.
 struct page_size {
-    int texels = 128;  ///< side of a page, a power of two
+    int texels = 128;  ///< side of a page, a power of two up to 16384
     int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach and half a texel, or more
 
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
@@ -84,7 +84,7 @@ template <real T>
 }
 
 /// Light space of one page with its gutter, for a depth pass of pitch() x pitch() texels.
-/// @throws std::invalid_argument  a page outside the root; texels not a power of two; gutter out of range
+/// @throws std::invalid_argument  a page outside the root; texels no power of two, or above 16384; gutter out of range
 template <real T>
 [[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
     constexpr auto function = "page_light";
@@ -92,8 +92,8 @@ template <real T>
     const int across = 1 << p.level;
     detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "in the root",
                     glm::ivec2(p.x, p.y));
-    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels", "a power of two",
-                    size.texels);
+    detail::require(size.texels >= 1 && size.texels <= 16384 && (size.texels & (size.texels - 1)) == 0, function,
+                    "texels", "a power of two up to 16384", size.texels);
     detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter", "from 0 to half the texels",
                     size.gutter);
     const double scale = double(across) * size.texels / size.pitch();

@@ -132,7 +132,7 @@ template <real T>
 
 /// First texel of a cascade in an atlas with two tiles per row.
 /// @param number   index of the cascade, an integer >= 0
-/// @param size     size of a tile, in texels
+/// @param size     size of a tile, in texels. The atlas has sides below 2^31
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
     return glm::ivec2(number % 2, number / 2) * size;

@@ -14,6 +14,7 @@ TEST_CASE("page_entry: slot, and how many pages of its level the root is wide") 
     CHECK(page_entry({3, 250}, 0) == glm::u8vec4(3, 250, 1, 0));
     CHECK(page_entry({0, 0}, 7) == glm::u8vec4(0, 0, 128, 0));
     CHECK(page_entry({255, 255}, deepest_page_level) == glm::u8vec4(255, 255, 0, 128));
+    for (const int beyond : {-1, 31, 40}) (void)page_entry({0, 0}, beyond);  // any entry, but defined
 }
 
 TEST_CASE_TEMPLATE("page_coordinate: whole numbers, at every level and page size", T, float, double) {

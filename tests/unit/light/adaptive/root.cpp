@@ -72,6 +72,8 @@ TEST_CASE("make_page_root, page_light: bad input") {
     CHECK(light({16, 0, 0}).starts_with("umbrage::page_light: level "));
     CHECK(light({3, 8, 0}).starts_with("umbrage::page_light: x and y "));
     CHECK(light({3, 0, -1}).starts_with("umbrage::page_light: x and y "));
-    CHECK(light({}, {.texels = 48}).starts_with("umbrage::page_light: texels "));
+    for (const int texels : {48, 0, 1 << 15, 1 << 30, std::numeric_limits<int>::min()})
+        CHECK(light({}, {.texels = texels}).starts_with("umbrage::page_light: texels "));
+    CHECK(light({}, {.texels = 16384, .gutter = 8192}).empty());
     CHECK(light({}, {.texels = 8, .gutter = 5}).starts_with("umbrage::page_light: gutter "));
 }
