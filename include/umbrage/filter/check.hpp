@@ -3,6 +3,7 @@
 // Checks of a filter's numbers, for functions that take the filter for many lookups. A filter alone does not check.
 #pragma once
 
+#include <cmath>
 #include <string_view>
 
 #include <umbrage/core/check.hpp>
@@ -15,7 +16,18 @@ namespace umbrage::detail {
 
 /// Refuses a number of points for which there is no disc.
 inline void require_points(std::string_view function, int points) {
-    require(points == points_of_disc(points).count(), function, "filter.points", "8, 16 or 32", points);
+    require(points == 8 || points == 16 || points == 32, function, "filter.points", "8, 16 or 32", points);
+}
+
+/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
+inline void require_softness(std::string_view function, const penumbra_params& softness) {
+    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
+            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
+    const float low = softness.min_radius, high = softness.max_radius;
+    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
+    require(in_order && low == std::floor(low) && high == std::floor(high), function,
+            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
+            "They are in 1/16 texel: make_penumbra_params computes them.");
 }
 
 inline void require_filter(std::string_view function, const filters::disc& filter) {
@@ -23,9 +35,11 @@ inline void require_filter(std::string_view function, const filters::disc& filte
 }
 inline void require_filter(std::string_view function, const filters::pcss& filter) {
     require_points(function, filter.points);
+    require_softness(function, filter.softness);
 }
 inline void require_filter(std::string_view function, const filters::dpcf& filter) {
     require_points(function, filter.points);
+    require_softness(function, filter.softness);
 }
 
 }  // namespace umbrage::detail

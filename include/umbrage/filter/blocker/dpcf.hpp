@@ -48,7 +48,8 @@ template <int Points, real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness out
+///                   of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A
@@ -61,7 +62,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
     const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
     const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(search_radius, T(1)));
-    return T(1) - hardened_kernel<Points>(found.x, ratio);
+    return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 
 namespace glsl {
@@ -139,8 +140,8 @@ namespace filters {
 
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
-    int points = 16;  ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};
+    int points = 16;             ///< 8, 16 or 32, as disc's
+    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;

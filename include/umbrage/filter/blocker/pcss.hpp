@@ -37,7 +37,8 @@ namespace umbrage {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
 /// @edge             no blocker found, as for a receiver at the near plane: 1. Blockers at every point: the filter
-///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0.
+///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   disc(penumbra(z - floor(s / m)) / 16)
 /// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
@@ -104,8 +105,8 @@ namespace filters {
 
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
-    int points = 16;  ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};
+    int points = 16;             ///< 8, 16 or 32, as disc's
+    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;

@@ -92,7 +92,7 @@ template <real T, class Compare = less_equal>
 /// Radius of a penumbra from the distance between blocker and receiver.
 /// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
-/// @return           in 1/16 texel, an integer from min_radius to max_radius
+/// @return           in 1/16 texel, an integer from min_radius to max_radius. Not so if softness is of other numbers
 /// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
@@ -120,15 +120,17 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   from disc_rotation
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
-/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to either
+///                   side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
                                       glm::vec<2, T> rotation, Compare is_lit = {}) {
+    const T rho = is_nan(radius) ? T(0) : detail::limited(radius, T(-4095), T(4095));
+    const glm::vec<2, T> turn = detail::bounded_rotation(rotation);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
-        found +=
-            blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), rotation, radius)), receiver, is_lit);
+        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
     return found;
 }
 

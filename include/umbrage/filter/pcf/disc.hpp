@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -62,19 +63,17 @@ inline constexpr std::array<disc_point, 32> disc_points<32>{
 namespace detail {
 
 /// Points of a disc whose number is known only at run time. A number other than 8 and 16 counts as 32.
-class points_of_disc {
-public:
-    constexpr explicit points_of_disc(int points)
-        : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
-          count_(points == 8 || points == 16 ? points : 32) {}
-    [[nodiscard]] constexpr const disc_point* begin() const { return first_; }
-    [[nodiscard]] constexpr const disc_point* end() const { return first_ + count_; }
-    [[nodiscard]] constexpr int count() const { return count_; }
+[[nodiscard]] constexpr std::span<const disc_point> points_of_disc(int points) {
+    if (points == 8) return disc_points<8>;
+    if (points == 16) return disc_points<16>;
+    return disc_points<32>;
+}
 
-private:
-    const disc_point* first_;
-    int count_;
-};
+/// Rotation from disc_rotation, whose components are at most 64. Any other, NaN included: the first one.
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> bounded_rotation(glm::vec<2, T> rotation) {
+    return inside_texel_space(rotation * T(511)) ? rotation : glm::vec<2, T>(T(64), T(0));
+}
 
 }  // namespace detail
 
@@ -136,18 +135,19 @@ template <real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
+///                   NaN or longer than any of disc_rotation: (64, 0)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> position = glm::floor(coord * T(256));
+    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation);
     const T rho = disc_radius(radius);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), rotation, rho));
+        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
         lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
     }
     return static_cast<T>(lit) * T(1.0 / Points);

@@ -212,7 +212,7 @@ struct every_texel_form<filters::disc> {
     static constexpr int least = 1;
     template <class ParallelFor>
     [[nodiscard]] static disc_table tables(const float_texels&, const filters::disc& filter, ParallelFor&&) {
-        return {points_of_disc(filter.points).begin(), filter.points, filter.radius_texels};
+        return {points_of_disc(filter.points).data(), filter.points, filter.radius_texels};
     }
     template <depth_direction Direction>
     [[nodiscard]] static disc_blocks<Direction> blocks(const float_texels& map, const filters::disc& filter,

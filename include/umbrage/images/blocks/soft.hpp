@@ -135,7 +135,7 @@ struct soft_form {
     /// Rotated points in 1/16 of 1/64 of a radius. With a radius of 4 texels there is nothing to divide by.
     template <class ParallelFor>
     [[nodiscard]] static disc_table tables(const float_texels&, const Filter& filter, ParallelFor&&) {
-        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+        return {points_of_disc(filter.points).data(), filter.points, 4.0f};
     }
     template <depth_direction Direction>
     [[nodiscard]] static soft_blocks<Direction, Filter> blocks(const float_texels& map, const Filter& filter,

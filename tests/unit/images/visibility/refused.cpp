@@ -39,3 +39,10 @@ TEST_CASE_TEMPLATE("visibility: discs of other than 8, 16 or 32 points are refus
     for (const int points : {0, 4, 12, 64, 1 << 30}) CHECK(refused(Filter{.points = points}));
     CHECK_FALSE(refused(Filter{.points = 8}));
 }
+
+TEST_CASE_TEMPLATE("visibility: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
+                   filters::dpcf) {
+    for (const penumbra_params& bad : {penumbra_params{-1, 16, 96}, {0.06f, 96, 16}, {0.06f, 1.5f, 7.25f}})
+        CHECK(refused(Filter{.softness = bad}));
+    CHECK_FALSE(refused(Filter{.softness = {0.06f, 0, 4095}}));
+}

@@ -42,3 +42,13 @@ TEST_CASE("shadow: prefilters whose powers overflow or whose bias is no number a
           "umbrage::shadow: filter.min_variance must be finite, 0 or more; got -1");
     CHECK(refused(prefilters::vsm{}) == "no error");
 }
+
+TEST_CASE_TEMPLATE("shadow: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
+                   filters::dpcf) {
+    const std::string name = "umbrage::shadow: filter.softness.";
+    CHECK(
+        refused(Filter{.softness = {0.06f, 96, 16}}).starts_with(name + "min_radius and max_radius must be integers"));
+    CHECK(refused(Filter{.softness = {0.06f, 1.5f, 16}}).starts_with(name + "min_radius and max_radius must be "));
+    CHECK(refused(Filter{.softness = {-1, 16, 96}}) == name + "per_code must be from 0 to 4096; got -1");
+    CHECK(refused(Filter{}) == "no error");
+}
