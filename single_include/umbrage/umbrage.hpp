@@ -4512,19 +4512,17 @@ inline constexpr std::array<disc_point, 32> disc_points<32>{
 namespace detail {
 
 /// Points of a disc whose number is known only at run time. A number other than 8 and 16 counts as 32.
-class points_of_disc {
-public:
-    constexpr explicit points_of_disc(int points)
-        : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
-          count_(points == 8 || points == 16 ? points : 32) {}
-    [[nodiscard]] constexpr const disc_point* begin() const { return first_; }
-    [[nodiscard]] constexpr const disc_point* end() const { return first_ + count_; }
-    [[nodiscard]] constexpr int count() const { return count_; }
+[[nodiscard]] constexpr std::span<const disc_point> points_of_disc(int points) {
+    if (points == 8) return disc_points<8>;
+    if (points == 16) return disc_points<16>;
+    return disc_points<32>;
+}
 
-private:
-    const disc_point* first_;
-    int count_;
-};
+/// Rotation from disc_rotation, whose components are at most 64. Any other, NaN included: the first one.
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> bounded_rotation(glm::vec<2, T> rotation) {
+    return inside_texel_space(rotation * T(511)) ? rotation : glm::vec<2, T>(T(64), T(0));
+}
 
 }  // namespace detail
 
@@ -4586,18 +4584,19 @@ template <real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
+///                   NaN or longer than any of disc_rotation: (64, 0)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> position = glm::floor(coord * T(256));
+    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation);
     const T rho = disc_radius(radius);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), rotation, rho));
+        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
         lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
     }
     return static_cast<T>(lit) * T(1.0 / Points);
@@ -4825,7 +4824,7 @@ template <real T, class Compare = less_equal>
 /// Radius of a penumbra from the distance between blocker and receiver.
 /// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
-/// @return           in 1/16 texel, an integer from min_radius to max_radius
+/// @return           in 1/16 texel, an integer from min_radius to max_radius. Not so if softness is of other numbers
 /// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
@@ -4853,15 +4852,17 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   from disc_rotation
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
-/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to either
+///                   side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
                                       glm::vec<2, T> rotation, Compare is_lit = {}) {
+    const T rho = is_nan(radius) ? T(0) : detail::limited(radius, T(-4095), T(4095));
+    const glm::vec<2, T> turn = detail::bounded_rotation(rotation);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
-        found +=
-            blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), rotation, radius)), receiver, is_lit);
+        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
     return found;
 }
 
@@ -4995,7 +4996,8 @@ template <int Points, real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness out
+///                   of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A
@@ -5008,7 +5010,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
     const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
     const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(search_radius, T(1)));
-    return T(1) - hardened_kernel<Points>(found.x, ratio);
+    return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 
 namespace glsl {
@@ -5086,8 +5088,8 @@ namespace filters {
 
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
-    int points = 16;  ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};
+    int points = 16;             ///< 8, 16 or 32, as disc's
+    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
@@ -5145,7 +5147,8 @@ namespace umbrage {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
 /// @edge             no blocker found, as for a receiver at the near plane: 1. Blockers at every point: the filter
-///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0.
+///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   disc(penumbra(z - floor(s / m)) / 16)
 /// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
@@ -5212,8 +5215,8 @@ namespace filters {
 
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
-    int points = 16;  ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};
+    int points = 16;             ///< 8, 16 or 32, as disc's
+    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
@@ -5906,7 +5909,18 @@ namespace umbrage::detail {
 
 /// Refuses a number of points for which there is no disc.
 inline void require_points(std::string_view function, int points) {
-    require(points == points_of_disc(points).count(), function, "filter.points", "8, 16 or 32", points);
+    require(points == 8 || points == 16 || points == 32, function, "filter.points", "8, 16 or 32", points);
+}
+
+/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
+inline void require_softness(std::string_view function, const penumbra_params& softness) {
+    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
+            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
+    const float low = softness.min_radius, high = softness.max_radius;
+    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
+    require(in_order && low == std::floor(low) && high == std::floor(high), function,
+            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
+            "They are in 1/16 texel: make_penumbra_params computes them.");
 }
 
 inline void require_filter(std::string_view function, const filters::disc& filter) {
@@ -5914,9 +5928,11 @@ inline void require_filter(std::string_view function, const filters::disc& filte
 }
 inline void require_filter(std::string_view function, const filters::pcss& filter) {
     require_points(function, filter.points);
+    require_softness(function, filter.softness);
 }
 inline void require_filter(std::string_view function, const filters::dpcf& filter) {
     require_points(function, filter.points);
+    require_softness(function, filter.softness);
 }
 
 }  // namespace umbrage::detail
@@ -9540,7 +9556,8 @@ inline constexpr int deepest_page_level = 15;
 /// @return        entry of the page. All zero, which no page gives, means no page
 [[nodiscard]] inline glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v & 0xFF); };
-    return {byte(slot.x), byte(slot.y), byte(1 << level), byte((1 << level) >> 8)};
+    const int across = 1 << (level & 15);  // a shift within the width for any level
+    return {byte(slot.x), byte(slot.y), byte(across), byte(across >> 8)};
 }
 
 /// Position of a receiver in the page that holds it.
@@ -9573,7 +9590,7 @@ inline constexpr int page_tile_columns = 8;
 
 /// First texel of a page in an atlas of eight a row, without a table of texels: see shadow/adaptive_maps.hpp.
 /// @param number   number of the page's slot, an integer >= 0
-/// @param size     size of a page with its gutter, texels
+/// @param size     size of a page with its gutter, texels. The atlas has sides below 2^31
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 page_tile(int number, int size) {
     return glm::ivec2(number % page_tile_columns, number / page_tile_columns) * size;
@@ -9953,7 +9970,7 @@ template <real T>
 
 /// First texel of a cascade in an atlas with two tiles per row.
 /// @param number   index of the cascade, an integer >= 0
-/// @param size     size of a tile, in texels
+/// @param size     size of a tile, in texels. The atlas has sides below 2^31
 /// @exactness      A
 [[nodiscard]] inline glm::ivec2 cascade_tile(int number, glm::ivec2 size) {
     return glm::ivec2(number % 2, number / 2) * size;
@@ -17122,7 +17139,7 @@ struct every_texel_form<filters::disc> {
     static constexpr int least = 1;
     template <class ParallelFor>
     [[nodiscard]] static disc_table tables(const float_texels&, const filters::disc& filter, ParallelFor&&) {
-        return {points_of_disc(filter.points).begin(), filter.points, filter.radius_texels};
+        return {points_of_disc(filter.points).data(), filter.points, filter.radius_texels};
     }
     template <depth_direction Direction>
     [[nodiscard]] static disc_blocks<Direction> blocks(const float_texels& map, const filters::disc& filter,
@@ -17887,7 +17904,7 @@ struct soft_form {
     /// Rotated points in 1/16 of 1/64 of a radius. With a radius of 4 texels there is nothing to divide by.
     template <class ParallelFor>
     [[nodiscard]] static disc_table tables(const float_texels&, const Filter& filter, ParallelFor&&) {
-        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
+        return {points_of_disc(filter.points).data(), filter.points, 4.0f};
     }
     template <depth_direction Direction>
     [[nodiscard]] static soft_blocks<Direction, Filter> blocks(const float_texels& map, const Filter& filter,
@@ -18640,7 +18657,7 @@ struct page_root {
 
 /// Size of the pages in an atlas.
 struct page_size {
-    int texels = 128;  ///< side of a page, a power of two
+    int texels = 128;  ///< side of a page, a power of two up to 16384
     int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach and half a texel, or more
 
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
@@ -18686,7 +18703,7 @@ template <real T>
 }
 
 /// Light space of one page with its gutter, for a depth pass of pitch() x pitch() texels.
-/// @throws std::invalid_argument  a page outside the root; texels not a power of two; gutter out of range
+/// @throws std::invalid_argument  a page outside the root; texels no power of two, or above 16384; gutter out of range
 template <real T>
 [[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
     constexpr auto function = "page_light";
@@ -18694,8 +18711,8 @@ template <real T>
     const int across = 1 << p.level;
     detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "in the root",
                     glm::ivec2(p.x, p.y));
-    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels", "a power of two",
-                    size.texels);
+    detail::require(size.texels >= 1 && size.texels <= 16384 && (size.texels & (size.texels - 1)) == 0, function,
+                    "texels", "a power of two up to 16384", size.texels);
     detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter", "from 0 to half the texels",
                     size.gutter);
     const double scale = double(across) * size.texels / size.pitch();
@@ -18727,8 +18744,20 @@ template <real T>
 
 namespace umbrage {
 
+namespace detail {
+
+/// Checks that an atlas of 256 pages of this size a side has a size.
+inline void require_page_size(const page_size& size, const char* function) {
+    require(size.texels >= 1 && size.texels <= 16384, function, "size.texels", "from 1 to 16384", size.texels);
+    require(size.gutter >= 0 && size.gutter <= 8192, function, "size.gutter", "from 0 to 8192", size.gutter);
+}
+
+}  // namespace detail
+
 /// Size in texels of an atlas with a slot for every page that a cache may hold.
+/// @throws std::invalid_argument  texels or gutter out of range
 [[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
+    detail::require_page_size(size, "page_atlas_size");
     return cache.budget().slots * size.pitch();
 }
 
@@ -18751,6 +18780,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
                 std::span<const placed_page> pages, Draw&& draw) {
     for (const auto& [page, slot] : pages) {
         const light_space<double> light = page_light(root, page, size);
+        detail::require(slot.x >= 0 && slot.y >= 0 && slot.x < 256 && slot.y < 256, "draw_pages", "slot",
+                        "from 0 to 255 each", slot);
         const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
         for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
         draw(map, glm::mat4(light.projection * light.view));
@@ -18786,13 +18817,13 @@ template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
     constexpr auto function = "visibility";
-    const int side = map.table.size.x, pitch = map.size.pitch();
+    const int side = map.table.size.x;
     require_size(out.size, size_of(receivers, function), function, "out.size", "the receivers' size");
     require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table.size",
             "square, a power of two and 2 a side", map.table.size);
     require_filter(function, filter);
-    require(map.size.texels >= 1, function, "size.texels", "above 0", map.size.texels);
-    require(map.size.gutter >= 0, function, "size.gutter", "0 or more", map.size.gutter);
+    require_page_size(map.size, function);
+    const int pitch = map.size.pitch();
     if constexpr (requires { filter.reach(); })
         require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
                 std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
@@ -18821,7 +18852,8 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
-///                                atlas; the gutter is below the filter's reach; a filter's number out of range
+///                                atlas; texels or gutter out of range, or the gutter below the filter's reach; a
+///                                filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
@@ -22041,8 +22073,8 @@ template <class Type>
     return all;
 }
 
-/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows of
-/// a text differ in all of them.
+/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows
+/// of a text differ in all of them.
 struct declaration {
     std::string text;
     std::vector<std::string> names, slots{};

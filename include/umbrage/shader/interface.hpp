@@ -93,8 +93,8 @@ template <class Type>
     return all;
 }
 
-/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows of
-/// a text differ in all of them.
+/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows
+/// of a text differ in all of them.
 struct declaration {
     std::string text;
     std::vector<std::string> names, slots{};
