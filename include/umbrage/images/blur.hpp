@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
@@ -70,6 +72,25 @@ namespace detail {
 
 template <class T>
 inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
+
+/// True if two views of one size have a texel in common. Tiles of one atlas have none.
+inline bool overlap(image_view<const float> a, image_view<const float> b) {
+    const auto place = [](const void* texel) { return reinterpret_cast<std::uintptr_t>(texel); };
+    const auto lowest = [&](const auto& v) { return place(v.row(v.stride < 0 ? v.size.y - 1 : 0)); };
+    const auto rows = static_cast<std::uintptr_t>(a.size.y), row_bytes = place(a.data + a.size.x) - place(a.data);
+    const auto pitch = [&](const auto& v) {
+        return rows == 1 ? row_bytes : static_cast<std::uintptr_t>(v.stride < 0 ? -v.stride : v.stride);
+    };
+    const std::uintptr_t first_a = lowest(a), pitch_a = pitch(a), first_b = lowest(b), pitch_b = pitch(b);
+    for (std::uintptr_t y = 0; y < rows; ++y) {
+        const std::uintptr_t row = first_a + y * pitch_a;
+        if (row + row_bytes <= first_b) continue;
+        // the last row of b that begins before the end of this one
+        const std::uintptr_t last = lesser((row + row_bytes - first_b - 1) / pitch_b, rows - 1);
+        if (first_b + last * pitch_b + row_bytes > row) return true;
+    }
+    return false;
+}
 
 /// 64 weighted sums. tap(i) points to the first value at distance i, with i from -radius to radius.
 template <class Tap, std::size_t... I>
@@ -164,10 +185,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 /// Blurs along y, then along x. Outside the image, its border is repeated.
 ///
 /// @param from      texels of float, vec2, vec3 or vec4
-/// @param to        same size and type, other pixels
+/// @param to        same size and type, and no texel of `from`; it may be another tile of one atlas
 /// @param kernel    1 weight or more
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, same pixels, or no weights
+/// @throws std::invalid_argument  sizes differ, common texels, or no weights
 /// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
 /// @exactness       B: every instruction set and any pieces give the bits of the written order. The compiler must not
 ///                  fuse multiplications and additions (-march with FMA needs -ffp-contract=off)
@@ -177,15 +198,16 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     static_assert(std::is_same_v<std::remove_const_t<From>, T>);
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
                   std::is_same_v<T, glm::vec4>);
-    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
+    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float),
+                  "texels must be floats side by side: GLM_FORCE_DEFAULT_ALIGNED_GENTYPES pads and aligns vectors");
     detail::require_size(to.size, from.size, "blur", "to.size", "from's size");
     detail::require(!kernel.weights.empty(), "blur", "kernel.weights", "one or more", "none",
                     "Make the kernel by make_gaussian_kernel.");
     if (from.empty()) return;
-    detail::require(from.data != to.data, "blur", "to", "an image of its own", "the pixels of from");
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
+    detail::require(!detail::overlap(floats_from, floats_to), "blur", "to", "an image of its own", "pixels of from");
     parallel(size.y,
              [&](int first, int last) { detail::blur_rows(floats_from, floats_to, kernel, channels, first, last); });
 }

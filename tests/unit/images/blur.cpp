@@ -153,3 +153,42 @@ TEST_CASE("blur, make_gaussian_kernel: bad input") {
     CHECK_THROWS_AS((void)umbrage::make_gaussian_kernel(3, 0.0f), std::invalid_argument);
     CHECK_THROWS_AS((void)umbrage::make_gaussian_kernel(3, std::nanf("")), std::invalid_argument);
 }
+
+TEST_CASE("blur: views of one image, refused where they have a texel in common") {
+    const blur_kernel kernel = umbrage::make_binomial_kernel<3>();
+    image<float> memory({12, 10});
+    for (std::size_t i = 0; i < memory.texels().size(); ++i) memory.texels()[i] = static_cast<float>(i * i % 31);
+    const auto part = [&](glm::ivec2 first, glm::ivec2 extent, bool flipped) {
+        const auto view = memory.view().region(first, extent);
+        return flipped ? image_view<float>(view.row(extent.y - 1), extent, -view.stride) : view;
+    };
+    int refused = 0, taken = 0, wrong = 0;
+    for (const glm::ivec2 extent : {glm::ivec2(4, 3), {5, 1}, {1, 5}, {12, 5}})
+        for (int at = 0; at < 12 * 10 * 4; ++at) {
+            const glm::ivec2 a(3 % (13 - extent.x), 4), b(at % 12, at / 12 % 10), apart = glm::abs(a - b);
+            if (a.y + extent.y > 10 || b.x + extent.x > 12 || b.y + extent.y > 10) continue;
+            const auto from = part(a, extent, at / 120 % 2 == 1), to = part(b, extent, at / 240 == 1);
+            const bool common = apart.x < extent.x && apart.y < extent.y;
+            const image<float> before = memory;
+            image<float> alone(extent);
+            umbrage::blur(from, alone.view(), kernel);
+            if (common) {
+                CHECK_THROWS_AS(umbrage::blur(from, to, kernel), std::invalid_argument);
+                ++refused;
+            } else {
+                umbrage::blur(from, to, kernel);
+                ++taken;
+                for (int y = 0; y < extent.y; ++y)
+                    wrong += std::memcmp(to.row(y), alone.view().row(y), sizeof(float) * std::size_t(extent.x)) != 0;
+            }
+            memory = before;
+        }
+    CHECK(refused > 100);
+    CHECK(taken > 300);
+    CHECK(wrong == 0);
+    const image_view<float> wide(memory.view().row(0), {12, 2}, 48 * 4), odd(memory.view().row(1), {12, 2}, 48);
+    umbrage::blur(wide, odd, kernel);  // rows 0 and 4, rows 1 and 2
+    const image_view<float> next(memory.view().row(3), {12, 2}, 48);
+    CHECK_THROWS_AS(umbrage::blur(wide, next, kernel), std::invalid_argument);
+    CHECK_THROWS_AS(umbrage::blur(next, wide, kernel), std::invalid_argument);
+}
