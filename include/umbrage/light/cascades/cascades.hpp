@@ -219,7 +219,9 @@ namespace detail {
 template <real T>
 [[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
     const T width = fade * (end - begin);
-    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+    const auto terms = width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+    require(all_finite(terms), "make_cascade_uniforms", "fade", "0, or large enough for finite uniforms", fade);
+    return terms;
 }
 
 template <real T>
@@ -243,13 +245,11 @@ template <real T, class Cascade, std::size_t Count>
 /// Columns of scales and offsets for up to four cascades. Columns without a cascade contain no point.
 template <real T>
 void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
-    scales = offsets = glm::mat<4, 4, T>(T(0));
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (static_cast<std::size_t>(i) >= cascades.size()) {
-            offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+    scales = glm::mat<4, 4, T>(T(0));
+    for (glm::length_t i = 0; i < 4; ++i) offsets[i] = {T(65536), T(65536), T(0), T(0)};
+    for (std::size_t k = 0; k < cascades.size() && k < 4; ++k) {
+        const cascade<T>& c = cascades[k];
+        const auto i = static_cast<glm::length_t>(k);
         const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
         scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
         offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
@@ -263,7 +263,7 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large
 /// @return           uniforms. With fewer than four cascades, no point falls into a missing one by depth or projection
-/// @throws std::invalid_argument  fade out of range
+/// @throws std::invalid_argument  fade out of range, or too small for finite uniforms
 template <real T, std::size_t Count>
 requires(Count >= 1 && Count <= 4)
     [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {

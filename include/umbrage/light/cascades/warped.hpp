@@ -87,7 +87,7 @@ struct warped_cascade_uniforms {
 /// @param map_size   size of each map, texels
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large
-/// @throws std::invalid_argument  map_size below 1; fade out of range
+/// @throws std::invalid_argument  map_size below 1; fade out of range, or too small for finite uniforms
 template <real T, std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
     const std::array<warped_cascade<T>, Count>& cascades, glm::ivec2 map_size, T fade) {

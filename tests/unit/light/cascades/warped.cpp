@@ -127,6 +127,11 @@ TEST_CASE("make_cascade_uniforms: bad input, of warped cascades") {
     CHECK(complain({64, 0}, 0).starts_with("umbrage::make_cascade_uniforms: map_size "));
     for (const float fade : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
         CHECK(complain({64, 64}, fade).starts_with("umbrage::make_cascade_uniforms: fade "));
+    const std::array one{warped_cascade<float>{.light = {.clip = cpu_clip_space}, .begin = 1, .end = 10}};
+    CHECK(complaint([&] { (void)make_cascade_uniforms(one, {64, 64}, 0.1f); }).empty());
+    CHECK(complaint([&] {
+              (void)make_cascade_uniforms(one, {64, 64}, 1e-41f);
+          }).starts_with("umbrage::make_cascade_uniforms: fade must be 0, or large enough"));
 }
 
 TEST_CASE("make_warped_cascades: bad input") {

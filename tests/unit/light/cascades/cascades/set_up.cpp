@@ -167,3 +167,17 @@ TEST_CASE("make_cascade_uniforms: the next cascade fades in over the last share 
                   (void)make_cascade_uniforms(all, fade);
               }).starts_with("umbrage::make_cascade_uniforms: fade must be from 0 to 1; got "));
 }
+
+TEST_CASE_TEMPLATE("make_cascade_uniforms: finite, or no uniforms", T, float, double) {
+    const auto all =
+        make_stable_cascades<5>(cascade_fit<T>{.scene = bounding_box<T>{}, .overlap = T(0.2), .clip = cpu_clip_space},
+                                std::array{T(1), T(11), T(31), T(91), T(191), T(391)});
+    const std::array three{all[0], all[1], all[2]};
+    for (const T fade : {std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min() / 1024}) {
+        const std::string begin = "umbrage::make_cascade_uniforms: fade must be 0, or large enough";
+        CHECK(complaint([&] { (void)make_cascade_uniforms(three, fade); }).starts_with(begin));
+        CHECK(complaint([&] { (void)make_cascade_uniforms(all, fade); }).starts_with(begin));
+    }
+    const auto u = make_cascade_uniforms(three, std::numeric_limits<T>::min());
+    CHECK((umbrage::detail::all_finite(u.scales) && umbrage::detail::all_finite(u.offsets)));
+}
