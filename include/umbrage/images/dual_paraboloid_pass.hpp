@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -31,11 +32,12 @@ namespace umbrage {
 /// @param light      from make_dual_paraboloid_light
 /// @param map        0 or 1
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  as rasterize_depth
+/// @throws std::invalid_argument  another map; as rasterize_depth
 /// @exactness        vertices C: square roots in double. Then as rasterize_depth
 template <class ParallelFor = serial>
 void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
                                ParallelFor&& parallel = {}) {
+    detail::require(map == 0 || map == 1, "rasterize_dual_paraboloid", "map", "0 or 1", map);
     const glm::dvec3 position = -glm::dvec3(light.view[3]);
     const glm::dmat4 projection(light.projection);
     std::vector<glm::vec3> placed;

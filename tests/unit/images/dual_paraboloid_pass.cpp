@@ -4,6 +4,7 @@
 #include <umbrage/images/dual_paraboloid_pass.hpp>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include <umbrage/images/tessellate.hpp>
@@ -55,4 +56,11 @@ TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in ever
         CHECK(behind_the_rim > 500);
         CHECK(wrong == 0);
     }
+}
+
+TEST_CASE("rasterize_dual_paraboloid: refuses a third map") {
+    const auto light = make_dual_paraboloid_light<float>({.map_size = 16, .clip = cpu_clip_space});
+    image<float> depth(glm::ivec2(16), 1.0f);
+    for (const int map : {-1, 2, 5})
+        CHECK_THROWS_AS(rasterize_dual_paraboloid(depth.view(), {}, light, map), std::invalid_argument);
 }
