@@ -11,6 +11,7 @@
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
+#include <umbrage/filter/pcf/windows.hpp>
 
 namespace umbrage::detail {
 
@@ -30,6 +31,10 @@ inline void require_softness(std::string_view function, const penumbra_params& s
             "They are in 1/16 texel: make_penumbra_params computes them.");
 }
 
+inline void require_filter(std::string_view function, const filters::window& filter) {
+    require(is_made_row(filter.row), function, "filter.row", "of make_window_row", filter.row.size,
+            "That is its size; its weights, steps and whole count, too.");
+}
 inline void require_filter(std::string_view function, const filters::disc& filter) {
     require_points(function, filter.points);
 }

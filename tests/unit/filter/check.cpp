@@ -31,7 +31,12 @@ image<float> step() {
         for (int x = 0; x < 40; ++x) map[{x, y}] = x < 20 ? 0.3f : 0.9f;
     return map;
 }
-float alone(const auto& filter) { return filter(bordered(step()), glm::vec2(19.7f, 20.2f), 0.5f, glm::ivec2(3, 1)); }
+float alone(const auto& filter) {
+    const image<float> map = step();
+    const glm::vec2 at(19.7f, 20.2f);
+    if constexpr (requires { filter.points; }) return filter(bordered(map), at, 0.5f, glm::ivec2(3, 1));
+    else return filter(bordered(map), at, 0.5f);
+}
 
 }  // namespace
 
@@ -90,6 +95,35 @@ TEST_CASE("check: alone, any rotation gives a visibility, that of the first wher
         CHECK(dpcf<16>(bordered(map), at, 0.5f, soft, odd) ==
               dpcf<16>(bordered(map), at, 0.5f, soft, glm::vec2(64, 0)));
     }
+}
+
+TEST_CASE("check: a window has a row of make_window_row; alone, another size is lit") {
+    for (const filters::window& filter : filters::window::values) CHECK(passes(filter));
+    CHECK(passes(filters::window{make_window_row(15, {1, 1, 1, 1, 1, 1, 1, 2})}));
+    for (const int size : {16, 17, 1000, 0, -1}) {
+        filters::window filter;
+        filter.row.size = size;
+        CHECK_FALSE(passes(filter));
+        CHECK(alone(filter) == 1.0f);
+    }
+    const auto refused = [](const auto& change) {
+        filters::window filter;
+        change(filter.row);
+        return !passes(filter);
+    };
+    CHECK(refused([](window_row& row) { row.steps = 0; }));
+    CHECK(refused([](window_row& row) { row.steps = 512; }));
+    CHECK(refused([](window_row& row) { row.whole = nan32; }));
+    CHECK(refused([](window_row& row) { row.whole = 2048; }));
+    CHECK(refused([](window_row& row) { row.half[0] = nan32; }));
+    CHECK(refused([](window_row& row) { row.half[0] = -4; }));
+    CHECK(refused([](window_row& row) { row.quadratic = true; }));
+    filters::window wide;
+    wide.row.size = 16;
+    CHECK_THROWS_WITH_AS(detail::require_filter("shadow", wide),
+                         "umbrage::shadow: filter.row must be of make_window_row; got 16. That is its size; its "
+                         "weights, steps and whole count, too.",
+                         std::invalid_argument);
 }
 
 TEST_CASE("check: any other callable passes") {

@@ -50,6 +50,33 @@ struct window_row {
     [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
 };
 
+namespace detail {
+
+[[nodiscard]] constexpr bool is_row_size(int size) { return size >= 1 && size <= max_window; }
+[[nodiscard]] constexpr bool is_row_steps(int steps) {
+    return steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0;
+}
+/// An integer from 1 to 4096.
+[[nodiscard]] constexpr bool is_row_whole(float whole) {
+    return is_finite(whole) && whole >= 1.0f && whole <= 4096.0f &&
+           whole == static_cast<float>(static_cast<int>(whole));
+}
+
+/// True if a row has numbers that make_window_row returns: then its weights are integers from 0 to whole.
+[[nodiscard]] constexpr bool is_made_row(const window_row& row) {
+    if (!is_row_size(row.size) || !is_row_steps(row.steps) || !is_row_whole(row.whole)) return false;
+    if (row.quadratic && (row.size != 2 || row.whole != 4096.0f)) return false;
+    float sum = 0.0f;
+    for (int i = 0; i < row.size; ++i) {
+        if (!is_finite(row.weight(i)) || row.weight(i) < 0.0f) return false;
+        sum += row.weight(i);
+    }
+    const float off = sum * static_cast<float>(row.steps) - row.whole;
+    return off > -0.5f && off < 0.5f;
+}
+
+}  // namespace detail
+
 /// Row of kernel weights for window().
 /// @param size    number of weights, 1 .. 15
 /// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
@@ -58,9 +85,8 @@ struct window_row {
 /// @throws std::invalid_argument  a parameter outside its range
 [[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
     constexpr auto function = "make_window_row";
-    detail::require(size >= 1 && size <= max_window, function, "size", "from 1 to 15", size);
-    detail::require(steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0, function, "steps",
-                    "a power of two from 1 to 256", steps);
+    detail::require(detail::is_row_size(size), function, "size", "from 1 to 15", size);
+    detail::require(detail::is_row_steps(steps), function, "steps", "a power of two from 1 to 256", steps);
     float sum = 0.0f;
     for (int i = 0; i < size; ++i) {
         const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
@@ -68,8 +94,8 @@ struct window_row {
         sum += weight;
     }
     const float whole = sum * static_cast<float>(steps);
-    const bool integer = whole >= 1.0f && whole <= 4096.0f && whole == static_cast<float>(static_cast<int>(whole));
-    detail::require(integer, function, "the sum of all weights times steps", "an integer from 1 to 4096", whole);
+    detail::require(detail::is_row_whole(whole), function, "the sum of all weights times steps",
+                    "an integer from 1 to 4096", whole);
     return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
 }
 
@@ -104,7 +130,8 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           0 .. row.whole^2
 ///
-/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0.
+///                   row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
 /// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
 ///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
 /// @exactness        A: integers up to 2^24
@@ -112,7 +139,7 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                            Compare is_lit = {}) {
     const T whole = static_cast<T>(row.whole);
-    if (!in_filter_domain(coord, receiver, is_lit)) return whole * whole;
+    if (!in_filter_domain(coord, receiver, is_lit) || !detail::is_row_size(row.size)) return whole * whole;
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;

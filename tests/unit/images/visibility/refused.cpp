@@ -40,6 +40,13 @@ TEST_CASE_TEMPLATE("visibility: discs of other than 8, 16 or 32 points are refus
     CHECK_FALSE(refused(Filter{.points = 8}));
 }
 
+TEST_CASE("visibility: a window of 16 weights is refused") {
+    filters::window filter;
+    CHECK_FALSE(refused(filter));
+    filter.row.size = 16;
+    CHECK(refused(filter));
+}
+
 TEST_CASE_TEMPLATE("visibility: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
                    filters::dpcf) {
     for (const penumbra_params& bad : {penumbra_params{-1, 16, 96}, {0.06f, 96, 16}, {0.06f, 1.5f, 7.25f}})

@@ -43,6 +43,13 @@ TEST_CASE("shadow: prefilters whose powers overflow or whose bias is no number a
     CHECK(refused(prefilters::vsm{}) == "no error");
 }
 
+TEST_CASE("shadow: a window of 16 weights is refused") {
+    filters::window filter;
+    CHECK(refused(filter) == "no error");
+    filter.row.size = 16;
+    CHECK(refused(filter).starts_with("umbrage::shadow: filter.row must be of make_window_row; got 16"));
+}
+
 TEST_CASE_TEMPLATE("shadow: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
                    filters::dpcf) {
     const std::string name = "umbrage::shadow: filter.softness.";
