@@ -56,7 +56,8 @@ template <real T, class Fetch>
 /// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge. Only the texels of the
 ///                   box that lie inside the map count
 /// @return           visibility: at least the lit fraction of the box, minus bias.x and decode_msm's error
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
+///                   below 0 or NaN: 0; above 32767: 32767
 /// @formula          decode_msm of box_mean / 65535, through from_optimized_moments
 /// @exactness        C, within 1/64 as written
 /// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
@@ -68,7 +69,7 @@ template <real T, class Fetch>
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
-    const int reach = static_cast<int>(radius);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);

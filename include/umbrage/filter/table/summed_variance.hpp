@@ -70,7 +70,8 @@ template <real T, class Fetch>
 ///                   box that lie inside the map count
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit
 ///                   fraction
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
+///                   below 0 or NaN: 0; above 32767: 32767
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
 /// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
 ///                   least 1/64^2
@@ -81,7 +82,7 @@ template <real T, class Fetch, class Compare = less_equal>
                                 Compare is_lit = {}, outside_map outside = outside_map::bordered) {
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
-    const int reach = static_cast<int>(radius);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);

@@ -117,4 +117,9 @@ TEST_CASE("summed_moments: by hand, and what is out of range") {
     CHECK(seen(1.5f, -inf32) == 1.0f);
     for (const glm::vec2 outside : coordinates_outside_texel_space())
         CHECK(summed_moments(texels_of(table), table.size(), outside, 0.9f, 1.0f, msm_bias_16) == 1.0f);
+    const auto of = [&](float radius) {
+        return summed_moments(texels_of(table), table.size(), glm::vec2(1.5f, 0.5f), 0.6f, radius, msm_bias_16);
+    };
+    for (const float none : {-0.5f, -1.0f, -1e30f, -inf32, nan32, -nan32}) CHECK(of(none) == of(0.0f));
+    for (const float all : {32767.0f, 1e30f, inf32}) CHECK(of(all) == of(3.0f));
 }

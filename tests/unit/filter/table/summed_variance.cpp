@@ -118,4 +118,12 @@ TEST_CASE("summed_variance: two depths by hand, and what is out of range") {
     CHECK(seen(1.5f, -inf32) == 1.0f);
     for (const glm::vec2 outside : coordinates_outside_texel_space())
         CHECK(summed_variance(fetch, map.size(), outside, 0.9f, 1.0f, 256.0f) == 1.0f);
+    const auto of = [&](auto radius) {
+        using T = decltype(radius);
+        const auto texels = [&](glm::ivec2 t) { return glm::vec<4, T>(table[t]); };
+        return summed_variance(texels, map.size(), glm::vec<2, T>(1.5, 0.5), T(0.75), radius, T(256));
+    };
+    for (const float none : {-0.5f, -1.0f, -1e30f, -inf32, nan32, -nan32}) CHECK(of(none) == of(0.0f));
+    for (const float all : {32767.0f, 1e30f, inf32}) CHECK(of(all) == of(3.0f));
+    CHECK(of(1e300) == of(3.0));
 }
