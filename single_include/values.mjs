@@ -4,7 +4,7 @@
 //     const values = await load_values();
 //     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
 //
-// It is the C++ library itself, as WebAssembly, of 199 kB.
+// It is the C++ library itself, as WebAssembly, of about 200 kB.
 import { must_be_clip_space, must_in } from './module/check.mjs';
 import { encodings, filters, kinds } from './module/names.mjs';
 

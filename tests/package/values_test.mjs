@@ -69,7 +69,7 @@ const size = 136, of = { pages: shadow('b', { kind: umbrage.adaptive_pages, filt
 const ordinary = { pages: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
 for (const [kind, part, message] of [
     ['pages', { points: [0, 0, 0] }, `${must}points must be four floats each; got 3`], ['pages', { normals: [] }, `${must}normals must be as many`],
-    ['pages', { gutter: 5 }, 'umbrage::page_light: texels must be a power of two; got 126'], ['pages', { gutter: 60 }, 'umbrage::page_light: gutter must be'],
+    ['pages', { gutter: 5 }, 'umbrage::page_light: texels must be a power of two'], ['pages', { gutter: 60 }, 'umbrage::page_light: gutter must be'],
     ['pages', { target: 0 }, 'umbrage::page_cache: target must be'], ['pages', { points: undefined }, `${must}points must be given`],
     ['pages', { points: null }, `${must}points must be an array of floats; got null`], ['pages', { normals: 'none' }, `${must}normals must be an array of floats; got none`],
     ['pages', { gutter: 4.5 }, `${must}gutter must be a whole number below 2^31; got 4.5`],
