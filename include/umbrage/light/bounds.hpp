@@ -96,7 +96,8 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, "sphere_around");
     const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
-    const double n(f.z_near), z_far(f.z_far), t = tangents.x * tangents.x + tangents.y * tangents.y;
+    const auto n = double(f.z_near), z_far = double(f.z_far);
+    const double t = tangents.x * tangents.x + tangents.y * tangents.y;
     const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
     const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
     // the point equally far from near and far corners without a shift, then the shift's contribution
@@ -160,7 +161,7 @@ public:
     template <real T>
     convex_body(const frustum<T>& f) {
         const glm::dmat3 axes = detail::axes(f, "polyhedron");
-        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto x = double(f.tan_half_x), y = double(f.tan_half_y);
         const glm::dvec2 shift(f.shift), size(f.half_size);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
@@ -228,7 +229,7 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
     template <real T>
     rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
     template <real T>

@@ -132,7 +132,7 @@ template <real T>
     const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift(f.shift);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i) {
-        const double z(i & 4 ? f.z_far : f.z_near);
+        const auto z = double(i & 4 ? f.z_far : f.z_near);
         const glm::dvec2 half = size + z * tangents;
         const glm::dvec2 at = glm::dvec2(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y) + shift * z;
         all[i] = glm::dvec3(f.position) + axes * glm::dvec3(at, z);

@@ -98,7 +98,7 @@ template <real T = float>
     light_space<T> space{
         detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const double edge = std::tan(double(angle)), closest(fit.z_near);
+    const double edge = std::tan(double(angle)), closest = double(fit.z_near);
 
     const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
@@ -109,7 +109,7 @@ template <real T = float>
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
-    const double share(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
+    const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
     double z_near = low.z;
     if (fit.casters)
         z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));

@@ -87,7 +87,8 @@ struct cascaded_maps {
         static_assert(Count >= 1 && Count <= 8, "a shadow takes one to eight cascades");
         detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
         for (const cascade<T>& c : all)
-            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
+            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), double(c.begin),
+                                double(c.end)});
     }
 
     using uniforms = detail::cascade_block<Groups>;
@@ -96,14 +97,16 @@ struct cascaded_maps {
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
-    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    /// @throws std::invalid_argument  no cascade, or more than there are maps
+    [[nodiscard]] clip_space clip() const { return nearest().light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const cascade<double>& c : cascades) all.push_back(c.light);
         return all;
     }
+    /// @throws std::invalid_argument  as clip()
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
-        const glm::dmat4 rotation = cascades.front().light.view;
+        const glm::dmat4 rotation = nearest().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
@@ -180,6 +183,14 @@ struct cascaded_maps {
         glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
                    &glsl::cascade_coordinate, &glsl::inside_cascade, &glsl::cascade_border_fade, &glsl::blend_cascades,
                    &glsl::cascade_tile>;
+
+private:
+    [[nodiscard]] const cascade<double>& nearest() const {
+        detail::require(!cascades.empty() && cascades.size() <= 4 * Groups, "shadow", "light.cascades.size()",
+                        Groups == 1 ? "from 1 to 4" : "from 1 to 8", cascades.size(),
+                        "A setup that was moved from has none.");
+        return cascades.front();
+    }
 };
 
 template <real T, std::size_t Count>

@@ -22,7 +22,7 @@ struct cube_maps {
 
     template <real T>
     explicit cube_maps(const point_light<T>& l)
-        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
         static_cast<void>(make_point_light(light));  // checks the light
     }
 

@@ -28,7 +28,7 @@ struct paraboloid_maps {
 
     template <real T>
     explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
-        : light{glm::dvec3(l.position), l.range, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.range), l.map_size, l.border, l.clip} {
         static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
     }
 

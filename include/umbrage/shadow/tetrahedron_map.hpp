@@ -30,7 +30,7 @@ struct tetrahedron_map {
 
     template <real T>
     explicit tetrahedron_map(const tetrahedron_light<T>& l)
-        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
         static_cast<void>(make_tetrahedron_light(light));  // checks the light
     }
 

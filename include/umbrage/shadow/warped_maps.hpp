@@ -41,7 +41,7 @@ struct warped_maps {
     /// @throws std::invalid_argument  a camera direction of zero or not finite; a share out of range
     template <real T, std::size_t Count>
     warped_maps(const std::array<warped_cascade<T>, Count>& all, const frustum<T>& camera, T share = T(0))
-        : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(share) {
+        : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(double(share)) {
         static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four warped cascades");
         detail::require(detail::all_finite(axis), "warped_maps", "camera.direction", "finite and not zero",
                         camera.direction);
@@ -64,13 +64,19 @@ struct warped_maps {
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
-    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    /// @throws std::invalid_argument  no cascade, or more than there are maps
+    [[nodiscard]] clip_space clip() const {
+        require_cascades();
+        return cascades.front().light.clip;
+    }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const warped_cascade<double>& c : cascades) all.push_back(c.light);
         return all;
     }
+    /// @throws std::invalid_argument  as clip()
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
         u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, origin - position)));
@@ -131,6 +137,12 @@ struct warped_maps {
     static constexpr const auto& needs =
         glsl::list<&glsl::shadow_coordinate, &glsl::project_coordinate, &glsl::receiver_slope, &glsl::cascade_by_depth,
                    &glsl::cascade_column, &glsl::cascade_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+
+private:
+    void require_cascades() const {
+        detail::require(!cascades.empty() && cascades.size() <= 4, "shadow", "light.cascades.size()", "from 1 to 4",
+                        cascades.size(), "A setup that was moved from has none.");
+    }
 };
 
 /// Refuses an array of warped cascades, which lacks its camera.

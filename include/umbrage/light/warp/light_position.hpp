@@ -64,7 +64,7 @@ template <real T>
             from.z_near);
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
     (void)look_along(from.position, fit.direction, glm::vec<3, T>(0), fit.clip.hand, function, "from.position");
-    const double closest(from.z_near);
+    const auto closest = double(from.z_near);
     const frustum<double> ahead{.position = glm::dvec3(from.position),
                                 .direction = glm::dvec3(fit.direction),
                                 .z_near = 2.0 * closest,
