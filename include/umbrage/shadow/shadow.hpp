@@ -55,10 +55,13 @@ struct shadow_uniforms {
 namespace detail {
 
 /// Checks the clip space, the map size and the filter of a shadow.
+/// @param grid   arrangement of the maps, whose size together must be an int
 template <class Filter>
-void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
+void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter, map_grid grid = {}) {
     require_given(clip, "shadow", "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
+            "such that all maps together have less than 2^31 texels a side", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
@@ -112,15 +115,16 @@ public:
     /// @param map_size   size of one map, texels, each >= 1
     /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
-    /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
-    ///                                filter's reach, or refused by the setup. A filter's number out of range
+    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
+    ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
+    ///                                filter's number out of range
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
         detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        detail::require_shadow(set_up_.clip(), map_size, filter_);
+        detail::require_shadow(set_up_.clip(), map_size, filter_, SetUp::grid);
         if constexpr (requires { set_up_.require_reach(0.0f); }) set_up_.require_reach(detail::reach_of(filter_));
         uniforms_ = uniforms();
     }

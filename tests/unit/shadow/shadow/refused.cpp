@@ -5,21 +5,38 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/shadow.hpp>
+#include <umbrage/shadow/warped_maps.hpp>
 
 using namespace umbrage;
 
 namespace {
 
-/// Message with which a shadow of a spot light refuses a filter.
-std::string refused(const auto& filter) {
+std::string complaint(const auto& call) {
     try {
-        (void)shadow(make_spot_light<float>({.clip = cpu_clip_space}), {128, 128}, filter);
+        call();
     } catch (const std::invalid_argument& error) { return error.what(); }
     return "no error";
 }
+/// Message with which a shadow of a spot light refuses a filter.
+std::string refused(const auto& filter) {
+    return complaint([&] { (void)shadow(make_spot_light<float>({.clip = cpu_clip_space}), {128, 128}, filter); });
+}
+/// Message with which a shadow of a light refuses a size.
+std::string of_size(const auto& light, glm::ivec2 size) {
+    return complaint([&] { (void)shadow(light, size, filters::hard{}); });
+}
+
+const cascade_fit<float> fit{.scene = {glm::vec3(-8), glm::vec3(8)}, .map_size = {64, 64}, .clip = cpu_clip_space};
+const auto splits = practical_splits<3>(0.5f, 40.0f, 0.7f);
 
 }  // namespace
 
@@ -58,4 +75,36 @@ TEST_CASE_TEMPLATE("shadow: a softness that make_penumbra_params never makes is 
     CHECK(refused(Filter{.softness = {0.06f, 1.5f, 16}}).starts_with(name + "min_radius and max_radius must be "));
     CHECK(refused(Filter{.softness = {-1, 16, 96}}) == name + "per_code must be from 0 to 4096; got -1");
     CHECK(refused(Filter{}) == "no error");
+}
+
+TEST_CASE("shadow: cascades that were moved from or taken away are refused, as are more than there are maps") {
+    const std::string name = "umbrage::shadow: light.cascades.size() must be from 1 to 4; got ";
+    const std::string moved = name + "0. A setup that was moved from has none.";
+    cascaded_maps stable(make_stable_cascades<3>(fit, splits));
+    warped_maps warped(
+        make_warped_cascades<3>(fit, splits, [](const auto& p) { return fit_light_space_perspective(p); }), fit.camera);
+    CHECK(of_size(stable, {64, 64}) == "no error");
+    CHECK(of_size(warped, {64, 64}) == "no error");
+    shadow sun(stable, {64, 64}, filters::hard{});
+    const shadow taken = std::move(sun);
+    CHECK(complaint([&] { (void)sun.uniforms(); }) == moved);
+    CHECK(complaint([&] { (void)taken.uniforms(); }) == "no error");
+    for (int i = 0; i < 2; ++i)
+        stable.cascades.push_back(stable.cascades[0]), warped.cascades.push_back(warped.cascades[0]);
+    CHECK(of_size(stable, {64, 64}).starts_with(name + "5"));
+    CHECK(of_size(warped, {64, 64}).starts_with(name + "5"));
+    stable.cascades.clear(), warped.cascades.clear();
+    CHECK(of_size(stable, {64, 64}) == moved);
+    CHECK(of_size(warped, {64, 64}) == moved);
+    CHECK(complaint([&] { (void)warped.make_uniforms({64, 64}, {}); }) == moved);
+}
+
+TEST_CASE("shadow: maps that together have no size in ints are refused") {
+    const cascaded_maps stable(make_stable_cascades<3>(fit, splits));
+    const std::string text =
+        "umbrage::shadow: map_size must be such that all maps together have less than 2^31 texels a side; got ";
+    CHECK(of_size(stable, {1 << 30, 64}) == text + "1073741824 x 64");
+    CHECK(of_size(stable, {64, 1 << 30}) == text + "64 x 1073741824");
+    CHECK(of_size(stable, {(1 << 30) - 1, 64}) == "no error");
+    CHECK(of_size(make_spot_light<float>({.clip = cpu_clip_space}), {1 << 30, 1 << 30}) == "no error");
 }
