@@ -137,7 +137,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param encoding    encoding of the atlas' texels, with the depth direction. Its edge decides ties
 /// @param receivers   (x, y) from 1 to 2 across the root, z depth with the bias already applied
 /// @param filter      as for visibility of a single map. It does not read beyond a page and its gutter
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the atlas
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the

@@ -57,7 +57,7 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param receivers   with the slopes of their planes
 /// @param filter      as for visibility of receivers without planes. Your own callables, filters::four_tap and
 ///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range

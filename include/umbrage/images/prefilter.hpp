@@ -177,7 +177,7 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
 
 /// Moments of an image of depths.
 /// @param depth      in [0, 1]; clamped, NaN counts as far
-/// @param texels     receives the moments; same size
+/// @param texels     receives the moments; same size, other memory
 /// @param filter     one of prefilters::, or any type with texel and encode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ; a filter's number out of range
@@ -241,7 +241,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param map        the filter's texels, blurred
 /// @param filter     same as for encode_moments
 /// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
-/// @param out        receives visibility, 1 lit; same size as receivers
+/// @param out        receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range

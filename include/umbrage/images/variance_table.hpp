@@ -92,7 +92,7 @@ template <class ParallelFor = serial>
 /// @param table, of   from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without texels; bits out of range; radius below 0 or above the

@@ -254,7 +254,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param filter      one of filters::, whose is_lit is set to the encoding's direction. Or any callable
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range

@@ -37,8 +37,8 @@ struct adaptive_maps {
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
     /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page that
-    ///                                page_light refuses, or of more than 32768 texels
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page size that
+    ///                                page_light refuses
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -48,7 +48,6 @@ struct adaptive_maps {
                         "8 x 8 or fewer", budget.slots, instead);
         detail::require(budget.deepest_level <= deepest_level, function, "cache.deepest_level", "4 or less",
                         budget.deepest_level, instead);
-        detail::require(size.texels <= 32768, function, "of.texels", "32768 or less", size.texels);
         static_cast<void>(page_light(root, umbrage::page{}, size));  // checks the size
         cache.for_each([&](const page& p, glm::ivec2 slot) { pages.push_back({p, slot}); });
     }

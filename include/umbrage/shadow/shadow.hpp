@@ -192,7 +192,7 @@ public:
     /// Visibility of an image of receivers.
     /// @param points, normals   images of one size, with world and normal of operator()
     /// @param map               image of size(), texels of the encoding
-    /// @param out               receives visibility, 1 lit; same size as points
+    /// @param out               receives visibility, 1 lit; same size as points, other memory than the map
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  images of different sizes; a map of another size
     template <class ParallelFor = serial>
