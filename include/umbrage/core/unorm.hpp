@@ -37,6 +37,7 @@ using unorm_channel = std::conditional_t<Bits == 8, std::uint8_t, std::uint16_t>
 /// @tparam Bits   bits per channel: 8, 10 or 16
 /// @param k       channel, an integer from 0 to n = 2^Bits - 1
 /// @return        about (k + 1/4) / n, with 10 bits down to (k + 1/150) / n; above 1 the store clamps
+/// @edge          other values of k: values that a store clamps, or a NaN
 /// @formula       8 bits: (257 k + 64) / 2^16
 ///                10 bits: (4099 k + 1056) / 2^22, because llvmpipe stores 16 bits and cuts off six of them
 ///                16 bits: min(k + floor(k / 256) / 256 + 1/4, 65536) / 65536
@@ -45,7 +46,8 @@ template <int Bits = 8, real T>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr T to_unorm(T k) {
     if constexpr (Bits == 16) {
-        const T above = T(static_cast<int>(k * T(1.0 / 256.0))) * T(1.0 / 256.0) + T(0.25);
+        const T byte = k * T(1.0 / 256.0);
+        const T above = T(byte > T(0) && byte < T(256) ? static_cast<int>(byte) : 0) * T(1.0 / 256.0) + T(0.25);
         const T wide = k + above;
         return (wide < T(65536) ? wide : T(65536)) * T(1.0 / 65536.0);
     } else if constexpr (Bits == 10) {

@@ -28,6 +28,18 @@ TEST_CASE("to_unorm: the stored byte is the channel, whether the store rounds or
         }
 }
 
+TEST_CASE_TEMPLATE("to_unorm: other numbers than channels give values that a store clamps", T, float, double) {
+    constexpr T inf = std::numeric_limits<T>::infinity();
+    for (const T beyond : {T(65536), T(1e9), T(1e20), inf}) {
+        CHECK(to_unorm<8>(beyond) >= T(1));
+        CHECK(to_unorm<10>(beyond) >= T(1));
+        CHECK(to_unorm<16>(beyond) == T(1));
+        CHECK(to_unorm<16>(-beyond) < T(0));
+    }
+    for (const T none : {std::numeric_limits<T>::quiet_NaN(), -std::numeric_limits<T>::quiet_NaN()})
+        (void)to_unorm<16>(none);  // any value, but defined
+}
+
 TEST_CASE("to_unorm: exact in binary32, and a sixth of a step away from every wrong byte") {
     for (int k = 0; k < 256; ++k) {
         const double value = to_unorm(double(k));
