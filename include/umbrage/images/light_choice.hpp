@@ -64,6 +64,7 @@ template <real T>
     constexpr auto function = "choose_light";
     detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
     detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
+    detail::require(terms.map_size.x >= 1 && terms.map_size.y >= 1, function, "map_size", "above 0", terms.map_size);
     detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
     detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
     light_choice choice{before, {}};
