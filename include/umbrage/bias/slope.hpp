@@ -71,7 +71,7 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel.
-/// @param plane_matrix   from make_plane_matrix
+/// @param plane_matrix   from plane_matrix
 /// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
 /// @param world          point on the surface, world units
 /// @return               slope as from plane_slope

@@ -37,7 +37,7 @@ struct depth_span {
 
 /// Smallest and largest depth of an image.
 /// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, are skipped
-/// @param cleared    cleared depth: 1, or 0 where depth is reversed
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed. Compared by the bits: -0 is not +0
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @exactness        A: selects, never computes
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011

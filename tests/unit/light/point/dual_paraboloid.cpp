@@ -108,6 +108,7 @@ TEST_CASE("paraboloid_edge_angle: edges at the rim are half a texel off, untesse
     CHECK(paraboloid_edge_angle<double>(512) == doctest::Approx(7.2 * degree).epsilon(0.01));
     CHECK(paraboloid_edge_angle<double>(1024) == doctest::Approx(5.1 * degree).epsilon(0.01));
     CHECK(paraboloid_edge_angle<double>(2048) == doctest::Approx(3.6 * degree).epsilon(0.01));
+    for (const glm::ivec2 none : {glm::ivec2(4, 2), {2, 8}}) CHECK(is_nan(paraboloid_edge_angle(none.x, none.y)));
     const auto off = [](double angle, int size) {  // of an edge along the rim
         const auto texel = [&](double turn) {
             return glm::dvec2(dual_paraboloid_coordinate(glm::dvec3(std::cos(turn), std::sin(turn), 0))) * double(size);
