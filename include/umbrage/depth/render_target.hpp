@@ -53,7 +53,8 @@ using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
 
 }  // namespace detail
 
-/// UNORM channels of 8 or 16 bits. For 10 bits there is only the form below.
+/// UNORM channels of 8 or 16 bits. For 10 bits there is only the form below. A texel has the target's bytes, but three
+/// channels have those of four under GLM_FORCE_DEFAULT_ALIGNED_GENTYPES.
 template <int Bits, int Channels>
 struct unorm_target {
     static_assert(Bits == 8 || Bits == 16, "of 10 bits a channel there is unorm_target<10, 3> alone");

@@ -70,6 +70,7 @@ template <class = detail::on_use>
 
 namespace detail {
 
+/// Floats of a texel, with the one behind a vec3 that GLM_FORCE_DEFAULT_ALIGNED_GENTYPES adds. It is blurred too.
 template <class T>
 inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
 
@@ -198,8 +199,7 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     static_assert(std::is_same_v<std::remove_const_t<From>, T>);
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
                   std::is_same_v<T, glm::vec4>);
-    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float),
-                  "texels must be floats side by side: GLM_FORCE_DEFAULT_ALIGNED_GENTYPES pads and aligns vectors");
+    static_assert(sizeof(T) == channels * sizeof(float), "texels must be floats side by side");
     detail::require_size(to.size, from.size, "blur", "to.size", "from's size");
     detail::require(!kernel.weights.empty(), "blur", "kernel.weights", "one or more", "none",
                     "Make the kernel by make_gaussian_kernel.");
