@@ -23,6 +23,7 @@
 // 1/16 of its half size, a fit gives the map without a warp instead. If that map loses them too, the fit refuses them.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -120,16 +121,23 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map.
+/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map. Sums may be rounded in any
+/// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
 [[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
+    const auto magnitudes = [](glm::mat<4, 4, T> m) {
+        for (glm::length_t i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
+        return m;
+    };
     const glm::mat<4, 4, T> m = light.projection * light.view;
+    const glm::mat<4, 4, T> roundings = magnitudes(light.projection) * magnitudes(light.view);
     const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
     for (const glm::dvec3& p : points) {
-        const glm::vec<4, T> h = m * glm::vec<4, T>(glm::vec<3, T>(p), T(1));
-        const T room = h.w / T(16), most = h.w + room;
-        if (!(h.w > T(0) && glm::abs(h.x) <= most && glm::abs(h.y) <= most && h.z <= most &&
-              h.z >= lowest * h.w - room))
+        const glm::vec<4, T> point(glm::vec<3, T>(p), T(1)), h = m * point;
+        const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * (roundings * glm::abs(point));
+        const T least = h.w - off.w, room = least / T(16), most = least + room;
+        if (!(least > T(0) && glm::abs(h.x) + off.x <= most && glm::abs(h.y) + off.y <= most && h.z + off.z <= most &&
+              h.z - off.z >= lowest * least - room))
             return false;
     }
     return true;
