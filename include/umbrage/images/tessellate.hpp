@@ -150,8 +150,8 @@ private:
 
 /// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
 ///
-/// A tenth of the angle makes up to a hundred times as many triangles. An angle far below paraboloid_edge_angle may make
-/// millions from a single one.
+/// A tenth of the angle makes up to a hundred times as many triangles. An angle far below paraboloid_edge_angle may
+/// make millions from a single one.
 /// @param mesh   triangles with a position that is not finite stay as they are
 /// @param to     settings
 /// @return       the same surface, with the same winding. Triangles that share an edge still do, without gaps, even if
