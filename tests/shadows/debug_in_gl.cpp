@@ -96,7 +96,7 @@ int main() try {
     const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filters::disc{});
     const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filters::pcf_2x2{});
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filters::pcf_2x2{});
-    const shadow soft(shadow_scene::fitted(clip), {200, 300}, filters::pcss{.softness = {0.05f, 0.5f, 8.0f}});
+    const shadow soft(shadow_scene::fitted(clip), {200, 300}, filters::pcss{.softness = {0.05f, 1.0f, 8.0f}});
     const shadow smooth(shadow_scene::fitted(clip), {200, 300}, prefilters::vsm{});
     const shadow sampled(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
     const receivers of;

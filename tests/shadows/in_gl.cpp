@@ -66,7 +66,7 @@ int main(int argc, char** argv) try {
     const auto spot_map = shadow_scene::drawn(spot);
     const auto layers = layers_of(sun, sun_map);
 
-    const filters::pcss contact{.softness = {0.05f, 0.5f, 8.0f}};
+    const filters::pcss contact{.softness = {0.05f, 1.0f, 8.0f}};
     const shadow soft(shadow_scene::fitted(clip), {200, 300}, contact);
     const shadow soft_sun(shadow_scene::cascades(clip), {256, 256}, contact);
     const shadow variance(shadow_scene::spot(clip), {256, 256}, prefilters::vsm{});
