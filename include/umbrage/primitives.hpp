@@ -22,6 +22,7 @@
 #include <umbrage/core/floor_divide.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/line_allocator.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/core/texel_space.hpp>
@@ -43,6 +44,7 @@
 #include <umbrage/filter/blocker/pcss_hardware.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
+#include <umbrage/filter/check.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>

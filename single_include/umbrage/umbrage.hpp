@@ -907,6 +907,7 @@ using unorm_channel = std::conditional_t<Bits == 8, std::uint8_t, std::uint16_t>
 /// @tparam Bits   bits per channel: 8, 10 or 16
 /// @param k       channel, an integer from 0 to n = 2^Bits - 1
 /// @return        about (k + 1/4) / n, with 10 bits down to (k + 1/150) / n; above 1 the store clamps
+/// @edge          other values of k: values that a store clamps, or a NaN
 /// @formula       8 bits: (257 k + 64) / 2^16
 ///                10 bits: (4099 k + 1056) / 2^22, because llvmpipe stores 16 bits and cuts off six of them
 ///                16 bits: min(k + floor(k / 256) / 256 + 1/4, 65536) / 65536
@@ -915,7 +916,8 @@ template <int Bits = 8, real T>
 requires unorm_bits<Bits>
 [[nodiscard]] constexpr T to_unorm(T k) {
     if constexpr (Bits == 16) {
-        const T above = T(static_cast<int>(k * T(1.0 / 256.0))) * T(1.0 / 256.0) + T(0.25);
+        const T byte = k * T(1.0 / 256.0);
+        const T above = T(byte > T(0) && byte < T(256) ? static_cast<int>(byte) : 0) * T(1.0 / 256.0) + T(0.25);
         const T wide = k + above;
         return (wide < T(65536) ? wide : T(65536)) * T(1.0 / 65536.0);
     } else if constexpr (Bits == 10) {
@@ -1138,7 +1140,8 @@ using unorm_texel = std::conditional_t<Channels == 1, unorm_channel<Bits>,
 
 }  // namespace detail
 
-/// UNORM channels of 8 or 16 bits. For 10 bits there is only the form below.
+/// UNORM channels of 8 or 16 bits. For 10 bits there is only the form below. A texel has the target's bytes, but three
+/// channels have those of four under GLM_FORCE_DEFAULT_ALIGNED_GENTYPES.
 template <int Bits, int Channels>
 struct unorm_target {
     static_assert(Bits == 8 || Bits == 16, "of 10 bits a channel there is unorm_target<10, 3> alone");
@@ -1783,7 +1786,7 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel.
-/// @param plane_matrix   from make_plane_matrix
+/// @param plane_matrix   from plane_matrix
 /// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
 /// @param world          point on the surface, world units
 /// @return               slope as from plane_slope
@@ -5902,6 +5905,497 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/pcf/window.hpp
+// Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
+// edges move as smoothly as the receivers do.
+//
+//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
+//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//
+// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
+// takes 9, and 7 x 7 takes 16.
+//
+// A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
+// in proportion to the distance that the kernel has moved.
+// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
+
+namespace umbrage {
+
+/// Largest width of a kernel, in texels.
+inline constexpr int max_window = 15;
+
+/// Row of kernel weights, the same along both axes. Make it with make_window_row.
+struct window_row {
+    int size;                   ///< number of weights
+    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
+    int steps;                  ///< steps per texel
+    float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
+    float scale;              ///< 1 / whole^2
+    double scale_of_doubles;  ///< the same, for T = double
+    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
+
+    /// Weight i, counted from one edge to the other. 0 outside the row.
+    [[nodiscard]] constexpr float weight(int i) const {
+        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
+        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
+    }
+    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
+    /// Distance from a receiver to the farthest point of its texels, in texels. Never attained.
+    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
+};
+
+namespace detail {
+
+[[nodiscard]] constexpr bool is_row_size(int size) { return size >= 1 && size <= max_window; }
+[[nodiscard]] constexpr bool is_row_steps(int steps) {
+    return steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0;
+}
+/// An integer from 1 to 4096.
+[[nodiscard]] constexpr bool is_row_whole(float whole) {
+    return is_finite(whole) && whole >= 1.0f && whole <= 4096.0f &&
+           whole == static_cast<float>(static_cast<int>(whole));
+}
+
+/// True if a row has numbers that make_window_row returns: then its weights are integers from 0 to whole.
+[[nodiscard]] constexpr bool is_made_row(const window_row& row) {
+    if (!is_row_size(row.size) || !is_row_steps(row.steps) || !is_row_whole(row.whole)) return false;
+    if (row.quadratic && (row.size != 2 || row.whole != 4096.0f)) return false;
+    float sum = 0.0f;
+    for (int i = 0; i < row.size; ++i) {
+        if (!is_finite(row.weight(i)) || row.weight(i) < 0.0f) return false;
+        sum += row.weight(i);
+    }
+    const float off = sum * static_cast<float>(row.steps) - row.whole;
+    return off > -0.5f && off < 0.5f;
+}
+
+}  // namespace detail
+
+/// Row of kernel weights for window().
+/// @param size    number of weights, 1 .. 15
+/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
+/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
+///                up to 4096
+/// @throws std::invalid_argument  a parameter outside its range
+[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
+    constexpr auto function = "make_window_row";
+    detail::require(detail::is_row_size(size), function, "size", "from 1 to 15", size);
+    detail::require(detail::is_row_steps(steps), function, "steps", "a power of two from 1 to 256", steps);
+    float sum = 0.0f;
+    for (int i = 0; i < size; ++i) {
+        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
+        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
+        sum += weight;
+    }
+    const float whole = sum * static_cast<float>(steps);
+    detail::require(detail::is_row_whole(whole), function, "the sum of all weights times steps",
+                    "an integer from 1 to 4096", whole);
+    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
+}
+
+/// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param row       from make_window_row, or one of windows.hpp
+/// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
+/// @param weights   receives row.touched() of them
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
+///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
+template <real T>
+constexpr void window_weights(const window_row& row, int moved, T* weights) {
+    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
+    int left = static_cast<int>(row.whole);
+    for (int i = 0; i <= row.size; ++i) {
+        if (i == middle) continue;
+        int weight =
+            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
+        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
+        weights[i] = static_cast<T>(weight);
+        left -= weight;
+    }
+    weights[middle] = static_cast<T>(left);
+}
+
+/// Weighted count of the lit texels under a kernel.
+///
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
+///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param row        from make_window_row
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           0 .. row.whole^2
+///
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0.
+///                   row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
+/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
+///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
+/// @exactness        A: integers up to 2^24
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
+                           Compare is_lit = {}) {
+    const T whole = static_cast<T>(row.whole);
+    if (!in_filter_domain(coord, receiver, is_lit) || !detail::is_row_size(row.size)) return whole * whole;
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    T columns[max_window + 1], rows[max_window + 1];
+    window_weights(row, static_cast<int>(moved.x), columns);
+    window_weights(row, static_cast<int>(moved.y), rows);
+    T sum(0);
+    for (int j = 0; j <= row.size; ++j) {
+        T in_row(0);
+        for (int i = 0; i <= row.size; ++i)
+            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+        sum += rows[j] * in_row;
+    }
+    return sum;
+}
+
+/// Weighted fraction of lit texels under a kernel. Parameters and edge cases as for window_sum.
+/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
+/// @formula       window_sum / row.whole^2
+/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
+/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
+    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
+    if (!(sum < whole * whole)) return T(1);  // the product with a rounded scale might miss 1
+    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
+    else return sum * row.scale;
+}
+
+namespace glsl {
+namespace detail {
+
+/// Number of the parameter that holds a kernel's i-th weight.
+constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
+
+/// Weight of the i-th touched texel, without the floors.
+[[nodiscard]] inline std::string window_weight(int size, int i) {
+    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
+    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+}
+
+[[nodiscard]] inline std::string window_sum_text(int size) {
+    const int middle = size / 2;
+    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
+    std::string text = filled(R"GLSL(
+// umbrage_window_sum$n: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
+UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1)GLSL",
+                              {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ");\n";
+    for (int i = 0; i <= size; ++i)
+        if (i != middle)
+            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
+    for (int i = 1; i <= size; ++i)
+        if (i != middle) append(text, " + w$i", {{'i', i}});
+    // not negative already. The max keeps compilers from regrouping the sum n across it
+    append(text,
+           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+           {{'m', middle}});
+    for (int j = 0; j <= size; j += 2) {
+        for (int i = 0; i <= size; i += 2)
+            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
+        for (int row : {0, 1}) {
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
+            for (int i = 1; i <= size; ++i)
+                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
+            text += ");\n";
+        }
+    }
+    text += "    return compared ? n : whole * whole;\n}\n";
+    return text;
+}
+
+}  // namespace detail
+
+template <int Size>
+inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
+                                    .summary = Size == 3   ? "weighted count of lit texels under a 3x3 kernel"
+                                               : Size == 5 ? "weighted count of lit texels under a 5x5 kernel"
+                                                           : "weighted count of lit texels under a 7x7 kernel",
+                                    .exactness = tier::a,
+                                    .needs = list<&in_filter_domain, &lit_2x2>,
+                                    .source = {detail::window_sum_text, Size}};
+
+inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/windows.hpp
+// Sliding PCF kernels of this library, as functions and as values of one filter.
+//
+//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
+//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
+//
+//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
+//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1. Close to a Gaussian of 1.1 and 1.3 texels
+//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1. Shaders merge them into 9 and 16 filtered comparisons
+//     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
+//     quadratic_b_spline           of 3 x 3 texels, edges without a kink
+//
+// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
+// (tent).
+
+namespace umbrage {
+
+/// Row of tent weights: each differs from its neighbors by one step. All rows here are in sixteenths where that makes
+/// their sum a power of two.
+template <int Size>
+inline constexpr window_row tent_row = [] {
+    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
+    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
+    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
+}();
+
+/// Row of binomial coefficients.
+template <int Size>
+inline constexpr window_row binomial_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
+}();
+
+/// Row of Castano's weights, whose sums are 12 and 52.
+template <int Size>
+inline constexpr window_row castano_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
+}();
+
+/// Row 5 16 22 16 5.
+template <int Size>
+inline constexpr window_row castano_dyadic_row = [] {
+    static_assert(Size == 5);
+    return make_window_row(5, {1.25f, 4, 5.5f});
+}();
+
+/// Row of the quadratic B-spline: weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
+inline constexpr window_row quadratic_b_spline_row = [] {
+    window_row row = make_window_row(2, {8});
+    row.quadratic = true;
+    return row;
+}();
+
+/// PCF under a tent: window() with tent_row. Parameters and result as for window(), without the row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
+}
+/// PCF under a binomial kernel: window() with binomial_row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
+}
+/// PCF under Castano's kernel: window() with castano_row.
+/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @cite        Castano: Shadow mapping summary, part 1, 2013
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
+}
+/// PCF under a kernel close to Castano's, but exact: window() with castano_dyadic_row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
+}
+/// PCF under the quadratic B-spline: window() with quadratic_b_spline_row.
+/// @exactness   A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+/// Shader text of a row: window_sum with the row's numbers, then the scale.
+[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
+                                             std::string_view numbers,
+                                             std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
+    return filled(R"GLSL(
+// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
+    return $s;
+}
+)GLSL",
+                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+}
+
+/// Shader text of a kernel over 3 x 3 texels. before and behind are the neighbors' weights, in 1/4096.
+[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                          std::string_view behind) {
+    return filled(R"GLSL(
+// umbrage_$f: PCF over 3 x 3 texels, $w. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = $b;
+    UMBRAGE_HIGHP vec2 w2 = $e;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+)GLSL",
+                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+}
+
+/// Snippets that a family's texts need, by the size of the kernel.
+template <int Size>
+inline constexpr const auto& window_needs = list<&window_sum<Size>>;
+template <>
+inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
+
+}  // namespace detail
+
+/// GLSL text of tent<size>.
+/// @param size   2, 3 or 7
+[[nodiscard]] inline std::string tent_text(int size) {
+    if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
+    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+}
+template <int Size>
+inline constexpr snippet tent{
+    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
+    .summary = Size == 2 ? "PCF kernel 1 1" : (Size == 3 ? "PCF kernel 1 2 1" : "PCF kernel 1 2 3 4 3 2 1"),
+    .exactness = tier::a,
+    .needs = detail::window_needs<Size>,
+    .source = {tent_text, Size}};
+
+/// GLSL text of binomial<size>.
+/// @param size   5 or 7
+[[nodiscard]] inline std::string binomial_text(int size) {
+    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
+}
+template <int Size>
+inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
+                                  .summary = Size == 5 ? "PCF kernel 1 4 6 4 1" : "PCF kernel 1 6 15 20 15 6 1",
+                                  .exactness = tier::a,
+                                  .needs = detail::window_needs<Size>,
+                                  .source = {binomial_text, Size}};
+
+/// GLSL text of castano<size>.
+/// @param size   5 or 7
+[[nodiscard]] inline std::string castano_text(int size) {
+    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+}
+template <int Size>
+inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
+                                 .summary = Size == 5 ? "PCF kernel 1 3 4 3 1" : "PCF kernel 1 5 12 16 12 5 1",
+                                 .exactness = tier::b,
+                                 .operations = Size == 5 ? 80 : 138,
+                                 .needs = detail::window_needs<Size>,
+                                 .source = {castano_text, Size}};
+
+/// GLSL text of castano_dyadic<5>.
+template <int Size>
+[[nodiscard]] std::string castano_dyadic_text() {
+    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
+}
+template <int Size>
+inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
+                                        .summary = "PCF kernel 5 16 22 16 5",
+                                        .exactness = tier::a,
+                                        .needs = detail::window_needs<Size>,
+                                        .source = castano_dyadic_text<Size>};
+
+/// GLSL text of quadratic_b_spline.
+[[nodiscard]] inline std::string quadratic_b_spline_text() {
+    return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                            "floor(s * s * (1.0 / 32.0))");
+}
+inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
+                                            .summary = "PCF kernel of the quadratic B-spline, 3x3 texels",
+                                            .exactness = tier::a,
+                                            .needs = detail::window_needs<2>,
+                                            .source = quadratic_b_spline_text};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
+struct window {
+    window_row row = tent_row<3>;
+    comparison is_lit{};
+    std::string_view name = "window";
+    const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
+
+    static const std::array<window, 9> values;  ///< kernels of this library
+
+    [[nodiscard]] constexpr float reach() const { return row.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::window(fetch, coord, receiver, row, is_lit);
+    }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
+};
+
+template <int Size>
+inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
+template <int Size>
+inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
+template <int Size>
+inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
+template <int Size>
+inline constexpr window castano_dyadic{
+    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
+inline constexpr window quadratic_b_spline{
+    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
+
+inline constexpr std::array<window, 9> window::values{
+    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
+
+}  // namespace filters
+}  // namespace umbrage
+
 // ---- umbrage/filter/check.hpp
 // Checks of a filter's numbers, for functions that take the filter for many lookups. A filter alone does not check.
 
@@ -5923,6 +6417,10 @@ inline void require_softness(std::string_view function, const penumbra_params& s
             "They are in 1/16 texel: make_penumbra_params computes them.");
 }
 
+inline void require_filter(std::string_view function, const filters::window& filter) {
+    require(is_made_row(filter.row), function, "filter.row", "of make_window_row", filter.row.size,
+            "That is its size; its weights, steps and whole count, too.");
+}
 inline void require_filter(std::string_view function, const filters::disc& filter) {
     require_points(function, filter.points);
 }
@@ -6741,216 +7239,6 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf/window.hpp
-// Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
-// edges move as smoothly as the receivers do.
-//
-//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
-//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
-//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
-//
-// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
-// takes 9, and 7 x 7 takes 16.
-//
-// A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
-// in proportion to the distance that the kernel has moved.
-// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
-
-namespace umbrage {
-
-/// Largest width of a kernel, in texels.
-inline constexpr int max_window = 15;
-
-/// Row of kernel weights, the same along both axes. Make it with make_window_row.
-struct window_row {
-    int size;                   ///< number of weights
-    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
-    int steps;                  ///< steps per texel
-    float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
-    float scale;              ///< 1 / whole^2
-    double scale_of_doubles;  ///< the same, for T = double
-    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
-
-    /// Weight i, counted from one edge to the other. 0 outside the row.
-    [[nodiscard]] constexpr float weight(int i) const {
-        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
-        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
-    }
-    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
-    /// Distance from a receiver to the farthest point of its texels, in texels. Never attained.
-    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
-};
-
-/// Row of kernel weights for window().
-/// @param size    number of weights, 1 .. 15
-/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
-/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
-///                up to 4096
-/// @throws std::invalid_argument  a parameter outside its range
-[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
-    constexpr auto function = "make_window_row";
-    detail::require(size >= 1 && size <= max_window, function, "size", "from 1 to 15", size);
-    detail::require(steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0, function, "steps",
-                    "a power of two from 1 to 256", steps);
-    float sum = 0.0f;
-    for (int i = 0; i < size; ++i) {
-        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
-        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
-        sum += weight;
-    }
-    const float whole = sum * static_cast<float>(steps);
-    const bool integer = whole >= 1.0f && whole <= 4096.0f && whole == static_cast<float>(static_cast<int>(whole));
-    detail::require(integer, function, "the sum of all weights times steps", "an integer from 1 to 4096", whole);
-    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
-}
-
-/// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
-/// @param row       from make_window_row, or one of windows.hpp
-/// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
-/// @param weights   receives row.touched() of them
-/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
-///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
-template <real T>
-constexpr void window_weights(const window_row& row, int moved, T* weights) {
-    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
-    int left = static_cast<int>(row.whole);
-    for (int i = 0; i <= row.size; ++i) {
-        if (i == middle) continue;
-        int weight =
-            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
-        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
-        weights[i] = static_cast<T>(weight);
-        left -= weight;
-    }
-    weights[middle] = static_cast<T>(left);
-}
-
-/// Weighted count of the lit texels under a kernel.
-///
-/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
-///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
-/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
-/// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param row        from make_window_row
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           0 .. row.whole^2
-///
-/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0
-/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
-///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
-/// @exactness        A: integers up to 2^24
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
-                           Compare is_lit = {}) {
-    const T whole = static_cast<T>(row.whole);
-    if (!in_filter_domain(coord, receiver, is_lit)) return whole * whole;
-    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
-    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
-    T columns[max_window + 1], rows[max_window + 1];
-    window_weights(row, static_cast<int>(moved.x), columns);
-    window_weights(row, static_cast<int>(moved.y), rows);
-    T sum(0);
-    for (int j = 0; j <= row.size; ++j) {
-        T in_row(0);
-        for (int i = 0; i <= row.size; ++i)
-            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-        sum += rows[j] * in_row;
-    }
-    return sum;
-}
-
-/// Weighted fraction of lit texels under a kernel. Parameters and edge cases as for window_sum.
-/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
-/// @formula       window_sum / row.whole^2
-/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
-/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
-    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
-    if (!(sum < whole * whole)) return T(1);  // the product with a rounded scale might miss 1
-    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
-    else return sum * row.scale;
-}
-
-namespace glsl {
-namespace detail {
-
-/// Number of the parameter that holds a kernel's i-th weight.
-constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
-
-/// Weight of the i-th touched texel, without the floors.
-[[nodiscard]] inline std::string window_weight(int size, int i) {
-    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
-    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
-}
-
-[[nodiscard]] inline std::string window_sum_text(int size) {
-    const int middle = size / 2;
-    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
-    std::string text = filled(R"GLSL(
-// umbrage_window_sum$n: weighted count of the lit texels under a kernel that slides over the map, an integer
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-//   steps       per texel, a power of two up to 256
-//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
-// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
-UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1)GLSL",
-                              {{'n', size}, {'m', middle}});
-    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text += R"GLSL() {
-    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
-    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
-    text += ");\n";
-    for (int i = 0; i <= size; ++i)
-        if (i != middle)
-            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
-    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
-    for (int i = 1; i <= size; ++i)
-        if (i != middle) append(text, " + w$i", {{'i', i}});
-    // not negative already. The max keeps compilers from regrouping the sum n across it
-    append(text,
-           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
-           {{'m', middle}});
-    for (int j = 0; j <= size; j += 2) {
-        for (int i = 0; i <= size; i += 2)
-            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
-        for (int row : {0, 1}) {
-            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
-            for (int i = 1; i <= size; ++i)
-                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
-            text += ");\n";
-        }
-    }
-    text += "    return compared ? n : whole * whole;\n}\n";
-    return text;
-}
-
-}  // namespace detail
-
-template <int Size>
-inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
-                                    .summary = Size == 3   ? "weighted count of lit texels under a 3x3 kernel"
-                                               : Size == 5 ? "weighted count of lit texels under a 5x5 kernel"
-                                                           : "weighted count of lit texels under a 7x7 kernel",
-                                    .exactness = tier::a,
-                                    .needs = list<&in_filter_domain, &lit_2x2>,
-                                    .source = {detail::window_sum_text, Size}};
-
-inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/pcf/window_hardware.hpp
 // Percentage-closer filtering (PCF) under a sliding kernel by a comparison sampler. One fetch between two texels
 // weights both. It takes 4 fetches for 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
@@ -7091,260 +7379,6 @@ inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, 
                                                            &window_hardware<7>};
 
 }  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/filter/pcf/windows.hpp
-// Sliding PCF kernels of this library, as functions and as values of one filter.
-//
-//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
-//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
-//
-//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
-//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1. Close to a Gaussian of 1.1 and 1.3 texels
-//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1. Shaders merge them into 9 and 16 filtered comparisons
-//     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
-//     quadratic_b_spline           of 3 x 3 texels, edges without a kink
-//
-// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
-// (tent).
-
-namespace umbrage {
-
-/// Row of tent weights: each differs from its neighbors by one step. All rows here are in sixteenths where that makes
-/// their sum a power of two.
-template <int Size>
-inline constexpr window_row tent_row = [] {
-    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
-    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
-    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
-}();
-
-/// Row of binomial coefficients.
-template <int Size>
-inline constexpr window_row binomial_row = [] {
-    static_assert(Size == 5 || Size == 7);
-    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
-}();
-
-/// Row of Castano's weights, whose sums are 12 and 52.
-template <int Size>
-inline constexpr window_row castano_row = [] {
-    static_assert(Size == 5 || Size == 7);
-    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
-}();
-
-/// Row 5 16 22 16 5.
-template <int Size>
-inline constexpr window_row castano_dyadic_row = [] {
-    static_assert(Size == 5);
-    return make_window_row(5, {1.25f, 4, 5.5f});
-}();
-
-/// Row of the quadratic B-spline: weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
-inline constexpr window_row quadratic_b_spline_row = [] {
-    window_row row = make_window_row(2, {8});
-    row.quadratic = true;
-    return row;
-}();
-
-/// PCF under a tent: window() with tent_row. Parameters and result as for window(), without the row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
-}
-/// PCF under a binomial kernel: window() with binomial_row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
-}
-/// PCF under Castano's kernel: window() with castano_row.
-/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
-/// @cite        Castano: Shadow mapping summary, part 1, 2013
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
-}
-/// PCF under a kernel close to Castano's, but exact: window() with castano_dyadic_row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
-}
-/// PCF under the quadratic B-spline: window() with quadratic_b_spline_row.
-/// @exactness   A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
-}
-
-namespace glsl {
-namespace detail {
-
-/// Shader text of a row: window_sum with the row's numbers, then the scale.
-[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
-                                             std::string_view numbers,
-                                             std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
-    return filled(R"GLSL(
-// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map
-// Returns visibility, 1.0 = lit
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
-    return $s;
-}
-)GLSL",
-                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
-}
-
-/// Shader text of a kernel over 3 x 3 texels. before and behind are the neighbors' weights, in 1/4096.
-[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
-                                          std::string_view behind) {
-    return filled(R"GLSL(
-// umbrage_$f: PCF over 3 x 3 texels, $w. Returns visibility, 1.0 = lit
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                               UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
-    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
-    UMBRAGE_HIGHP vec2 r = 256.0 - s;
-    UMBRAGE_HIGHP vec2 w0 = $b;
-    UMBRAGE_HIGHP vec2 w2 = $e;
-    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
-    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
-    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
-    return compared ? n * (1.0 / 16777216.0) : 1.0;
-}
-)GLSL",
-                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
-}
-
-/// Snippets that a family's texts need, by the size of the kernel.
-template <int Size>
-inline constexpr const auto& window_needs = list<&window_sum<Size>>;
-template <>
-inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
-
-}  // namespace detail
-
-/// GLSL text of tent<size>.
-/// @param size   2, 3 or 7
-[[nodiscard]] inline std::string tent_text(int size) {
-    if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
-    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
-    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
-}
-template <int Size>
-inline constexpr snippet tent{
-    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
-    .summary = Size == 2 ? "PCF kernel 1 1" : (Size == 3 ? "PCF kernel 1 2 1" : "PCF kernel 1 2 3 4 3 2 1"),
-    .exactness = tier::a,
-    .needs = detail::window_needs<Size>,
-    .source = {tent_text, Size}};
-
-/// GLSL text of binomial<size>.
-/// @param size   5 or 7
-[[nodiscard]] inline std::string binomial_text(int size) {
-    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
-                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
-}
-template <int Size>
-inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
-                                  .summary = Size == 5 ? "PCF kernel 1 4 6 4 1" : "PCF kernel 1 6 15 20 15 6 1",
-                                  .exactness = tier::a,
-                                  .needs = detail::window_needs<Size>,
-                                  .source = {binomial_text, Size}};
-
-/// GLSL text of castano<size>.
-/// @param size   5 or 7
-[[nodiscard]] inline std::string castano_text(int size) {
-    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
-                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
-                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
-                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
-}
-template <int Size>
-inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
-                                 .summary = Size == 5 ? "PCF kernel 1 3 4 3 1" : "PCF kernel 1 5 12 16 12 5 1",
-                                 .exactness = tier::b,
-                                 .operations = Size == 5 ? 80 : 138,
-                                 .needs = detail::window_needs<Size>,
-                                 .source = {castano_text, Size}};
-
-/// GLSL text of castano_dyadic<5>.
-template <int Size>
-[[nodiscard]] std::string castano_dyadic_text() {
-    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
-}
-template <int Size>
-inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
-                                        .summary = "PCF kernel 5 16 22 16 5",
-                                        .exactness = tier::a,
-                                        .needs = detail::window_needs<Size>,
-                                        .source = castano_dyadic_text<Size>};
-
-/// GLSL text of quadratic_b_spline.
-[[nodiscard]] inline std::string quadratic_b_spline_text() {
-    return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
-                            "floor(s * s * (1.0 / 32.0))");
-}
-inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
-                                            .summary = "PCF kernel of the quadratic B-spline, 3x3 texels",
-                                            .exactness = tier::a,
-                                            .needs = detail::window_needs<2>,
-                                            .source = quadratic_b_spline_text};
-
-}  // namespace glsl
-
-namespace filters {
-
-/// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
-struct window {
-    window_row row = tent_row<3>;
-    comparison is_lit{};
-    std::string_view name = "window";
-    const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
-
-    static const std::array<window, 9> values;  ///< kernels of this library
-
-    [[nodiscard]] constexpr float reach() const { return row.reach(); }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::window(fetch, coord, receiver, row, is_lit);
-    }
-    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
-};
-
-template <int Size>
-inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
-template <int Size>
-inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
-template <int Size>
-inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
-template <int Size>
-inline constexpr window castano_dyadic{
-    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
-inline constexpr window quadratic_b_spline{
-    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
-
-inline constexpr std::array<window, 9> window::values{
-    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
-
-}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/filter/prefiltered/exp2.hpp
@@ -9268,7 +9302,8 @@ template <real T, class Fetch>
 /// @param outside    bordered: everything outside the map is lit. clamped: as at the map's edge. Only the texels of the
 ///                   box that lie inside the map count
 /// @return           visibility: at least the lit fraction of the box, minus bias.x and decode_msm's error
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
+///                   below 0 or NaN: 0; above 32767: 32767
 /// @formula          decode_msm of box_mean / 65535, through from_optimized_moments
 /// @exactness        C, within 1/64 as written
 /// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
@@ -9280,7 +9315,7 @@ template <real T, class Fetch>
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
-    const int reach = static_cast<int>(radius);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
@@ -9417,7 +9452,8 @@ template <real T, class Fetch>
 ///                   box that lie inside the map count
 /// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit
 ///                   fraction
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
+///                   below 0 or NaN: 0; above 32767: 32767
 /// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
 /// @exactness        C, within 1/65536: two divisions, on numbers that do not cancel; d is off by 2^-23 where v is at
 ///                   least 1/64^2
@@ -9428,7 +9464,7 @@ template <real T, class Fetch, class Compare = less_equal>
                                 Compare is_lit = {}, outside_map outside = outside_map::bordered) {
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
-    const int reach = static_cast<int>(radius);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
     const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
                      end = detail::lesser(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);
@@ -10328,7 +10364,7 @@ template <real T>
     const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift(f.shift);
     eight_corners all;
     for (std::size_t i = 0; i < 8; ++i) {
-        const double z(i & 4 ? f.z_far : f.z_near);
+        const auto z = double(i & 4 ? f.z_far : f.z_near);
         const glm::dvec2 half = size + z * tangents;
         const glm::dvec2 at = glm::dvec2(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y) + shift * z;
         all[i] = glm::dvec3(f.position) + axes * glm::dvec3(at, z);
@@ -10657,8 +10693,9 @@ template <real T = float>
 
 /// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
 /// It holds inside the circle and the border.
-/// @param map_size, border   values of the light
+/// @param map_size, border   values of a light, as make_dual_paraboloid_light takes them
 /// @return                   angle from end to end, radians
+/// @edge                     map_size of 2 border or less, which no light has: NaN
 /// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
 ///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
 template <real T = float>
@@ -12463,8 +12500,28 @@ template <class = detail::on_use>
 
 namespace detail {
 
+/// Floats of a texel, with the one behind a vec3 that GLM_FORCE_DEFAULT_ALIGNED_GENTYPES adds. It is blurred too.
 template <class T>
 inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
+
+/// True if two views of one size have a texel in common. Tiles of one atlas have none.
+inline bool overlap(image_view<const float> a, image_view<const float> b) {
+    const auto place = [](const void* texel) { return reinterpret_cast<std::uintptr_t>(texel); };
+    const auto lowest = [&](const auto& v) { return place(v.row(v.stride < 0 ? v.size.y - 1 : 0)); };
+    const auto rows = static_cast<std::uintptr_t>(a.size.y), row_bytes = place(a.data + a.size.x) - place(a.data);
+    const auto pitch = [&](const auto& v) {
+        return rows == 1 ? row_bytes : static_cast<std::uintptr_t>(v.stride < 0 ? -v.stride : v.stride);
+    };
+    const std::uintptr_t first_a = lowest(a), pitch_a = pitch(a), first_b = lowest(b), pitch_b = pitch(b);
+    for (std::uintptr_t y = 0; y < rows; ++y) {
+        const std::uintptr_t row = first_a + y * pitch_a;
+        if (row + row_bytes <= first_b) continue;
+        // the last row of b that begins before the end of this one
+        const std::uintptr_t last = lesser((row + row_bytes - first_b - 1) / pitch_b, rows - 1);
+        if (first_b + last * pitch_b + row_bytes > row) return true;
+    }
+    return false;
+}
 
 /// 64 weighted sums. tap(i) points to the first value at distance i, with i from -radius to radius.
 template <class Tap, std::size_t... I>
@@ -12559,10 +12616,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 /// Blurs along y, then along x. Outside the image, its border is repeated.
 ///
 /// @param from      texels of float, vec2, vec3 or vec4
-/// @param to        same size and type, other pixels
+/// @param to        same size and type, and no texel of `from`; it may be another tile of one atlas
 /// @param kernel    1 weight or more
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, same pixels, or no weights
+/// @throws std::invalid_argument  sizes differ, common texels, or no weights
 /// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
 /// @exactness       B: every instruction set and any pieces give the bits of the written order. The compiler must not
 ///                  fuse multiplications and additions (-march with FMA needs -ffp-contract=off)
@@ -12572,15 +12629,15 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     static_assert(std::is_same_v<std::remove_const_t<From>, T>);
     static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
                   std::is_same_v<T, glm::vec4>);
-    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
+    static_assert(sizeof(T) == channels * sizeof(float), "texels must be floats side by side");
     detail::require_size(to.size, from.size, "blur", "to.size", "from's size");
     detail::require(!kernel.weights.empty(), "blur", "kernel.weights", "one or more", "none",
                     "Make the kernel by make_gaussian_kernel.");
     if (from.empty()) return;
-    detail::require(from.data != to.data, "blur", "to", "an image of its own", "the pixels of from");
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
+    detail::require(!detail::overlap(floats_from, floats_to), "blur", "to", "an image of its own", "pixels of from");
     parallel(size.y,
              [&](int first, int last) { detail::blur_rows(floats_from, floats_to, kernel, channels, first, last); });
 }
@@ -12614,7 +12671,7 @@ struct depth_span {
 
 /// Smallest and largest depth of an image.
 /// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, are skipped
-/// @param cleared    cleared depth: 1, or 0 where depth is reversed
+/// @param cleared    cleared depth: 1, or 0 where depth is reversed. Compared by the bits: -0 is not +0
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @exactness        A: selects, never computes
 /// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
@@ -14508,11 +14565,12 @@ namespace umbrage {
 /// @param light      from make_dual_paraboloid_light
 /// @param map        0 or 1
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  as rasterize_depth
+/// @throws std::invalid_argument  another map; as rasterize_depth
 /// @exactness        vertices C: square roots in double. Then as rasterize_depth
 template <class ParallelFor = serial>
 void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
                                ParallelFor&& parallel = {}) {
+    detail::require(map == 0 || map == 1, "rasterize_dual_paraboloid", "map", "0 or 1", map);
     const glm::dvec3 position = -glm::dvec3(light.view[3]);
     const glm::dmat4 projection(light.projection);
     std::vector<glm::vec3> placed;
@@ -15084,7 +15142,8 @@ template <real T>
 [[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
     const glm::dmat3 axes = detail::axes(f, "sphere_around");
     const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
-    const double n(f.z_near), z_far(f.z_far), t = tangents.x * tangents.x + tangents.y * tangents.y;
+    const auto n = double(f.z_near), z_far = double(f.z_far);
+    const double t = tangents.x * tangents.x + tangents.y * tangents.y;
     const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
     const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
     // the point equally far from near and far corners without a shift, then the shift's contribution
@@ -15148,7 +15207,7 @@ public:
     template <real T>
     convex_body(const frustum<T>& f) {
         const glm::dmat3 axes = detail::axes(f, "polyhedron");
-        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto x = double(f.tan_half_x), y = double(f.tan_half_y);
         const glm::dvec2 shift(f.shift), size(f.half_size);
         const auto plane = [&](glm::dvec3 normal, double offset) {
             const glm::dvec3 n = axes * normal;
@@ -15216,7 +15275,7 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
     template <real T>
     rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
     template <real T>
@@ -15430,6 +15489,7 @@ template <real T>
     constexpr auto function = "choose_light";
     detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
     detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
+    detail::require(terms.map_size.x >= 1 && terms.map_size.y >= 1, function, "map_size", "above 0", terms.map_size);
     detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
     detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
     light_choice choice{before, {}};
@@ -15933,7 +15993,7 @@ template <class ParallelFor = serial>
 /// @param table, of   from make_moment_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without two halves; radius below 0 or above the table's
@@ -18163,7 +18223,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param filter      one of filters::, whose is_lit is set to the encoding's direction. Or any callable
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
@@ -18848,7 +18908,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 /// @param encoding    encoding of the atlas' texels, with the depth direction. Its edge decides ties
 /// @param receivers   (x, y) from 1 to 2 across the root, z depth with the bias already applied
 /// @param filter      as for visibility of a single map. It does not read beyond a page and its gutter
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the atlas
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @edge              receiver without a page, or outside the root: lit
 /// @throws std::invalid_argument  sizes differ; table sides are not a power of two plus 2; a slot is outside the
@@ -19102,7 +19162,7 @@ UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_wa
 /// @param receivers   with the slopes of their planes
 /// @param filter      as for visibility of receivers without planes. Your own callables, filters::four_tap and
 ///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
@@ -19502,7 +19562,7 @@ void decode_image(image_view<const typename Prefilter::texel> map, const Prefilt
 
 /// Moments of an image of depths.
 /// @param depth      in [0, 1]; clamped, NaN counts as far
-/// @param texels     receives the moments; same size
+/// @param texels     receives the moments; same size, other memory
 /// @param filter     one of prefilters::, or any type with texel and encode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ; a filter's number out of range
@@ -19566,7 +19626,7 @@ template <class Texel, class ParallelFor = serial>
 /// @param map        the filter's texels, blurred
 /// @param filter     same as for encode_moments
 /// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
-/// @param out        receives visibility, 1 lit; same size as receivers
+/// @param out        receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
@@ -19732,6 +19792,8 @@ private:
 
 /// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
 ///
+/// A tenth of the angle makes up to a hundred times as many triangles. An angle far below paraboloid_edge_angle may
+/// make millions from a single one.
 /// @param mesh   triangles with a position that is not finite stay as they are
 /// @param to     settings
 /// @return       the same surface, with the same winding. Triangles that share an edge still do, without gaps, even if
@@ -19870,7 +19932,7 @@ template <class ParallelFor = serial>
 /// @param table, of   from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
-/// @param out         receives visibility, 1 lit; same size as receivers
+/// @param out         receives visibility, 1 lit; same size as receivers, other memory than these
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
 /// @param outside     bordered: everything outside the map is lit. clamped: as at the map's edge
 /// @throws std::invalid_argument  sizes differ; a table without texels; bits out of range; radius below 0 or above the
@@ -20220,7 +20282,9 @@ namespace detail {
 template <real T>
 [[nodiscard]] glm::vec<2, T> fade_of(T begin, T end, T fade) {
     const T width = fade * (end - begin);
-    return width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+    const auto terms = width > T(0) ? glm::vec<2, T>(T(1) / width, T(1) - end / width) : glm::vec<2, T>(T(0));
+    require(all_finite(terms), "make_cascade_uniforms", "fade", "0, or large enough for finite uniforms", fade);
+    return terms;
 }
 
 template <real T>
@@ -20244,13 +20308,11 @@ template <real T, class Cascade, std::size_t Count>
 /// Columns of scales and offsets for up to four cascades. Columns without a cascade contain no point.
 template <real T>
 void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>& scales, glm::mat<4, 4, T>& offsets) {
-    scales = offsets = glm::mat<4, 4, T>(T(0));
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (static_cast<std::size_t>(i) >= cascades.size()) {
-            offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+    scales = glm::mat<4, 4, T>(T(0));
+    for (glm::length_t i = 0; i < 4; ++i) offsets[i] = {T(65536), T(65536), T(0), T(0)};
+    for (std::size_t k = 0; k < cascades.size() && k < 4; ++k) {
+        const cascade<T>& c = cascades[k];
+        const auto i = static_cast<glm::length_t>(k);
         const glm::vec<2, T> fades = fade_of(c.begin, c.end, fade);
         scales[i] = glm::vec<4, T>(glm::vec<3, T>(c.scale), fades.x);
         offsets[i] = glm::vec<4, T>(glm::vec<3, T>(c.offset), fades.y);
@@ -20264,7 +20326,7 @@ void set_columns(std::span<const cascade<T>> cascades, T fade, glm::mat<4, 4, T>
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large
 /// @return           uniforms. With fewer than four cascades, no point falls into a missing one by depth or projection
-/// @throws std::invalid_argument  fade out of range
+/// @throws std::invalid_argument  fade out of range, or too small for finite uniforms
 template <real T, std::size_t Count>
 requires(Count >= 1 && Count <= 4)
     [[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
@@ -20402,16 +20464,23 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map.
+/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map. Sums may be rounded in any
+/// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
 [[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
+    const auto magnitudes = [](glm::mat<4, 4, T> m) {
+        for (glm::length_t i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
+        return m;
+    };
     const glm::mat<4, 4, T> m = light.projection * light.view;
+    const glm::mat<4, 4, T> roundings = magnitudes(light.projection) * magnitudes(light.view);
     const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
     for (const glm::dvec3& p : points) {
-        const glm::vec<4, T> h = m * glm::vec<4, T>(glm::vec<3, T>(p), T(1));
-        const T room = h.w / T(16), most = h.w + room;
-        if (!(h.w > T(0) && glm::abs(h.x) <= most && glm::abs(h.y) <= most && h.z <= most &&
-              h.z >= lowest * h.w - room))
+        const glm::vec<4, T> point(glm::vec<3, T>(p), T(1)), h = m * point;
+        const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * (roundings * glm::abs(point));
+        const T least = h.w - off.w, room = least / T(16), most = least + room;
+        if (!(least > T(0) && glm::abs(h.x) + off.x <= most && glm::abs(h.y) + off.y <= most && h.z + off.z <= most &&
+              h.z - off.z >= lowest * least - room))
             return false;
     }
     return true;
@@ -20574,7 +20643,7 @@ struct warped_cascade_uniforms {
 /// @param map_size   size of each map, texels
 /// @param fade       fraction of each cascade over which it fades into the next one, 0 to 1. The last one fades to lit.
 ///                   cascade_fit::overlap must be at least as large
-/// @throws std::invalid_argument  map_size below 1; fade out of range
+/// @throws std::invalid_argument  map_size below 1; fade out of range, or too small for finite uniforms
 template <real T, std::size_t Count>
 [[nodiscard]] warped_cascade_uniforms<T, Count> make_cascade_uniforms(
     const std::array<warped_cascade<T>, Count>& cascades, glm::ivec2 map_size, T fade) {
@@ -20696,7 +20765,7 @@ template <real T = float>
     light_space<T> space{
         detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const double edge = std::tan(double(angle)), closest(fit.z_near);
+    const double edge = std::tan(double(angle)), closest = double(fit.z_near);
 
     const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
@@ -20707,7 +20776,7 @@ template <real T = float>
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
-    const double share(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
+    const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
     double z_near = low.z;
     if (fit.casters)
         z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
@@ -20786,7 +20855,7 @@ template <real T>
             from.z_near);
     if (!given(fit.receivers, function).points.empty()) return completed(fit, hull(), function);
     (void)look_along(from.position, fit.direction, glm::vec<3, T>(0), fit.clip.hand, function, "from.position");
-    const double closest(from.z_near);
+    const auto closest = double(from.z_near);
     const frustum<double> ahead{.position = glm::dvec3(from.position),
                                 .direction = glm::dvec3(fit.direction),
                                 .z_near = 2.0 * closest,
@@ -25442,8 +25511,8 @@ struct adaptive_maps {
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
     /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
-    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page that
-    ///                                page_light refuses, or of more than 32768 texels
+    /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page size that
+    ///                                page_light refuses
     template <real T>
     adaptive_maps(const light_space<T>& space, const page_cache& cache, page_size of = {})
         : root(detail::in_double(space)), size(of) {
@@ -25453,7 +25522,6 @@ struct adaptive_maps {
                         "8 x 8 or fewer", budget.slots, instead);
         detail::require(budget.deepest_level <= deepest_level, function, "cache.deepest_level", "4 or less",
                         budget.deepest_level, instead);
-        detail::require(size.texels <= 32768, function, "of.texels", "32768 or less", size.texels);
         static_cast<void>(page_light(root, umbrage::page{}, size));  // checks the size
         cache.for_each([&](const page& p, glm::ivec2 slot) { pages.push_back({p, slot}); });
     }
@@ -25649,7 +25717,8 @@ struct cascaded_maps {
         static_assert(Count >= 1 && Count <= 8, "a shadow takes one to eight cascades");
         detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
         for (const cascade<T>& c : all)
-            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), c.begin, c.end});
+            cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), double(c.begin),
+                                double(c.end)});
     }
 
     using uniforms = detail::cascade_block<Groups>;
@@ -25658,14 +25727,16 @@ struct cascaded_maps {
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
-    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    /// @throws std::invalid_argument  no cascade, or more than there are maps
+    [[nodiscard]] clip_space clip() const { return nearest().light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const cascade<double>& c : cascades) all.push_back(c.light);
         return all;
     }
+    /// @throws std::invalid_argument  as clip()
     [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
-        const glm::dmat4 rotation = cascades.front().light.view;
+        const glm::dmat4 rotation = nearest().light.view;
         const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
@@ -25742,6 +25813,14 @@ struct cascaded_maps {
         glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
                    &glsl::cascade_coordinate, &glsl::inside_cascade, &glsl::cascade_border_fade, &glsl::blend_cascades,
                    &glsl::cascade_tile>;
+
+private:
+    [[nodiscard]] const cascade<double>& nearest() const {
+        detail::require(!cascades.empty() && cascades.size() <= 4 * Groups, "shadow", "light.cascades.size()",
+                        Groups == 1 ? "from 1 to 4" : "from 1 to 8", cascades.size(),
+                        "A setup that was moved from has none.");
+        return cascades.front();
+    }
 };
 
 template <real T, std::size_t Count>
@@ -25770,7 +25849,7 @@ struct cube_maps {
 
     template <real T>
     explicit cube_maps(const point_light<T>& l)
-        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
         static_cast<void>(make_point_light(light));  // checks the light
     }
 
@@ -26124,10 +26203,13 @@ struct shadow_uniforms {
 namespace detail {
 
 /// Checks the clip space, the map size and the filter of a shadow.
+/// @param grid   arrangement of the maps, whose size together must be an int
 template <class Filter>
-void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
+void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter, map_grid grid = {}) {
     require_given(clip, "shadow", "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
+            "such that all maps together have less than 2^31 texels a side", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
@@ -26181,15 +26263,16 @@ public:
     /// @param map_size   size of one map, texels, each >= 1
     /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
-    /// @throws std::invalid_argument  a light whose clip space is unset. A map_size below 1, less than twice the
-    ///                                filter's reach, or refused by the setup. A filter's number out of range
+    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
+    ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
+    ///                                filter's number out of range
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
         : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
         detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        detail::require_shadow(set_up_.clip(), map_size, filter_);
+        detail::require_shadow(set_up_.clip(), map_size, filter_, SetUp::grid);
         if constexpr (requires { set_up_.require_reach(0.0f); }) set_up_.require_reach(detail::reach_of(filter_));
         uniforms_ = uniforms();
     }
@@ -26257,7 +26340,7 @@ public:
     /// Visibility of an image of receivers.
     /// @param points, normals   images of one size, with world and normal of operator()
     /// @param map               image of size(), texels of the encoding
-    /// @param out               receives visibility, 1 lit; same size as points
+    /// @param out               receives visibility, 1 lit; same size as points, other memory than the map
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
     /// @throws std::invalid_argument  images of different sizes; a map of another size
     template <class ParallelFor = serial>
@@ -26539,7 +26622,7 @@ template <class SetUp, class Filter, class Encoding>
     else {
         const decoding_error both = encoding.error();
         float tolerance = 0x1p-18f;
-        while (double(tolerance) < 2.0 * (both.below + both.above + bends_of<SetUp>().error) + 0x1p-19)
+        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>().error)) + 0x1p-19)
             tolerance *= 2.0f;
         return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
     }
@@ -26909,7 +26992,7 @@ struct paraboloid_maps {
 
     template <real T>
     explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
-        : light{glm::dvec3(l.position), l.range, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.range), l.map_size, l.border, l.clip} {
         static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
     }
 
@@ -26999,7 +27082,7 @@ struct tetrahedron_map {
 
     template <real T>
     explicit tetrahedron_map(const tetrahedron_light<T>& l)
-        : light{glm::dvec3(l.position), l.z_near, l.z_far, l.map_size, l.border, l.clip} {
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
         static_cast<void>(make_tetrahedron_light(light));  // checks the light
     }
 
@@ -27110,7 +27193,7 @@ struct warped_maps {
     /// @throws std::invalid_argument  a camera direction of zero or not finite; a share out of range
     template <real T, std::size_t Count>
     warped_maps(const std::array<warped_cascade<T>, Count>& all, const frustum<T>& camera, T share = T(0))
-        : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(share) {
+        : position(camera.position), axis(glm::normalize(glm::dvec3(camera.direction))), fade(double(share)) {
         static_assert(Count >= 1 && Count <= 4, "a shadow takes one to four warped cascades");
         detail::require(detail::all_finite(axis), "warped_maps", "camera.direction", "finite and not zero",
                         camera.direction);
@@ -27133,13 +27216,19 @@ struct warped_maps {
     static constexpr outside_map outside = outside_map::bordered;
     static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
-    [[nodiscard]] clip_space clip() const { return cascades.front().light.clip; }
+    /// @throws std::invalid_argument  no cascade, or more than there are maps
+    [[nodiscard]] clip_space clip() const {
+        require_cascades();
+        return cascades.front().light.clip;
+    }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const warped_cascade<double>& c : cascades) all.push_back(c.light);
         return all;
     }
+    /// @throws std::invalid_argument  as clip()
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
         u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, origin - position)));
@@ -27200,6 +27289,12 @@ struct warped_maps {
     static constexpr const auto& needs =
         glsl::list<&glsl::shadow_coordinate, &glsl::project_coordinate, &glsl::receiver_slope, &glsl::cascade_by_depth,
                    &glsl::cascade_column, &glsl::cascade_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+
+private:
+    void require_cascades() const {
+        detail::require(!cascades.empty() && cascades.size() <= 4, "shadow", "light.cascades.size()", "from 1 to 4",
+                        cascades.size(), "A setup that was moved from has none.");
+    }
 };
 
 /// Refuses an array of warped cascades, which lacks its camera.
