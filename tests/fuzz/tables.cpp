@@ -148,10 +148,20 @@ void box_table(fuzz::input& in, image_view<const float> map, Table of, const Mak
     for (const float v : out.texels()) fuzz::must(v >= 0.0f && v <= 1.0f, "a visibility lies within 0 and 1");
 }
 
+/// A prefilter with numbers of its own, now and then such as functions over images refuse.
+template <class Prefilter>
+void vary(fuzz::input& in, Prefilter& filter) {
+    if constexpr (requires { filter.settings; }) filter.settings.exponent = in.number(0, 63);
+    else if constexpr (requires { filter.parameters; }) filter.parameters.exponents.x = in.number(0, 55);
+    else if constexpr (requires { filter.bias; }) filter.bias = {in.number(0, 1), in.number(0, 1)};
+    else filter.min_variance = in.number(0, 1);
+}
+
 template <class Prefilter>
 void prefiltered(fuzz::input& in, image_view<const float> map, Prefilter filter) {
     using texel = typename Prefilter::texel;
     filter.direction = in.chance(2) ? depth_direction::forward : depth_direction::reversed;
+    if (in.chance(4)) vary(in, filter);
     image<texel> texels(map.size);
     encode_moments(map, texels, filter, fuzz::pieces(in));
     const auto equal = [](const texel& a, const texel& b) { return std::memcmp(&a, &b, sizeof a) == 0; };

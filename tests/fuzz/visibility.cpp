@@ -98,9 +98,27 @@ void along_planes(fuzz::input& in, image_view<const float> depths, const receive
         [&](glm::ivec2 p) { return glm::vec2(all.slope_x[p], all.slope_y[p]); });
 }
 
-/// A filter with settings of its own.
+/// Calls a filter alone, which takes any numbers.
+template <class Filter>
+Filter alone_first(fuzz::input& in, const Filter& filter) {
+    const auto map = [](glm::ivec2 t) { return static_cast<float>((t.x ^ t.y) & 15) / 15.0f; };
+    const float one =
+        detail::filtered(filter, map, {in.number(-9, 9), in.number(-9, 9)}, in.number(0, 1), glm::ivec2(3));
+    fuzz::must(one >= 0.0f && one <= 1.0f, "a visibility of any numbers lies within 0 and 1");
+    return filter;
+}
+
+/// A filter with settings of its own, now and then such as functions over images refuse.
 template <class Filter>
 Filter varied(fuzz::input& in, Filter filter) {
+    if (in.chance(8)) {
+        if constexpr (requires { filter.points; }) filter.points = 8 * in.within(-1, 5);
+        if constexpr (requires { filter.softness.per_code; })
+            filter.softness = {in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
+        else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.number(-1, 6);
+        else if constexpr (requires { filter.row; }) filter.row.size = in.within(-1, 99);
+        return alone_first(in, filter);
+    }
     if constexpr (requires { filter.softness.per_code; })
         filter.softness = {in.tame(0, 1), static_cast<float>(in.within(0, 32)), static_cast<float>(in.within(32, 128))};
     else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.tame(0, 6);
