@@ -44,13 +44,19 @@ void try_shadow(fuzz::input& in, const auto& of) {
 }
 
 void with_filter(fuzz::input& in, const auto& light, glm::ivec2 map_size) {
-    switch (in.within(0, 4)) {
+    switch (in.within(0, 5)) {
         case 0: return try_shadow(in, shadow(light, map_size, filters::hard{}));
         case 1: return try_shadow(in, shadow(light, map_size, filters::tent<3>, rg<11>{}));
         case 2: return try_shadow(in, shadow(light, map_size, filters::box{in.within(0, 3)}));
         case 3:
             return try_shadow(in,
                               shadow(light, map_size, filters::disc{.points = 8, .radius_texels = in.number(0, 4)}));
+        case 4: {
+            const float low = static_cast<float>(in.within(-1, 32));
+            const penumbra_params soft{in.number(0, 1), low, low + static_cast<float>(in.within(-1, 64))};
+            return try_shadow(in,
+                              shadow(light, map_size, filters::pcss{.points = 8 * in.within(0, 4), .softness = soft}));
+        }
         default: return try_shadow(in, shadow(light, map_size, filters::castano<5>, depth32f{}));
     }
 }
