@@ -4855,8 +4855,8 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   from disc_rotation
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
-/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to either
-///                   side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
+///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
@@ -4999,8 +4999,8 @@ template <int Points, real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness out
-///                   of range or NaN: from 0 to 1
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
+///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A
@@ -6025,8 +6025,8 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           0 .. row.whole^2
 ///
-/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0.
-///                   row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver:
+///                   0. row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
 /// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
 ///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
 /// @exactness        A: integers up to 2^24
@@ -25422,8 +25422,8 @@ struct map_grid {
 /// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
 ///
 /// Three kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup
-/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue beyond
-/// their border by a number of texels has require_reach(reach), which refuses filters that read farther.
+/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue
+/// beyond their border by a number of texels has require_reach(reach), which refuses filters that read farther.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,

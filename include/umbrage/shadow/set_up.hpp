@@ -85,8 +85,8 @@ struct map_grid {
 /// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
 ///
 /// Three kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup
-/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue beyond
-/// their border by a number of texels has require_reach(reach), which refuses filters that read farther.
+/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue
+/// beyond their border by a number of texels has require_reach(reach), which refuses filters that read farther.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
     requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,

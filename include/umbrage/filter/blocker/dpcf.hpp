@@ -48,8 +48,8 @@ template <int Points, real T>
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness out
-///                   of range or NaN: from 0 to 1
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
+///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
 /// @exactness        A

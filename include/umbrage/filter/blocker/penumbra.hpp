@@ -120,8 +120,8 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param rotation   from disc_rotation
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
-/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to either
-///                   side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
+///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,

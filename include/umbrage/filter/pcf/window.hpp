@@ -130,8 +130,8 @@ constexpr void window_weights(const window_row& row, int moved, T* weights) {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           0 .. row.whole^2
 ///
-/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver: 0.
-///                   row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver:
+///                   0. row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
 /// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
 ///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
 /// @exactness        A: integers up to 2^24
