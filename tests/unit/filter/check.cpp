@@ -4,17 +4,16 @@
 // alone gives an answer.
 #include <doctest/doctest.h>
 
-#include <limits>
 #include <stdexcept>
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/check.hpp>
 
+#include "../special_values.hpp"
+
 using namespace umbrage;
 
 namespace {
-
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
 
 /// True if a filter's numbers pass.
 bool passes(const auto& filter) {
@@ -55,13 +54,13 @@ TEST_CASE_TEMPLATE("check: a disc has 8, 16 or 32 points; alone, any other numbe
 TEST_CASE_TEMPLATE("check: a softness is what make_penumbra_params makes", Filter, filters::pcss, filters::dpcf) {
     const auto of = [](float per_code, float low, float high) { return Filter{.softness = {per_code, low, high}}; };
     for (const float per_code : {0.0f, 0.06f, 4096.0f}) CHECK(passes(of(per_code, 16, 96)));
-    for (const float bad : {-0.06f, 4097.0f, 1e30f, nan32, inf}) CHECK_FALSE(passes(of(bad, 16, 96)));
+    for (const float bad : {-0.06f, 4097.0f, 1e30f, nan32, inf32}) CHECK_FALSE(passes(of(bad, 16, 96)));
     CHECK(passes(of(0.06f, 0, 0)));
     CHECK(passes(of(0.06f, 4095, 4095)));
     for (const glm::vec2 bad :
          {glm::vec2(96, 16), {-1, 16}, {-5, -3}, {1.5f, 96}, {16, 96.25f}, {16, 4096}, {16, 1e9f}})
         CHECK_FALSE(passes(of(0.06f, bad.x, bad.y)));
-    for (const float bad : {nan32, inf, -inf}) {
+    for (const float bad : {nan32, inf32, -inf32}) {
         CHECK_FALSE(passes(of(0.06f, bad, 96)));
         CHECK_FALSE(passes(of(0.06f, 16, bad)));
     }
@@ -72,7 +71,7 @@ TEST_CASE_TEMPLATE("check: a softness is what make_penumbra_params makes", Filte
 }
 
 TEST_CASE_TEMPLATE("check: alone, any softness gives a visibility", Filter, filters::pcss, filters::dpcf) {
-    const float odd[]{nan32, -nan32, inf, -inf, 0.0f, -1.0f, 0.06f, 7.25f, 96.0f, 1e9f, -1e30f, 3e38f};
+    const float odd[]{nan32, -nan32, inf32, -inf32, 0.0f, -1.0f, 0.06f, 7.25f, 96.0f, 1e9f, -1e30f, 3e38f};
     for (const float per_code : odd)
         for (const float low : odd)
             for (const float high : odd)
@@ -87,7 +86,7 @@ TEST_CASE("check: alone, any rotation gives a visibility, that of the first wher
     const image<float> map = step();
     const glm::vec2 at(19.7f, 20.2f);
     const glm::vec3 soft(0.06f, 16, 96);
-    for (const glm::vec2 odd : {glm::vec2(nan32), {inf, 0}, {0, -inf}, {1e30f, 0}, {64, 65}, {nan32, 64}}) {
+    for (const glm::vec2 odd : {glm::vec2(nan32), {inf32, 0}, {0, -inf32}, {1e30f, 0}, {64, 65}, {nan32, 64}}) {
         CHECK(disc<16>(bordered(map), at, 0.5f, 3.0f, odd) ==
               disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec2(64, 0)));
         CHECK(pcss<16>(bordered(map), at, 0.5f, soft, odd) ==

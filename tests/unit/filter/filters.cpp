@@ -5,18 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <set>
 #include <string_view>
 
 #include <umbrage/filter/filters.hpp>
 
+#include "../special_values.hpp"
+
 using namespace umbrage;
 
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
 
 /// The filter for a direction, where it can take one.
 template <class Filter>
@@ -99,10 +98,10 @@ TEST_CASE("filters: beyond the far plane all is lit, NaN is in shadow, and coord
             const glm::vec2 coord(5.3f, 7.9f);
             CHECK(filter(nearest, coord, 0.5f) == 0.0f);
             CHECK(filter(nearest, coord, cleared_depth(direction)) == 0.0f);  // on the far plane, not beyond
-            for (const float beyond : {1.125f, std::nextafter(1.0f, 2.0f), inf})
+            for (const float beyond : {1.125f, std::nextafter(1.0f, 2.0f), inf32})
                 CHECK(filter(nearest, coord, forward ? beyond : 1.0f - beyond) == 1.0f);
             if (filter.name != "pcf_2x2_dx_sdk") CHECK(filter(nearest, coord, nan32) == 0.0f);
-            for (const float outside : {40000.0f, -inf, nan32})
+            for (const float outside : {40000.0f, -inf32, nan32})
                 CHECK(filter(nearest, glm::vec2(1.0f, outside), 0.5f) == 1.0f);
         });
 }
