@@ -184,7 +184,7 @@ inline void require_filter(std::string_view function, const prefilters::esm& fil
 }
 
 /// Refuses what make_evsm refuses, of the first `count` powers.
-inline void require_evsm(std::string_view function, const evsm_parameters& parameters, int count) {
+inline void require_evsm(std::string_view function, const evsm_parameters& parameters, glm::length_t count) {
     for (glm::length_t i = 0; i < count; ++i) {
         require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
         require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
