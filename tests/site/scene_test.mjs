@@ -90,11 +90,16 @@ await visit(async ({ open, check, picture, axe }) => {
     check(first.receivers > 1e5 && first.different === 0, `${first.different} of ${first.receivers} pixels differ`);
     check(first.lines.includes('umbrage_tent3'), 'the lines are those of the default filter');
 
+    // each change waits for C++, whose answer could else be taken for that of the next change
+    const after = async change => {
+        await forget(page);
+        await change();
+        await answer(page);
+        return seen(page);
+    };
+
     // a filter changes picture, lines and address; the address brings all of it back
-    await forget(page);
-    await page.selectOption('#set-filter', 'hard');
-    await answer(page);
-    const hard = await seen(page);
+    const hard = await after(() => page.selectOption('#set-filter', 'hard'));
     check(hard.different === 0 && hard.picture !== first.picture, 'another filter makes another picture');
     check(hard.lines.includes('umbrage_hard') && !hard.lines.includes('tent3'), 'and other lines');
     await page.waitForURL(/filter=hard/);
@@ -114,20 +119,12 @@ await visit(async ({ open, check, picture, axe }) => {
     const middle = await at();
     await page.locator('#divider').press('PageUp');
     check(await at() > middle, 'the divider moves');
-    for (const view of ['difference', 'texels', 'map']) {
+    for (const view of ['difference', 'texels', 'map', 'both']) {
         const before = (await seen(page)).picture;
-        await page.check(`input[value=${view}]`);
-        await page.waitForFunction(old => document.querySelector('#picture').toDataURL() !== old, before);
+        check((await after(() => page.check(`input[value=${view}]`))).picture !== before, `another picture to see: ${view}`);
     }
-    await page.check('input[value=both]');
 
     // pages: those that the view needs, in colors of their own, equal to C++
-    const after = async change => {
-        await forget(page);
-        await change();
-        await answer(page);
-        return seen(page);
-    };
     check((await after(() => page.check('input[value=texels]'))).maps === 1, 'the sun has one map');
     const plain = await hues(page), pages = await after(() => page.selectOption('#set-light', 'adaptive_pages')), colored = await hues(page);
     check(pages.different === 0 && pages.maps > 20 && pages.maps <= 64, `${pages.maps} pages, ${pages.different} pixels differ`);
@@ -151,7 +148,7 @@ await visit(async ({ open, check, picture, axe }) => {
         '&yaw=-40&distance=1.3&azimuth=-40&elevation=33', { width: 390 });
     await answer(packed);
     check((await seen(packed)).different === 0, 'packed pages of reversed depth without a bias are equal to C++ too');
-    await page.check('input[value=both]');
+    await after(() => page.check('input[value=both]'));
 
     // keys turn camera and light
     await page.focus('#picture');
@@ -167,10 +164,7 @@ await visit(async ({ open, check, picture, axe }) => {
         check(await page.inputValue('#set-scene') === 'garden', `${file.name ?? file}: the scene stays`);
     }
     for (const file of [{ name: 'cube.obj', mimeType: '', buffer: Buffer.from(cube) }, { name: 'one.glb', mimeType: '', buffer: triangles(3) }]) {
-        await forget(page);
-        await page.setInputFiles('#file', file);
-        await answer(page);
-        const drawn = await seen(page);
+        const drawn = await after(() => page.setInputFiles('#file', file));
         check(drawn.different === 0 && await page.inputValue('#set-scene') === 'dropped', `${file.name} is drawn: ${await said(page)}`);
     }
 
