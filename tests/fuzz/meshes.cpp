@@ -83,8 +83,9 @@ void tessellations(fuzz::input& in) {
                              b = glm::dvec3(cut.positions[t[(i + 1) % 3]]) - light;
             const double p = glm::length(a), q = glm::length(b);
             const bool apart = std::min(p, q) < 1e-9 * std::max(p, q);  // the bisector rounds to an end
+            const double from_origin = glm::length(a + light) + glm::length(b + light);
             if (apart || std::max(p, q) < double(to.depth_error) * double(to.range) ||
-                glm::distance(a, b) < 1e-5 * (1 + p + q))
+                glm::distance(a, b) < 1e-5 * (1 + p + q + from_origin))
                 continue;
             fuzz::must(glm::dot(a, b) / (p * q) > std::cos(std::min(double(to.angle), 3.0)) - 1e-5,
                        "no edge is seen under a larger angle");
