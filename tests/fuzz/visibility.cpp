@@ -116,7 +116,8 @@ Filter varied(fuzz::input& in, Filter filter) {
         if constexpr (requires { filter.softness.per_code; })
             filter.softness = {in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
         else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.number(-1, 6);
-        else if constexpr (requires { filter.row; }) filter.row.size = in.within(-1, 99);
+        else if constexpr (requires { filter.row; })
+            filter.row.size = in.chance(2) ? in.within(-9, 0) : in.within(16, 99);  // others are undefined alone
         return alone_first(in, filter);
     }
     if constexpr (requires { filter.softness.per_code; })
