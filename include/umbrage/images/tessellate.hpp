@@ -91,16 +91,19 @@ private:
     }
 
     /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
-    /// rounding leaves no point between its ends: to cut the others again and again would not shorten it.
+    /// rounding leaves no point between its ends, half as far from the nearer as it should be or farther: to cut
+    /// again and again would not shorten it.
     [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
         glm::length_t longest = 3;
         std::pair<double, double> most{0, 0};
         for (glm::length_t i = 0; i < 3; ++i)
             if (const auto by = excess(t[i], t[(i + 1) % 3]); by > most) longest = i, most = by;
         if (longest == 3) return 3;
-        const unsigned a = t[longest], b = t[(longest + 1) % 3];
-        const glm::vec3 m = middle(a, b);
-        return m == cut_.positions[a] || m == cut_.positions[b] ? 3 : longest;
+        unsigned a = t[longest], b = t[(longest + 1) % 3];
+        if (vertices_[b].distance < vertices_[a].distance) std::swap(a, b);
+        const glm::dvec3 m(middle(a, b)), close(cut_.positions[a]), distant(cut_.positions[b]);
+        const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
+        return m == distant || glm::distance(m, close) <= 0.5 * share * glm::distance(close, distant) ? 3 : longest;
     }
 
     /// Cuts a triangle in two at its longest edge, until no edge is too long.
