@@ -1314,8 +1314,8 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so; a filter of your
-/// own passes.
+/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so: include them where
+/// this is called. A filter of your own passes.
 /// @throws std::invalid_argument  a number out of range, in the name of `function`
 template <class Filter>
 constexpr void require_filter(std::string_view, const Filter&) {}
@@ -19724,28 +19724,35 @@ private:
         return {0, sag > sag_ ? sag : 0};
     }
 
-    /// Point where the angle's bisector meets the edge, the same for both orders of the ends. Counted from the nearer
-    /// end, its share of the edge has digits however far the other end is.
-    [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
-        if (vertices_[b].distance < vertices_[a].distance) return middle(b, a);
-        const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
-        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
+    /// An edge from its nearer end, and the share of it up to where the angle's bisector meets it. The share is at most
+    /// 1/2, and has digits however far the other end is. Both are the same for both orders of the ends.
+    struct divided_edge {
+        glm::dvec3 close, distant;
+        double share;
+
+        [[nodiscard]] glm::vec3 middle() const { return glm::vec3(glm::mix(close, distant, share)); }
+
+        /// False where rounding leaves the middle at an end, or at most half as far from the nearer as it should be.
+        [[nodiscard]] bool has_middle() const {
+            const glm::dvec3 m(middle());
+            return m != distant && glm::distance(m, close) > 0.5 * share * glm::distance(close, distant);
+        }
+    };
+    [[nodiscard]] divided_edge edge(unsigned a, unsigned b) const {
+        const double p = vertices_[a].distance, q = vertices_[b].distance;
+        if (q < p) return edge(b, a);
+        return {glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), p / (p + q)};
     }
 
     /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
-    /// rounding leaves no point between its ends, half as far from the nearer as it should be or farther: to cut
-    /// again and again would not shorten it.
+    /// rounding leaves it no middle: to cut again and again would not shorten it.
     [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
         glm::length_t longest = 3;
         std::pair<double, double> most{0, 0};
         for (glm::length_t i = 0; i < 3; ++i)
             if (const auto by = excess(t[i], t[(i + 1) % 3]); by > most) longest = i, most = by;
         if (longest == 3) return 3;
-        unsigned a = t[longest], b = t[(longest + 1) % 3];
-        if (vertices_[b].distance < vertices_[a].distance) std::swap(a, b);
-        const glm::dvec3 m(middle(a, b)), close(cut_.positions[a]), distant(cut_.positions[b]);
-        const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
-        return m == distant || glm::distance(m, close) <= 0.5 * share * glm::distance(close, distant) ? 3 : longest;
+        return edge(t[longest], t[(longest + 1) % 3]).has_middle() ? longest : 3;
     }
 
     /// Cuts a triangle in two at its longest edge, until no edge is too long.
@@ -19771,7 +19778,7 @@ private:
         if (a < b) return between(b, a);
         for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
             if (vertices_[m].end == b) return m;
-        const unsigned m = add(middle(a, b));
+        const unsigned m = add(edge(a, b).middle());
         vertices_[m].end = b;
         vertices_[m].next = vertices_[a].middle;
         return vertices_[a].middle = m;
@@ -20385,8 +20392,9 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
 //
-// Farther from the origin the digits of a number type end. If rounding moves receivers out of the map, by more than
-// 1/16 of its half size, a fit gives the map without a warp instead. If that map loses them too, the fit refuses them.
+// Farther from the origin the digits of a number type end. If rounding, in whatever order, may move receivers out of
+// the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If that map may lose them
+// too, the fit refuses them.
 
 namespace umbrage {
 

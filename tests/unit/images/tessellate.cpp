@@ -134,6 +134,8 @@ TEST_CASE("tessellate: small and wholly distant triangles stay, as do those that
                 {.position = {8, 8, 8}, .angle = 0.9f, .range = 11, .depth_error = 0.1f}) < 1000);
     CHECK(count({{8, -1, -7.8f}, {0, 8, 8}, {-8, 3.4e38f, 1.8e28f}},  // where floats lack digits
                 {.position = {0, 1.8e28f, 1}, .angle = 1.8f, .range = 19, .depth_error = 0.004f}) < 1000);
+    CHECK(count({{8, 1.1f, -7.8f}, {0, 3.4e38f, 0}, {8, -1.1f, 8}},  // a middle that moves by a denormal alone
+                {.position = {0, 3.4e38f, 8}, .angle = 3, .range = 30, .depth_error = 0.5f}) < 1000);
     CHECK(tessellate({}, {}).triangles.empty());
 }
 
