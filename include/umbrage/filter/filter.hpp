@@ -59,8 +59,8 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so; a filter of your
-/// own passes.
+/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so: include them where
+/// this is called. A filter of your own passes.
 /// @throws std::invalid_argument  a number out of range, in the name of `function`
 template <class Filter>
 constexpr void require_filter(std::string_view, const Filter&) {}

@@ -19,8 +19,9 @@
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
 //
-// Farther from the origin the digits of a number type end. If rounding moves receivers out of the map, by more than
-// 1/16 of its half size, a fit gives the map without a warp instead. If that map loses them too, the fit refuses them.
+// Farther from the origin the digits of a number type end. If rounding, in whatever order, may move receivers out of
+// the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If that map may lose them
+// too, the fit refuses them.
 #pragma once
 
 #include <limits>
