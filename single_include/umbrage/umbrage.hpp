@@ -19814,8 +19814,8 @@ private:
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
 ///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
 ///               contain the light, or are seen edge-on, would be cut forever
-/// @edge         far from the origin, where rounding leaves no point between the ends of a triangle's longest edge, the
-///               triangle stays. Beside neighbors that are cut it may leave a gap
+/// @edge         where rounding leaves no point between the ends of a triangle's longest edge, far from the origin or
+///               with one end in the light, the triangle stays. Beside neighbors that are cut it may leave a gap
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";
