@@ -2,7 +2,7 @@
 //
 // The proof page where something is missing: it says what, and shows the rest.
 import { finished } from './proof.mjs';
-import { visit, webgl_flags } from './visit.mjs';
+import { address_of, visit, webgl_flags } from './visit.mjs';
 
 await visit(async ({ open, check }) => {
     const shows = async (page, words) => check(await page.getByText(words).first().isVisible(), `${page.url()} does not say: ${words}`);
@@ -18,7 +18,8 @@ await visit(async ({ open, check }) => {
     check(await restored.locator('.notice').count() === 0, 'the page complains about its own address');
     await restored.focus('#inputs');
     await restored.keyboard.press('ArrowRight');
-    check(restored.url().endsWith('?on=webgl2&inputs=2048'), `the slider makes the address ${restored.url()}`);
+    const moved = await address_of(restored);
+    check(moved.endsWith('?on=webgl2&inputs=2048'), `the slider makes the address ${moved}`);
 
     // No worker: the page draws itself. Its context is lost soon.
     const lost = await open('proof/?on=webgl2&inputs=256&run', { before: () => {

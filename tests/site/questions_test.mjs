@@ -3,7 +3,7 @@
 // Each question of questions.txt is answered within two clicks or one search from the front page, by keyboard alone.
 import { readFileSync } from 'node:fs';
 
-import { visit } from './visit.mjs';
+import { address_of, visit } from './visit.mjs';
 
 const questions = readFileSync(new URL('questions.txt', import.meta.url), 'utf8')
     .split('\n')
@@ -30,10 +30,11 @@ await visit(async ({ open, check, picture, axe }) => {
         await text
             .waitFor({ timeout: 5000 })
             .catch(() => check(false, `${question} No answer at ${page.url()}: ${answer}`));
-        const target = new URL(page.url()).hash.slice(1);
+        const address = await address_of(page),
+            target = new URL(address).hash.slice(1);
         check(
             target === '' || (await page.evaluate(id => document.getElementById(id) !== null, target)),
-            `${question} ${page.url()}`,
+            `${question} ${address}`,
         );
     }
 

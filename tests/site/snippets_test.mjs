@@ -8,7 +8,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 import { layout_shift } from './shift.mjs';
-import { visit } from './visit.mjs';
+import { address_of, visit } from './visit.mjs';
 
 const package_of = async name =>
     import(pathToFileURL(new URL(`../../single_include/${name}.mjs`, import.meta.url).pathname));
@@ -72,7 +72,7 @@ await visit(async ({ open, check, picture, axe }) => {
     await page.press('#search', 'Enter');
     await page.selectOption('#texture', 'atlas');
     await page.selectOption('#stored', 'rg16');
-    const first = new URL(page.url()).searchParams.get('snippet');
+    const first = new URL(await address_of(page)).searchParams.get('snippet');
     for (const [id, from] of Object.entries({ glsl, hlsl, wgsl, msl })) {
         await page.click(`label:has(input[value=${id}])`);
         const wanted = from.text([
@@ -89,7 +89,7 @@ await visit(async ({ open, check, picture, axe }) => {
     await page.selectOption('#version', '300 es');
     await page.waitForFunction(() => document.getElementById('code').textContent.startsWith('#version 300 es'));
     const before = await text(page),
-        address = new URL(page.url());
+        address = new URL(await address_of(page));
     page = await open(`snippets/${address.search}`);
     await ready(page);
     check((await text(page)) === before, 'the address does not restore the state');

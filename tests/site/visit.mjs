@@ -13,6 +13,9 @@ const no_gpu_flags = ['--disable-gpu', '--disable-software-rasterizer'];
 export const webgl_flags = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
 
+/// The page's address as the page has it: page.url() hears of a replaced one later.
+export const address_of = page => page.evaluate(() => location.href);
+
 /// Calls trial(visit) with the site served and a browser open; exit status 77 where something is missing, 1 when a check
 /// fails, a page says an error on its console, or asks another host.
 ///
