@@ -237,6 +237,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
         std::memcpy(all.data() + begin, &values, sizeof values);
     };
     detail::with_set_up(kind, a, seen, map_size, reach, [&](const auto& set_up) {
+        umbrage::detail::require_maps(set_up, map_size, reach);
         append(out.block, set_up.make_uniforms(map_size, a.origin));
         bends = umbrage::detail::bends_of<std::decay_t<decltype(set_up)>>();
         for (const light_space<double>& light : set_up.lights()) {

@@ -65,13 +65,14 @@ const size = 136, of = { pages: shadow('b', { kind: umbrage.adaptive_pages, filt
     cascades: shadow('b', { kind: umbrage.cascades, filter: umbrage.tent3, map_size: size }),
     sun: shadow('b', { kind: umbrage.directional_light, filter: umbrage.tent3, map_size: size }),
     lamp: shadow('b', { kind: umbrage.point_light, filter: umbrage.tent3, map_size: size }),
-    disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
-const ordinary = { pages: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
+    wide: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.disc8, map_size: size }), disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
+const ordinary = { pages: seen, wide: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
 for (const [kind, part, message] of [
     ['pages', { points: [0, 0, 0] }, `${must}points must be four floats each; got 3`], ['pages', { normals: [] }, `${must}normals must be as many`],
     ['pages', { gutter: 5 }, 'umbrage::page_light: texels must be a power of two'], ['pages', { gutter: 60 }, 'umbrage::page_light: gutter must be'],
     ['pages', { target: 0 }, 'umbrage::page_cache: target must be'], ['pages', { points: undefined }, `${must}points must be given`],
     ['pages', { points: null }, `${must}points must be an array of floats; got null`], ['pages', { normals: 'none' }, `${must}normals must be an array of floats; got none`],
+    ['wide', { filter: { radius: 8 } }, "umbrage::shadow: light.size.gutter must be the filter's reach or more, 7.0"],
     ['pages', { gutter: 4.5 }, `${must}gutter must be a whole number below 2^31; got 4.5`],
     ['pages', { picture: [64.5, 64] }, `${must}picture must be 2 whole numbers below 2^31; got [64.5,64]`],
     ['spot', { clip: { ...clip, hand: 'LEFT' } }, `${must}clip.hand must be left or right; got LEFT`],

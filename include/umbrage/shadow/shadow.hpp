@@ -56,18 +56,24 @@ struct shadow_uniforms {
 namespace detail {
 
 /// Checks the clip space, the map size and the filter of a shadow.
-/// @param grid   arrangement of the maps, whose size together must be an int
 template <class Filter>
-void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter, map_grid grid = {}) {
+void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
-    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
-            "such that all maps together have less than 2^31 texels a side", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
             "The filter reaches " + printed(reach) + " texels to each side.");
+}
+
+/// Checks that a setup's maps together have a size, and that they continue as far as the filter reaches.
+template <shadow_set_up SetUp>
+void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
+    constexpr map_grid grid = SetUp::grid;
+    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
+            "such that all maps together have less than 2^31 texels a side", map_size);
+    if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
 }
 
 /// Refuses uniforms that are infinite or NaN in float.
@@ -125,8 +131,8 @@ public:
         detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        detail::require_shadow(set_up_.clip(), map_size, filter_, SetUp::grid);
-        if constexpr (requires { set_up_.require_reach(0.0f); }) set_up_.require_reach(detail::reach_of(filter_));
+        detail::require_shadow(set_up_.clip(), map_size, filter_);
+        detail::require_maps(set_up_, map_size, detail::reach_of(filter_));
         uniforms_ = uniforms();
     }
 
