@@ -1,6 +1,12 @@
 // Errors for bad input, as the C++ library words them: function, argument, condition, and the value.
 
-const shown = got => got === '' ? '""' : Array.isArray(got) ? `[${got}]` : String(got?.what?.name ?? got?.name ?? got);
+/** A value in a message; an object by its class, or by its name where it has none. */
+function shown(got) {
+    if (Array.isArray(got)) return `[${Array.from(got, shown).join(', ')}]`;
+    if (Object(got) !== got) return got === '' ? '""' : String(got);
+    const of_class = got.constructor?.name;
+    return of_class && of_class !== 'Object' ? of_class : String(got.what?.name ?? got.name ?? 'an object');
+}
 
 /** must(holds, condition, got) of a function of this package. */
 const must_in = where => (holds, condition, got) => {
@@ -19,6 +25,7 @@ function must_be_clip_space(must, argument, clip, keys = Object.keys(words)) {
 }
 
 module.exports = {
+    shown,
     must_in,
     given_as_encoding,
     must_be_clip_space,

@@ -1,6 +1,12 @@
 // Errors for bad input, as the C++ library words them: function, argument, condition, and the value.
 
-const shown = got => got === '' ? '""' : Array.isArray(got) ? `[${got}]` : String(got?.what?.name ?? got?.name ?? got);
+/** A value in a message; an object by its class, or by its name where it has none. */
+export function shown(got) {
+    if (Array.isArray(got)) return `[${Array.from(got, shown).join(', ')}]`;
+    if (Object(got) !== got) return got === '' ? '""' : String(got);
+    const of_class = got.constructor?.name;
+    return of_class && of_class !== 'Object' ? of_class : String(got.what?.name ?? got.name ?? 'an object');
+}
 
 /** must(holds, condition, got) of a function of this package. */
 export const must_in = where => (holds, condition, got) => {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What the addons share: options are checked before a host's text is touched, whose functions are found by their braces.
+import { shown } from '../module/check.mjs';
 
 export function must(where, holds, condition, got) {
     if (!holds) throw new Error(`umbrage/${where}: ${condition}; got ${shown(got)}`);
-}
-
-/** A value in a message; of an object its class. */
-function shown(value) {
-    if (Array.isArray(value)) return `[${Array.from(value, shown).join(', ')}]`;
-    if (Object(value) === value) return value.constructor?.name ?? 'an object';
-    return value === '' ? '""' : String(value);
 }
 
 const is_object = value => typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -199,7 +199,7 @@ async function three() {
     }
 
     refuses_options('three', head, 'filter', glsl, options => install(THREE, a, options));
-    refused('three', head, 'a scene', () => install(THREE, a, { filter: hard, scene: {} }), 'scene must be a scene of three.js; got Object');
+    refused('three', head, 'a scene', () => install(THREE, a, { filter: hard, scene: {} }), 'scene must be a scene of three.js; got an object');
     refused('three', head, 'a part of it', () => install({ REVISION: '187' }, a, { filter: hard }),
         'THREE must have BasicShadowMap, Material, ShaderChunk, WebGLRenderer; got no BasicShadowMap');
     refused('three', 'three: uninstall', 'options', () => uninstall(THREE, { scenes: [] }), 'options must have no properties but scene');

@@ -47,7 +47,7 @@ for (const [light, message] of [
     [{ direction: [0, 0, 0] }, 'umbrage::make_spot_light: direction must be'], [{ outer_angle: 1 }, 'umbrage: values: light must have no properties but'],
     [{ clip: clips.godot_clip_space }, 'umbrage: values: light.clip must have the direction of the shadow, forward; got reversed'],
     [{ clip: undefined }, 'umbrage: values: light.clip must be given'], [{ position: [0, 0] }, 'umbrage: values: light.position must be 3 numbers'],
-    [{ position: [0, 0, NaN] }, 'umbrage: values: light.position must be 3 numbers; got [0,0,NaN]'],
+    [{ position: [0, 0, NaN] }, 'umbrage: values: light.position must be 3 numbers; got [0, 0, NaN]'],
     [{ position: [1e300, 0, 0] }, 'umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; got'], [{ filter: { radius: 3 } }, 'umbrage: values: light.filter must have no properties but']])
     for (let i = 0; i < 300; ++i) {
         let got = 'no error';
@@ -74,7 +74,7 @@ for (const [kind, part, message] of [
     ['pages', { points: null }, `${must}points must be an array of floats; got null`], ['pages', { normals: 'none' }, `${must}normals must be an array of floats; got none`],
     ['wide', { filter: { radius: 8 } }, "umbrage::shadow: light.size.gutter must be the filter's reach or more, 7.0"],
     ['pages', { gutter: 4.5 }, `${must}gutter must be a whole number below 2^31; got 4.5`],
-    ['pages', { picture: [64.5, 64] }, `${must}picture must be 2 whole numbers below 2^31; got [64.5,64]`],
+    ['pages', { picture: [64.5, 64] }, `${must}picture must be 2 whole numbers below 2^31; got [64.5, 64]`],
     ['spot', { clip: { ...clip, hand: 'LEFT' } }, `${must}clip.hand must be left or right; got LEFT`],
     ['spot', { clip: { ...clip, range: '0..1' } }, `${must}clip.range must be zero_to_one or minus_one_to_one; got 0..1`],
     ['spot', { clip: { ...clip, direction: 'Forward' } }, `${must}clip.direction must be forward or reversed; got Forward`],
@@ -91,11 +91,11 @@ for (const [kind, part, message] of [
     ['cascades', { cascades: 5 }, 'umbrage::values: cascades must be 1 to 4; got 5'],
     ['cascades', { cascades: 3, splits: [1, 1.5, 2] }, `${must}cascades must be left out, or one less than light.splits; got 3`],
     ['cascades', { splits: [1] }, `${must}splits must be 2 to 9 distances, or none; got [1]`], ['cascades', { splits: null }, `${must}splits must be 2 to 9 distances`],
-    ['cascades', { splits: [1, '2'] }, `${must}splits must be 2 numbers; got [1,2]`],
+    ['cascades', { splits: [1, '2'] }, `${must}splits must be 2 numbers; got [1, 2]`],
     ['sun', { snap: 1 }, `${must}snap must be true or false; got 1`], ['sun', { casters: undefined }, `${must}casters must be given`],
     ['lamp', { border: 2.7 }, `${must}border must be a whole number below 2^31; got 2.7`],
     ['disc', { filter: { radius: [] } }, `${must}filter.radius must be a finite number; got []`],
-    ['disc', { filter: { radius: [3, 4] } }, `${must}filter.radius must be a finite number; got [3,4]`],
+    ['disc', { filter: { radius: [3, 4] } }, `${must}filter.radius must be a finite number; got [3, 4]`],
     ['disc', { filter: { radius: Infinity } }, `${must}filter.radius must be a finite number; got Infinity`],
     ['disc', { filter: { radius: null } }, `${must}filter.radius must be a finite number; got null`],
     ['whole', { filter: { radius: 2.7 } }, `${must}filter.radius must be a whole number below 2^31; got 2.7`],
