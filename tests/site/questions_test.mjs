@@ -27,9 +27,7 @@ await visit(async ({ open, check, picture, axe }) => {
             await page.waitForURL(url => url.pathname !== '/' || url.search !== '');
         }
         const text = page.locator('main').getByText(answer).first();
-        await text
-            .waitFor({ timeout: 5000 })
-            .catch(() => check(false, `${question} No answer at ${page.url()}: ${answer}`));
+        await text.waitFor().catch(() => check(false, `${question} No answer at ${page.url()}: ${answer}`));
         const address = await address_of(page),
             target = new URL(address).hash.slice(1);
         check(

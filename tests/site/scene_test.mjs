@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-import { visit, webgl_flags } from './visit.mjs';
+import { copied, visit, webgl_flags } from './visit.mjs';
 
 /** Waits for C++'s answer to what the page shows. */
 const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.receivers, null, { timeout: 120_000 });
@@ -111,8 +111,7 @@ await visit(async ({ open, check, picture, axe }) => {
     // languages and copying
     await page.check('input[value=wgsl]');
     await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('fn umbrage_sun('));
-    await page.click('#lines button');
-    check(await page.evaluate(() => navigator.clipboard.readText()) === await page.textContent('#lines pre'), 'copy copies the text');
+    check(await copied(page, '#lines button') === await page.textContent('#lines pre'), 'copy copies the text');
 
     // the divider, and views
     const at = () => page.locator('#divided span').last().evaluate(span => span.getBoundingClientRect().left);

@@ -8,7 +8,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 import { layout_shift } from './shift.mjs';
-import { address_of, visit } from './visit.mjs';
+import { address_of, copied, visit } from './visit.mjs';
 
 const package_of = async name =>
     import(pathToFileURL(new URL(`../../single_include/${name}.mjs`, import.meta.url).pathname));
@@ -46,14 +46,8 @@ await visit(async ({ open, check, picture, axe }) => {
     await page.fill('#search', 'pcss');
     await page.press('#search', 'Enter');
     await page.waitForFunction(() => document.getElementById('name').textContent.startsWith('pcss'));
-    await page.click('#copy');
-    await page.waitForFunction(() => document.getElementById('copy').textContent === 'Copied');
-    check(
-        (await page.evaluate(() => navigator.clipboard.readText())) === (await text(page)),
-        'what was copied is not the text',
-    );
-    await page.click('#link');
-    const permalink = await page.evaluate(() => navigator.clipboard.readText());
+    check((await copied(page, '#copy')) === (await text(page)), 'what was copied is not the text');
+    const permalink = await copied(page, '#link');
     check(permalink.includes('?snippet=pcss'), `the link is ${permalink}`);
     const download = page.waitForEvent('download');
     await page.click('#download');
@@ -80,9 +74,7 @@ await visit(async ({ open, check, picture, axe }) => {
             from.bind(from.pcf_2x2, 'map_2', { ...from.rg16.reversed, texture: 'atlas' }),
         ]);
         await page
-            .waitForFunction(wanted => document.getElementById('code').textContent === wanted, wanted, {
-                timeout: 5000,
-            })
+            .waitForFunction(wanted => document.getElementById('code').textContent === wanted, wanted)
             .catch(() => check(false, `two maps in ${id} are not as the package composes them`));
     }
     await page.click('label:has(input[value=glsl])');

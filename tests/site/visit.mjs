@@ -16,6 +16,13 @@ export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swi
 /// The page's address as the page has it: page.url() hears of a replaced one later.
 export const address_of = page => page.evaluate(() => location.href);
 
+/// What a button copies. The wait begins before the click: the button says its work for a moment only.
+export async function copied(page, button) {
+    const says = button => /copied$/i.test(document.querySelector(button).textContent);
+    await Promise.all([page.waitForFunction(says, button), page.click(button)]);
+    return page.evaluate(() => navigator.clipboard.readText());
+}
+
 /// Calls trial(visit) with the site served and a browser open; exit status 77 where something is missing, 1 when a check
 /// fails, a page says an error on its console, or asks another host.
 ///
