@@ -44,7 +44,6 @@
 #include <umbrage/filter/blocker/pcss_hardware.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
-#include <umbrage/filter/check.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>

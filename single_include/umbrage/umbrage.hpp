@@ -1288,7 +1288,8 @@ concept longer_than_vec2 = requires(Coord coord) {
 
 }  // namespace detail
 
-/// Callable (fetch, coord, receiver) -> visibility. Functions over images need no more than this.
+/// Callable (fetch, coord, receiver) -> visibility. Functions over images need no more than this. If it has
+/// check(std::string_view function), they call that once: it refuses numbers out of range, in the function's name.
 template <class Filter>
 concept filter = std::copy_constructible<Filter> &&
     requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
@@ -1314,11 +1315,11 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so: include them where
-/// this is called. A filter of your own passes.
-/// @throws std::invalid_argument  a number out of range, in the name of `function`
+/// Calls a filter's check, where it has one: for functions that take the filter for many lookups.
 template <class Filter>
-constexpr void require_filter(std::string_view, const Filter&) {}
+void require_filter(std::string_view function, const Filter& filter) {
+    if constexpr (requires { filter.check(function); }) filter.check(function);
+}
 
 }  // namespace detail
 }  // namespace umbrage
@@ -4489,23 +4490,12 @@ requires(Points == 8 || Points == 16 ||
 template <>
 inline constexpr std::array<disc_point, 8> disc_points<8>{
     {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+// clang-format off
 template <>
-inline constexpr std::array<disc_point, 16> disc_points<16>{{{1, -3},
-                                                             {5, 2},
-                                                             {-5, 2},
-                                                             {0, 7},
-                                                             {-6, -5},
-                                                             {8, -5},
-                                                             {0, -11},
-                                                             {11, 5},
-                                                             {-12, 4},
-                                                             {-1, 13},
-                                                             {7, 11},
-                                                             {-9, 10},
-                                                             {-13, -4},
-                                                             {7, -12},
-                                                             {-7, -12},
-                                                             {14, -2}}};
+inline constexpr std::array<disc_point, 16> disc_points<16>{
+    {{1, -3}, {5, 2}, {-5, 2}, {0, 7}, {-6, -5}, {8, -5}, {0, -11}, {11, 5}, {-12, 4}, {-1, 13}, {7, 11},
+     {-9, 10}, {-13, -4}, {7, -12}, {-7, -12}, {14, -2}}};
+// clang-format on
 template <>
 inline constexpr std::array<disc_point, 32> disc_points<32>{
     {{-2, -1}, {3, 2},    {1, -4},  {-4, 3},   {0, 6},   {-5, -5},  {7, -2},  {-8, -1}, {8, 3},    {5, 7},  {1, -9},
@@ -4716,7 +4706,7 @@ namespace filters {
 
 /// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
-    int points = 16;  ///< 8, 16 or 32. shadow and visibility of images refuse others; alone, others are 32
+    int points = 16;  ///< 8, 16 or 32. Others count as 32, where check does not refuse them
     float radius_texels = 2.0f;
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
@@ -4724,15 +4714,18 @@ struct disc {
 
     static const std::array<disc, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, in the name of `function`
+    void check(std::string_view function) const {
+        detail::require(points == 8 || points == 16 || points == 32, function, "filter.points", "8, 16 or 32", points);
+    }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const {
         const float sixteenths = points == 8 ? 13.0385f : (points == 16 ? 14.1422f : 15.0f);
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f);
     }
     [[nodiscard]] constexpr float reach() const {
-        const float sixteenths =
-            points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any rotation
-        return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
+        const float along_axis = points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // 1/16, in any rotation
+        return disc_radius(radius_texels) * along_axis * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
@@ -4776,6 +4769,21 @@ struct penumbra_params {
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
+
+namespace detail {
+
+/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
+inline void require_softness(std::string_view function, const penumbra_params& softness) {
+    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
+            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
+    const float low = softness.min_radius, high = softness.max_radius;
+    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
+    require(in_order && low == std::floor(low) && high == std::floor(high), function,
+            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
+            "They are in 1/16 texel: make_penumbra_params computes them.");
+}
+
+}  // namespace detail
 
 /// Parameters of the penumbras of a light.
 /// @param units          make_light_units of the light and the map
@@ -5092,13 +5100,19 @@ namespace filters {
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
+    penumbra_params softness{};  ///< from make_penumbra_params
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
+    ///                                makes, in the name of `function`
+    void check(std::string_view function) const {
+        largest_disc().check(function);
+        detail::require_softness(function, softness);
+    }
     /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// Distance from a receiver to the farthest point, in texels.
@@ -5219,13 +5233,19 @@ namespace filters {
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
+    penumbra_params softness{};  ///< from make_penumbra_params
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
+    ///                                makes, in the name of `function`
+    void check(std::string_view function) const {
+        largest_disc().check(function);
+        detail::require_softness(function, softness);
+    }
     /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// Distance from a receiver to the farthest point, in texels.
@@ -5904,536 +5924,6 @@ inline constexpr const snippet* bounds_lit_snippets[]{&bounds_lit};
 
 }  // namespace glsl
 }  // namespace umbrage
-
-// ---- umbrage/filter/pcf/window.hpp
-// Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
-// edges move as smoothly as the receivers do.
-//
-//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
-//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
-//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
-//
-// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
-// takes 9, and 7 x 7 takes 16.
-//
-// A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
-// in proportion to the distance that the kernel has moved.
-// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
-
-namespace umbrage {
-
-/// Largest width of a kernel, in texels.
-inline constexpr int max_window = 15;
-
-/// Row of kernel weights, the same along both axes. Make it with make_window_row.
-struct window_row {
-    int size;                   ///< number of weights
-    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
-    int steps;                  ///< steps per texel
-    float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
-    float scale;              ///< 1 / whole^2
-    double scale_of_doubles;  ///< the same, for T = double
-    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
-
-    /// Weight i, counted from one edge to the other. 0 outside the row.
-    [[nodiscard]] constexpr float weight(int i) const {
-        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
-        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
-    }
-    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
-    /// Distance from a receiver to the farthest point of its texels, in texels. Never attained.
-    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
-};
-
-namespace detail {
-
-[[nodiscard]] constexpr bool is_row_size(int size) { return size >= 1 && size <= max_window; }
-[[nodiscard]] constexpr bool is_row_steps(int steps) {
-    return steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0;
-}
-/// An integer from 1 to 4096.
-[[nodiscard]] constexpr bool is_row_whole(float whole) {
-    return is_finite(whole) && whole >= 1.0f && whole <= 4096.0f &&
-           whole == static_cast<float>(static_cast<int>(whole));
-}
-
-/// True if a row has numbers that make_window_row returns: then its weights are integers from 0 to whole.
-[[nodiscard]] constexpr bool is_made_row(const window_row& row) {
-    if (!is_row_size(row.size) || !is_row_steps(row.steps) || !is_row_whole(row.whole)) return false;
-    if (row.quadratic && (row.size != 2 || row.whole != 4096.0f)) return false;
-    float sum = 0.0f;
-    for (int i = 0; i < row.size; ++i) {
-        if (!is_finite(row.weight(i)) || row.weight(i) < 0.0f) return false;
-        sum += row.weight(i);
-    }
-    const float off = sum * static_cast<float>(row.steps) - row.whole;
-    return off > -0.5f && off < 0.5f;
-}
-
-}  // namespace detail
-
-/// Row of kernel weights for window().
-/// @param size    number of weights, 1 .. 15
-/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
-/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
-///                up to 4096
-/// @throws std::invalid_argument  a parameter outside its range
-[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
-    constexpr auto function = "make_window_row";
-    detail::require(detail::is_row_size(size), function, "size", "from 1 to 15", size);
-    detail::require(detail::is_row_steps(steps), function, "steps", "a power of two from 1 to 256", steps);
-    float sum = 0.0f;
-    for (int i = 0; i < size; ++i) {
-        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
-        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
-        sum += weight;
-    }
-    const float whole = sum * static_cast<float>(steps);
-    detail::require(detail::is_row_whole(whole), function, "the sum of all weights times steps",
-                    "an integer from 1 to 4096", whole);
-    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
-}
-
-/// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
-/// @param row       from make_window_row, or one of windows.hpp
-/// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
-/// @param weights   receives row.touched() of them
-/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
-///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
-template <real T>
-constexpr void window_weights(const window_row& row, int moved, T* weights) {
-    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
-    int left = static_cast<int>(row.whole);
-    for (int i = 0; i <= row.size; ++i) {
-        if (i == middle) continue;
-        int weight =
-            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
-        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
-        weights[i] = static_cast<T>(weight);
-        left -= weight;
-    }
-    weights[middle] = static_cast<T>(left);
-}
-
-/// Weighted count of the lit texels under a kernel.
-///
-/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
-///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
-/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
-/// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param row        from make_window_row
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           0 .. row.whole^2
-///
-/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver:
-///                   0. row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
-/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
-///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
-/// @exactness        A: integers up to 2^24
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
-                           Compare is_lit = {}) {
-    const T whole = static_cast<T>(row.whole);
-    if (!in_filter_domain(coord, receiver, is_lit) || !detail::is_row_size(row.size)) return whole * whole;
-    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
-    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
-    T columns[max_window + 1], rows[max_window + 1];
-    window_weights(row, static_cast<int>(moved.x), columns);
-    window_weights(row, static_cast<int>(moved.y), rows);
-    T sum(0);
-    for (int j = 0; j <= row.size; ++j) {
-        T in_row(0);
-        for (int i = 0; i <= row.size; ++i)
-            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-        sum += rows[j] * in_row;
-    }
-    return sum;
-}
-
-/// Weighted fraction of lit texels under a kernel. Parameters and edge cases as for window_sum.
-/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
-/// @formula       window_sum / row.whole^2
-/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
-/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
-    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
-    if (!(sum < whole * whole)) return T(1);  // the product with a rounded scale might miss 1
-    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
-    else return sum * row.scale;
-}
-
-namespace glsl {
-namespace detail {
-
-/// Number of the parameter that holds a kernel's i-th weight.
-constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
-
-/// Weight of the i-th touched texel, without the floors.
-[[nodiscard]] inline std::string window_weight(int size, int i) {
-    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
-    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
-}
-
-[[nodiscard]] inline std::string window_sum_text(int size) {
-    const int middle = size / 2;
-    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
-    std::string text = filled(R"GLSL(
-// umbrage_window_sum$n: weighted count of the lit texels under a kernel that slides over the map, an integer
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-//   steps       per texel, a power of two up to 256
-//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
-// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
-UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1)GLSL",
-                              {{'n', size}, {'m', middle}});
-    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text += R"GLSL() {
-    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
-    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
-    text += ");\n";
-    for (int i = 0; i <= size; ++i)
-        if (i != middle)
-            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
-    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
-    for (int i = 1; i <= size; ++i)
-        if (i != middle) append(text, " + w$i", {{'i', i}});
-    // not negative already. The max keeps compilers from regrouping the sum n across it
-    append(text,
-           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
-           {{'m', middle}});
-    for (int j = 0; j <= size; j += 2) {
-        for (int i = 0; i <= size; i += 2)
-            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
-        for (int row : {0, 1}) {
-            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
-            for (int i = 1; i <= size; ++i)
-                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
-            text += ");\n";
-        }
-    }
-    text += "    return compared ? n : whole * whole;\n}\n";
-    return text;
-}
-
-}  // namespace detail
-
-template <int Size>
-inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
-                                    .summary = Size == 3   ? "weighted count of lit texels under a 3x3 kernel"
-                                               : Size == 5 ? "weighted count of lit texels under a 5x5 kernel"
-                                                           : "weighted count of lit texels under a 7x7 kernel",
-                                    .exactness = tier::a,
-                                    .needs = list<&in_filter_domain, &lit_2x2>,
-                                    .source = {detail::window_sum_text, Size}};
-
-inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/filter/pcf/windows.hpp
-// Sliding PCF kernels of this library, as functions and as values of one filter.
-//
-//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
-//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
-//
-//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
-//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1. Close to a Gaussian of 1.1 and 1.3 texels
-//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1. Shaders merge them into 9 and 16 filtered comparisons
-//     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
-//     quadratic_b_spline           of 3 x 3 texels, edges without a kink
-//
-// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
-// (tent).
-
-namespace umbrage {
-
-/// Row of tent weights: each differs from its neighbors by one step. All rows here are in sixteenths where that makes
-/// their sum a power of two.
-template <int Size>
-inline constexpr window_row tent_row = [] {
-    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
-    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
-    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
-}();
-
-/// Row of binomial coefficients.
-template <int Size>
-inline constexpr window_row binomial_row = [] {
-    static_assert(Size == 5 || Size == 7);
-    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
-}();
-
-/// Row of Castano's weights, whose sums are 12 and 52.
-template <int Size>
-inline constexpr window_row castano_row = [] {
-    static_assert(Size == 5 || Size == 7);
-    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
-}();
-
-/// Row 5 16 22 16 5.
-template <int Size>
-inline constexpr window_row castano_dyadic_row = [] {
-    static_assert(Size == 5);
-    return make_window_row(5, {1.25f, 4, 5.5f});
-}();
-
-/// Row of the quadratic B-spline: weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
-inline constexpr window_row quadratic_b_spline_row = [] {
-    window_row row = make_window_row(2, {8});
-    row.quadratic = true;
-    return row;
-}();
-
-/// PCF under a tent: window() with tent_row. Parameters and result as for window(), without the row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
-}
-/// PCF under a binomial kernel: window() with binomial_row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
-}
-/// PCF under Castano's kernel: window() with castano_row.
-/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
-/// @cite        Castano: Shadow mapping summary, part 1, 2013
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
-}
-/// PCF under a kernel close to Castano's, but exact: window() with castano_dyadic_row.
-/// @exactness   A
-template <int Size, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
-}
-/// PCF under the quadratic B-spline: window() with quadratic_b_spline_row.
-/// @exactness   A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
-}
-
-namespace glsl {
-namespace detail {
-
-/// Shader text of a row: window_sum with the row's numbers, then the scale.
-[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
-                                             std::string_view numbers,
-                                             std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
-    return filled(R"GLSL(
-// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map
-// Returns visibility, 1.0 = lit
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
-    return $s;
-}
-)GLSL",
-                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
-}
-
-/// Shader text of a kernel over 3 x 3 texels. before and behind are the neighbors' weights, in 1/4096.
-[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
-                                          std::string_view behind) {
-    return filled(R"GLSL(
-// umbrage_$f: PCF over 3 x 3 texels, $w. Returns visibility, 1.0 = lit
-//   map, size   shadow map and its size in texels
-//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
-//   receiver    receiver depth in [0, 1], bias applied
-UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                               UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
-    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
-    UMBRAGE_HIGHP vec2 r = 256.0 - s;
-    UMBRAGE_HIGHP vec2 w0 = $b;
-    UMBRAGE_HIGHP vec2 w2 = $e;
-    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
-    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
-    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
-    return compared ? n * (1.0 / 16777216.0) : 1.0;
-}
-)GLSL",
-                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
-}
-
-/// Snippets that a family's texts need, by the size of the kernel.
-template <int Size>
-inline constexpr const auto& window_needs = list<&window_sum<Size>>;
-template <>
-inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
-
-}  // namespace detail
-
-/// GLSL text of tent<size>.
-/// @param size   2, 3 or 7
-[[nodiscard]] inline std::string tent_text(int size) {
-    if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
-    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
-    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
-}
-template <int Size>
-inline constexpr snippet tent{
-    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
-    .summary = Size == 2 ? "PCF kernel 1 1" : (Size == 3 ? "PCF kernel 1 2 1" : "PCF kernel 1 2 3 4 3 2 1"),
-    .exactness = tier::a,
-    .needs = detail::window_needs<Size>,
-    .source = {tent_text, Size}};
-
-/// GLSL text of binomial<size>.
-/// @param size   5 or 7
-[[nodiscard]] inline std::string binomial_text(int size) {
-    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
-                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
-}
-template <int Size>
-inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
-                                  .summary = Size == 5 ? "PCF kernel 1 4 6 4 1" : "PCF kernel 1 6 15 20 15 6 1",
-                                  .exactness = tier::a,
-                                  .needs = detail::window_needs<Size>,
-                                  .source = {binomial_text, Size}};
-
-/// GLSL text of castano<size>.
-/// @param size   5 or 7
-[[nodiscard]] inline std::string castano_text(int size) {
-    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
-                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
-                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
-                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
-}
-template <int Size>
-inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
-                                 .summary = Size == 5 ? "PCF kernel 1 3 4 3 1" : "PCF kernel 1 5 12 16 12 5 1",
-                                 .exactness = tier::b,
-                                 .operations = Size == 5 ? 80 : 138,
-                                 .needs = detail::window_needs<Size>,
-                                 .source = {castano_text, Size}};
-
-/// GLSL text of castano_dyadic<5>.
-template <int Size>
-[[nodiscard]] std::string castano_dyadic_text() {
-    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
-}
-template <int Size>
-inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
-                                        .summary = "PCF kernel 5 16 22 16 5",
-                                        .exactness = tier::a,
-                                        .needs = detail::window_needs<Size>,
-                                        .source = castano_dyadic_text<Size>};
-
-/// GLSL text of quadratic_b_spline.
-[[nodiscard]] inline std::string quadratic_b_spline_text() {
-    return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
-                            "floor(s * s * (1.0 / 32.0))");
-}
-inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
-                                            .summary = "PCF kernel of the quadratic B-spline, 3x3 texels",
-                                            .exactness = tier::a,
-                                            .needs = detail::window_needs<2>,
-                                            .source = quadratic_b_spline_text};
-
-}  // namespace glsl
-
-namespace filters {
-
-/// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
-struct window {
-    window_row row = tent_row<3>;
-    comparison is_lit{};
-    std::string_view name = "window";
-    const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
-
-    static const std::array<window, 9> values;  ///< kernels of this library
-
-    [[nodiscard]] constexpr float reach() const { return row.reach(); }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::window(fetch, coord, receiver, row, is_lit);
-    }
-    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
-};
-
-template <int Size>
-inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
-template <int Size>
-inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
-template <int Size>
-inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
-template <int Size>
-inline constexpr window castano_dyadic{
-    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
-inline constexpr window quadratic_b_spline{
-    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
-
-inline constexpr std::array<window, 9> window::values{
-    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
-
-}  // namespace filters
-}  // namespace umbrage
-
-// ---- umbrage/filter/check.hpp
-// Checks of a filter's numbers, for functions that take the filter for many lookups. A filter alone does not check.
-
-namespace umbrage::detail {
-
-/// Refuses a number of points for which there is no disc.
-inline void require_points(std::string_view function, int points) {
-    require(points == 8 || points == 16 || points == 32, function, "filter.points", "8, 16 or 32", points);
-}
-
-/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
-inline void require_softness(std::string_view function, const penumbra_params& softness) {
-    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
-            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
-    const float low = softness.min_radius, high = softness.max_radius;
-    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
-    require(in_order && low == std::floor(low) && high == std::floor(high), function,
-            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
-            "They are in 1/16 texel: make_penumbra_params computes them.");
-}
-
-inline void require_filter(std::string_view function, const filters::window& filter) {
-    require(is_made_row(filter.row), function, "filter.row", "of make_window_row", filter.row.size,
-            "That is its size; its weights, steps and whole count, too.");
-}
-inline void require_filter(std::string_view function, const filters::disc& filter) {
-    require_points(function, filter.points);
-}
-inline void require_filter(std::string_view function, const filters::pcss& filter) {
-    require_points(function, filter.points);
-    require_softness(function, filter.softness);
-}
-inline void require_filter(std::string_view function, const filters::dpcf& filter) {
-    require_points(function, filter.points);
-    require_softness(function, filter.softness);
-}
-
-}  // namespace umbrage::detail
 
 // ---- umbrage/filter/pcf/box.hpp
 // Percentage-closer filtering (PCF) with a (2r+1) x (2r+1) box of equal weights.
@@ -7239,6 +6729,243 @@ inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/pcf/window.hpp
+// Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
+// edges move as smoothly as the receivers do.
+//
+//     float visibility = umbrage::tent<3>(umbrage::bordered(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
+//     float softer = umbrage::window(umbrage::bordered(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//
+// A shader reads 2 x 2 texels at a time. Bound to a map with `gather`, a kernel of 3 x 3 weights takes 4 gathers. 5 x 5
+// takes 9, and 7 x 7 takes 16.
+//
+// A kernel of n x n weights touches n + 1 texels per axis. Each texel has a blend of two neighboring weights,
+// in proportion to the distance that the kernel has moved.
+// Also called: PCF kernel, weighted PCF. See also: windows.hpp, this library's rows of weights.
+
+namespace umbrage {
+
+/// Largest width of a kernel, in texels.
+inline constexpr int max_window = 15;
+
+/// Row of kernel weights, the same along both axes. Make it with make_window_row.
+struct window_row {
+    int size;                   ///< number of weights
+    std::array<float, 8> half;  ///< weights from the edge to the central one; the others mirror them
+    int steps;                  ///< steps per texel
+    float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
+    float scale;              ///< 1 / whole^2
+    double scale_of_doubles;  ///< the same, for T = double
+    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
+
+    /// Weight i, counted from one edge to the other. 0 outside the row.
+    [[nodiscard]] constexpr float weight(int i) const {
+        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
+        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
+    }
+    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
+    /// Distance from a receiver to the farthest point of its texels, in texels. Never attained.
+    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
+};
+
+namespace detail {
+
+[[nodiscard]] constexpr bool is_row_size(int size) { return size >= 1 && size <= max_window; }
+[[nodiscard]] constexpr bool is_row_steps(int steps) {
+    return steps >= 1 && steps <= 256 && (steps & (steps - 1)) == 0;
+}
+/// An integer from 1 to 4096.
+[[nodiscard]] constexpr bool is_row_whole(float whole) {
+    return is_finite(whole) && whole >= 1.0f && whole <= 4096.0f &&
+           whole == static_cast<float>(static_cast<int>(whole));
+}
+
+/// True if a row has numbers that make_window_row returns: then its weights are integers from 0 to whole.
+[[nodiscard]] constexpr bool is_made_row(const window_row& row) {
+    if (!is_row_size(row.size) || !is_row_steps(row.steps) || !is_row_whole(row.whole)) return false;
+    if (row.quadratic && (row.size != 2 || row.whole != 4096.0f)) return false;
+    float sum = 0.0f;
+    for (int i = 0; i < row.size; ++i) {
+        if (!is_finite(row.weight(i)) || row.weight(i) < 0.0f) return false;
+        sum += row.weight(i);
+    }
+    const float off = sum * static_cast<float>(row.steps) - row.whole;
+    return off > -0.5f && off < 0.5f;
+}
+
+}  // namespace detail
+
+/// Row of kernel weights for window().
+/// @param size    number of weights, 1 .. 15
+/// @param half    weights from the edge to the central one, none negative: size / 2 of them, rounded up
+/// @param steps   steps per texel, a power of two up to 256. Its product with the sum of all weights must be an integer
+///                up to 4096
+/// @throws std::invalid_argument  a parameter outside its range
+[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
+    constexpr auto function = "make_window_row";
+    detail::require(detail::is_row_size(size), function, "size", "from 1 to 15", size);
+    detail::require(detail::is_row_steps(steps), function, "steps", "a power of two from 1 to 256", steps);
+    float sum = 0.0f;
+    for (int i = 0; i < size; ++i) {
+        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
+        detail::require(weight >= 0.0f, function, "half", "weights of 0 or more", weight);
+        sum += weight;
+    }
+    const float whole = sum * static_cast<float>(steps);
+    detail::require(detail::is_row_whole(whole), function, "the sum of all weights times steps",
+                    "an integer from 1 to 4096", whole);
+    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
+}
+
+/// Weights of the texels that a kernel touches along an axis: integers with the sum row.whole.
+/// @param row       from make_window_row, or one of windows.hpp
+/// @param moved     distance that the kernel has moved, in 1/256 texel, 0 .. 255
+/// @param weights   receives row.touched() of them
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the central one gets
+///                  the rest. Quadratic: floor((256 - s)^2 / 32), the rest, floor(s^2 / 32)
+template <real T>
+constexpr void window_weights(const window_row& row, int moved, T* weights) {
+    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
+    int left = static_cast<int>(row.whole);
+    for (int i = 0; i <= row.size; ++i) {
+        if (i == middle) continue;
+        int weight =
+            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
+        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
+        weights[i] = static_cast<T>(weight);
+        left -= weight;
+    }
+    weights[middle] = static_cast<T>(left);
+}
+
+/// Weighted count of the lit texels under a kernel.
+///
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
+///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param row        from make_window_row
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           0 .. row.whole^2
+///
+/// @edge             coord outside texel space or NaN: all lit. Receiver beyond the far plane: all lit. NaN receiver:
+///                   0. row.size not from 1 to 15: all lit. Other numbers that make_window_row never returns: undefined
+/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
+///                   where 256 texel + moved = floor(256 coord), minus 128 for an odd size
+/// @exactness        A: integers up to 2^24
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
+                           Compare is_lit = {}) {
+    const T whole = static_cast<T>(row.whole);
+    if (!in_filter_domain(coord, receiver, is_lit) || !detail::is_row_size(row.size)) return whole * whole;
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    T columns[max_window + 1], rows[max_window + 1];
+    window_weights(row, static_cast<int>(moved.x), columns);
+    window_weights(row, static_cast<int>(moved.y), rows);
+    T sum(0);
+    for (int j = 0; j <= row.size; ++j) {
+        T in_row(0);
+        for (int i = 0; i <= row.size; ++i)
+            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+        sum += rows[j] * in_row;
+    }
+    return sum;
+}
+
+/// Weighted fraction of lit texels under a kernel. Parameters and edge cases as for window_sum.
+/// @return        visibility in [0, 1]: 0 in shadow, 1 lit
+/// @formula       window_sum / row.whole^2
+/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
+/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
+    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
+    if (!(sum < whole * whole)) return T(1);  // the product with a rounded scale might miss 1
+    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
+    else return sum * row.scale;
+}
+
+namespace glsl {
+namespace detail {
+
+/// Number of the parameter that holds a kernel's i-th weight.
+constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
+
+/// Weight of the i-th touched texel, without the floors.
+[[nodiscard]] inline std::string window_weight(int size, int i) {
+    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
+    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+}
+
+[[nodiscard]] inline std::string window_sum_text(int size) {
+    const int middle = size / 2;
+    const char *const quads[] = {"a", "b", "c", "d"}, *const lanes[] = {"x", "y", "z", "w"};
+    std::string text = filled(R"GLSL(
+// umbrage_window_sum$n: weighted count of the lit texels under a kernel that slides over the map, an integer
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   steps       per texel, a power of two up to 256
+//   k0 .. k$m    weights from the edge to the middle one. The others mirror them
+// Steps times the sum of all weights must be an integer up to 4096. Its square is the count when all is lit
+UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1)GLSL",
+                              {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
+    bool compared = umbrage_in_filter_domain(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ");\n";
+    for (int i = 0; i <= size; ++i)
+        if (i != middle)
+            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = max(whole - (w0", {{'m', middle}});
+    for (int i = 1; i <= size; ++i)
+        if (i != middle) append(text, " + w$i", {{'i', i}});
+    // not negative already. The max keeps compilers from regrouping the sum n across it
+    append(text,
+           "), vec2(0.0, 0.0));\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+           {{'m', middle}});
+    for (int j = 0; j <= size; j += 2) {
+        for (int i = 0; i <= size; i += 2)
+            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, quads[i / 2]}, {'i', i}, {'j', j}});
+        for (int row : {0, 1}) {
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, lanes[2 * row]}});
+            for (int i = 1; i <= size; ++i)
+                append(text, " + w$i.x * $a.$c", {{'i', i}, {'a', 0, quads[i / 2]}, {'c', 0, lanes[2 * row + i % 2]}});
+            text += ");\n";
+        }
+    }
+    text += "    return compared ? n : whole * whole;\n}\n";
+    return text;
+}
+
+}  // namespace detail
+
+template <int Size>
+inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
+                                    .summary = Size == 3   ? "weighted count of lit texels under a 3x3 kernel"
+                                               : Size == 5 ? "weighted count of lit texels under a 5x5 kernel"
+                                                           : "weighted count of lit texels under a 7x7 kernel",
+                                    .exactness = tier::a,
+                                    .needs = list<&in_filter_domain, &lit_2x2>,
+                                    .source = {detail::window_sum_text, Size}};
+
+inline constexpr const snippet* window_snippets[]{&window_sum<3>, &window_sum<5>, &window_sum<7>};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/pcf/window_hardware.hpp
 // Percentage-closer filtering (PCF) under a sliding kernel by a comparison sampler. One fetch between two texels
 // weights both. It takes 4 fetches for 3 x 3 weights, 9 for 5 x 5 and 16 for 7 x 7.
@@ -7379,6 +7106,265 @@ inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, 
                                                            &window_hardware<7>};
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/windows.hpp
+// Sliding PCF kernels of this library, as functions and as values of one filter.
+//
+//     float visibility = umbrage::binomial<5>(umbrage::bordered(map), coord, depth - bias);
+//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
+//
+//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
+//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1. Close to a Gaussian of 1.1 and 1.3 texels
+//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1. Shaders merge them into 9 and 16 filtered comparisons
+//     castano_dyadic<5>            5 16 22 16 5. Within 1.7 % of castano<5>, but exact. For castano<7> use binomial<7>
+//     quadratic_b_spline           of 3 x 3 texels, edges without a kink
+//
+// Also called: Gaussian PCF (binomial); Castano's PCF, The Witness PCF, optimized PCF (castano); tent filter, 3x3 PCF
+// (tent).
+
+namespace umbrage {
+
+/// Row of tent weights: each differs from its neighbors by one step. All rows here are in sixteenths where that makes
+/// their sum a power of two.
+template <int Size>
+inline constexpr window_row tent_row = [] {
+    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
+    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
+    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
+}();
+
+/// Row of binomial coefficients.
+template <int Size>
+inline constexpr window_row binomial_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
+}();
+
+/// Row of Castano's weights, whose sums are 12 and 52.
+template <int Size>
+inline constexpr window_row castano_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
+}();
+
+/// Row 5 16 22 16 5.
+template <int Size>
+inline constexpr window_row castano_dyadic_row = [] {
+    static_assert(Size == 5);
+    return make_window_row(5, {1.25f, 4, 5.5f});
+}();
+
+/// Row of the quadratic B-spline: weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
+inline constexpr window_row quadratic_b_spline_row = [] {
+    window_row row = make_window_row(2, {8});
+    row.quadratic = true;
+    return row;
+}();
+
+/// PCF under a tent: window() with tent_row. Parameters and result as for window(), without the row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
+}
+/// PCF under a binomial kernel: window() with binomial_row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
+}
+/// PCF under Castano's kernel: window() with castano_row.
+/// @exactness   B, n = 80 or 138, S = 1: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @cite        Castano: Shadow mapping summary, part 1, 2013
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
+}
+/// PCF under a kernel close to Castano's, but exact: window() with castano_dyadic_row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
+}
+/// PCF under the quadratic B-spline: window() with quadratic_b_spline_row.
+/// @exactness   A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+/// Shader text of a row: window_sum with the row's numbers, then the scale.
+[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
+                                             std::string_view numbers,
+                                             std::string_view share = "clamp(n * (1.0 / 16777216.0), 0.0, 1.0)") {
+    return filled(R"GLSL(
+// umbrage_$f$n: PCF under $n x $n weights, $w, that slide over the map
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
+    return $s;
+}
+)GLSL",
+                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+}
+
+/// Shader text of a kernel over 3 x 3 texels. before and behind are the neighbors' weights, in 1/4096.
+[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                          std::string_view behind) {
+    return filled(R"GLSL(
+// umbrage_$f: PCF over 3 x 3 texels, $w. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
+    UMBRAGE_HIGHP vec2 s = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0)) * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = $b;
+    UMBRAGE_HIGHP vec2 w2 = $e;
+    UMBRAGE_HIGHP vec2 w1 = max(4096.0 - w0 - w2, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+)GLSL",
+                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+}
+
+/// Snippets that a family's texts need, by the size of the kernel.
+template <int Size>
+inline constexpr const auto& window_needs = list<&window_sum<Size>>;
+template <>
+inline constexpr const auto& window_needs<2> = list<&in_filter_domain, &lit_2x2>;
+
+}  // namespace detail
+
+/// GLSL text of tent<size>.
+/// @param size   2, 3 or 7
+[[nodiscard]] inline std::string tent_text(int size) {
+    if (size == 2) return detail::text_3x3("tent2", "weights 1 1", "r * 8.0", "s * 8.0");
+    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+}
+template <int Size>
+inline constexpr snippet tent{
+    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
+    .summary = Size == 2 ? "PCF kernel 1 1" : (Size == 3 ? "PCF kernel 1 2 1" : "PCF kernel 1 2 3 4 3 2 1"),
+    .exactness = tier::a,
+    .needs = detail::window_needs<Size>,
+    .source = {tent_text, Size}};
+
+/// GLSL text of binomial<size>.
+/// @param size   5 or 7
+[[nodiscard]] inline std::string binomial_text(int size) {
+    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
+}
+template <int Size>
+inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
+                                  .summary = Size == 5 ? "PCF kernel 1 4 6 4 1" : "PCF kernel 1 6 15 20 15 6 1",
+                                  .exactness = tier::a,
+                                  .needs = detail::window_needs<Size>,
+                                  .source = {binomial_text, Size}};
+
+/// GLSL text of castano<size>.
+/// @param size   5 or 7
+[[nodiscard]] inline std::string castano_text(int size) {
+    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+}
+template <int Size>
+inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
+                                 .summary = Size == 5 ? "PCF kernel 1 3 4 3 1" : "PCF kernel 1 5 12 16 12 5 1",
+                                 .exactness = tier::b,
+                                 .operations = Size == 5 ? 80 : 138,
+                                 .needs = detail::window_needs<Size>,
+                                 .source = {castano_text, Size}};
+
+/// GLSL text of castano_dyadic<5>.
+template <int Size>
+[[nodiscard]] std::string castano_dyadic_text() {
+    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
+}
+template <int Size>
+inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
+                                        .summary = "PCF kernel 5 16 22 16 5",
+                                        .exactness = tier::a,
+                                        .needs = detail::window_needs<Size>,
+                                        .source = castano_dyadic_text<Size>};
+
+/// GLSL text of quadratic_b_spline.
+[[nodiscard]] inline std::string quadratic_b_spline_text() {
+    return detail::text_3x3("quadratic_b_spline", "weighted by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                            "floor(s * s * (1.0 / 32.0))");
+}
+inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
+                                            .summary = "PCF kernel of the quadratic B-spline, 3x3 texels",
+                                            .exactness = tier::a,
+                                            .needs = detail::window_needs<2>,
+                                            .source = quadratic_b_spline_text};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
+struct window {
+    window_row row = tent_row<3>;
+    comparison is_lit{};
+    std::string_view name = "window";
+    const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
+
+    static const std::array<window, 9> values;  ///< kernels of this library
+
+    /// @throws std::invalid_argument  a row that make_window_row never makes, in the name of `function`
+    void check(std::string_view function) const {
+        detail::require(detail::is_made_row(row), function, "filter.row", "of make_window_row", row.size,
+                        "That is its size; its weights, steps and whole count, too.");
+    }
+    [[nodiscard]] constexpr float reach() const { return row.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::window(fetch, coord, receiver, row, is_lit);
+    }
+    void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
+};
+
+template <int Size>
+inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
+template <int Size>
+inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
+template <int Size>
+inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
+template <int Size>
+inline constexpr window castano_dyadic{
+    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
+inline constexpr window quadratic_b_spline{
+    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
+
+inline constexpr std::array<window, 9> window::values{
+    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
+
+}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/filter/prefiltered/exp2.hpp
@@ -19210,7 +19196,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 namespace umbrage {
 
 /// Value that encodes depths as texels, and decodes visibility from a mean of texels. Functions over images need no
-/// more.
+/// more. If it has check(std::string_view function), they call that as they call a filter's.
 template <class Prefilter>
 concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
     typename Prefilter::texel;
@@ -19231,6 +19217,22 @@ consteval bool is_prefilter() {
     return true;
 }
 
+/// Refuses what make_evsm refuses, of the first `count` powers.
+inline void require_evsm(std::string_view function, const evsm_parameters& parameters, glm::length_t count) {
+    for (glm::length_t i = 0; i < count; ++i) {
+        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
+        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
+                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
+                "make_evsm computes them.");
+    }
+}
+
+/// Refuses a bias that moves moments away from those of depths in [-1, 1].
+inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
+    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
+            "filter.bias", "from 0 to 1", bias);
+}
+
 }  // namespace detail
 
 namespace prefilters {
@@ -19244,6 +19246,10 @@ struct vsm {
     float min_variance = 1e-6f;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const {
+        detail::require(is_finite(min_variance) && min_variance >= 0.0f, function, "filter.min_variance",
+                        "finite, 0 or more", min_variance);
+    }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
         return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
@@ -19259,6 +19265,7 @@ struct esm {
     esm_settings settings{};
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_esm(function, "filter.settings.exponent", settings); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_esm(depth, settings.exponent, cleared_depth(direction));
     }
@@ -19276,6 +19283,7 @@ struct evsm2 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_evsm(function, parameters, 1); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
     }
@@ -19293,6 +19301,7 @@ struct evsm4 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_evsm(function, parameters, 2); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
     }
@@ -19310,6 +19319,7 @@ struct msm {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm(b, receiver, bias, cleared_depth(direction));
@@ -19326,6 +19336,7 @@ struct msm_unorm16 {
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
     }
@@ -19346,6 +19357,7 @@ struct msm_hausdorff {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
@@ -19361,49 +19373,6 @@ struct msm_hausdorff {
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters
-
-namespace detail {
-
-inline void require_filter(std::string_view function, const prefilters::vsm& filter) {
-    require(is_finite(filter.min_variance) && filter.min_variance >= 0.0f, function, "filter.min_variance",
-            "finite, 0 or more", filter.min_variance);
-}
-inline void require_filter(std::string_view function, const prefilters::esm& filter) {
-    require_esm(function, "filter.settings.exponent", filter.settings);
-}
-
-/// Refuses what make_evsm refuses, of the first `count` powers.
-inline void require_evsm(std::string_view function, const evsm_parameters& parameters, glm::length_t count) {
-    for (glm::length_t i = 0; i < count; ++i) {
-        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
-        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
-                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
-                "make_evsm computes them.");
-    }
-}
-inline void require_filter(std::string_view function, const prefilters::evsm2& filter) {
-    require_evsm(function, filter.parameters, 1);
-}
-inline void require_filter(std::string_view function, const prefilters::evsm4& filter) {
-    require_evsm(function, filter.parameters, 2);
-}
-
-/// Refuses a bias that moves moments away from those of depths in [-1, 1].
-inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
-    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
-            "filter.bias", "from 0 to 1", bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm& filter) {
-    require_msm_bias(function, filter.bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm_unorm16& filter) {
-    require_msm_bias(function, filter.bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm_hausdorff& filter) {
-    require_msm_bias(function, filter.bias);
-}
-
-}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/images/prefilter.hpp

@@ -33,7 +33,8 @@ concept longer_than_vec2 = requires(Coord coord) {
 
 }  // namespace detail
 
-/// Callable (fetch, coord, receiver) -> visibility. Functions over images need no more than this.
+/// Callable (fetch, coord, receiver) -> visibility. Functions over images need no more than this. If it has
+/// check(std::string_view function), they call that once: it refuses numbers out of range, in the function's name.
 template <class Filter>
 concept filter = std::copy_constructible<Filter> &&
     requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
@@ -59,11 +60,11 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Refuses numbers that a filter's members exclude. Overloads in check.hpp and prefilters.hpp do so: include them where
-/// this is called. A filter of your own passes.
-/// @throws std::invalid_argument  a number out of range, in the name of `function`
+/// Calls a filter's check, where it has one: for functions that take the filter for many lookups.
 template <class Filter>
-constexpr void require_filter(std::string_view, const Filter&) {}
+void require_filter(std::string_view function, const Filter& filter) {
+    if constexpr (requires { filter.check(function); }) filter.check(function);
+}
 
 }  // namespace detail
 }  // namespace umbrage

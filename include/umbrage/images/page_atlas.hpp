@@ -26,7 +26,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/filter/check.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/adaptive/pages.hpp>

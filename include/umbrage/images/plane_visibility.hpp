@@ -11,7 +11,7 @@
 
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/core/check.hpp>
-#include <umbrage/filter/check.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/images/blocks/plane_forms.hpp>
 #include <umbrage/images/visibility.hpp>
 

@@ -20,7 +20,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
-#include <umbrage/filter/check.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/receivers.hpp>

@@ -28,7 +28,7 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
-#include <umbrage/filter/check.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/plane_visibility.hpp>

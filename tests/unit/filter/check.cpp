@@ -5,9 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/filter/check.hpp>
+#include <umbrage/filter/filters.hpp>
 
 #include "../special_values.hpp"
 
@@ -125,9 +127,13 @@ TEST_CASE("check: a window has a row of make_window_row; alone, another size is 
                          std::invalid_argument);
 }
 
-TEST_CASE("check: any other callable passes") {
+TEST_CASE("check: any other callable passes, unless its own check refuses it") {
     struct mine {
         int points = 12;
     };
+    struct careful : mine {
+        void check(std::string_view function) const { throw std::invalid_argument(std::string(function)); }
+    };
     CHECK(passes(mine{}));
+    CHECK_THROWS_WITH_AS(detail::require_filter("visibility", careful{}), "visibility", std::invalid_argument);
 }

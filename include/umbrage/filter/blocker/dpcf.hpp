@@ -141,13 +141,19 @@ namespace filters {
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
+    penumbra_params softness{};  ///< from make_penumbra_params
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
+    ///                                makes, in the name of `function`
+    void check(std::string_view function) const {
+        largest_disc().check(function);
+        detail::require_softness(function, softness);
+    }
     /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// Distance from a receiver to the farthest point, in texels.

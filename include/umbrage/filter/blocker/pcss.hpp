@@ -106,13 +106,19 @@ namespace filters {
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< shadow and visibility of images refuse what make_penumbra_params never makes
+    penumbra_params softness{};  ///< from make_penumbra_params
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
+    ///                                makes, in the name of `function`
+    void check(std::string_view function) const {
+        largest_disc().check(function);
+        detail::require_softness(function, softness);
+    }
     /// Disc of the largest radius.
     [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
     /// Distance from a receiver to the farthest point, in texels.

@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -41,6 +42,21 @@ struct penumbra_params {
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
+
+namespace detail {
+
+/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
+inline void require_softness(std::string_view function, const penumbra_params& softness) {
+    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
+            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
+    const float low = softness.min_radius, high = softness.max_radius;
+    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
+    require(in_order && low == std::floor(low) && high == std::floor(high), function,
+            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
+            "They are in 1/16 texel: make_penumbra_params computes them.");
+}
+
+}  // namespace detail
 
 /// Parameters of the penumbras of a light.
 /// @param units          make_light_units of the light and the map

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
 
@@ -37,23 +38,12 @@ requires(Points == 8 || Points == 16 ||
 template <>
 inline constexpr std::array<disc_point, 8> disc_points<8>{
     {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+// clang-format off
 template <>
-inline constexpr std::array<disc_point, 16> disc_points<16>{{{1, -3},
-                                                             {5, 2},
-                                                             {-5, 2},
-                                                             {0, 7},
-                                                             {-6, -5},
-                                                             {8, -5},
-                                                             {0, -11},
-                                                             {11, 5},
-                                                             {-12, 4},
-                                                             {-1, 13},
-                                                             {7, 11},
-                                                             {-9, 10},
-                                                             {-13, -4},
-                                                             {7, -12},
-                                                             {-7, -12},
-                                                             {14, -2}}};
+inline constexpr std::array<disc_point, 16> disc_points<16>{
+    {{1, -3}, {5, 2}, {-5, 2}, {0, 7}, {-6, -5}, {8, -5}, {0, -11}, {11, 5}, {-12, 4}, {-1, 13}, {7, 11},
+     {-9, 10}, {-13, -4}, {7, -12}, {-7, -12}, {14, -2}}};
+// clang-format on
 template <>
 inline constexpr std::array<disc_point, 32> disc_points<32>{
     {{-2, -1}, {3, 2},    {1, -4},  {-4, 3},   {0, 6},   {-5, -5},  {7, -2},  {-8, -1}, {8, 3},    {5, 7},  {1, -9},
@@ -264,7 +254,7 @@ namespace filters {
 
 /// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
-    int points = 16;  ///< 8, 16 or 32. shadow and visibility of images refuse others; alone, others are 32
+    int points = 16;  ///< 8, 16 or 32. Others count as 32, where check does not refuse them
     float radius_texels = 2.0f;
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
@@ -272,15 +262,18 @@ struct disc {
 
     static const std::array<disc, 3> values;
 
+    /// @throws std::invalid_argument  points other than 8, 16 and 32, in the name of `function`
+    void check(std::string_view function) const {
+        detail::require(points == 8 || points == 16 || points == 32, function, "filter.points", "8, 16 or 32", points);
+    }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const {
         const float sixteenths = points == 8 ? 13.0385f : (points == 16 ? 14.1422f : 15.0f);
         return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f);
     }
     [[nodiscard]] constexpr float reach() const {
-        const float sixteenths =
-            points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // along an axis, in any rotation
-        return disc_radius(radius_texels) * sixteenths * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
+        const float along_axis = points == 8 ? 13.0f : (points == 16 ? 14.0f : 15.0f);  // 1/16, in any rotation
+        return disc_radius(radius_texels) * along_axis * (1.0f / 256.0f) + (0.5f + 1.0f / 128.0f);
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {

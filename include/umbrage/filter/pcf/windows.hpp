@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/window.hpp>
 
@@ -235,6 +236,11 @@ struct window {
 
     static const std::array<window, 9> values;  ///< kernels of this library
 
+    /// @throws std::invalid_argument  a row that make_window_row never makes, in the name of `function`
+    void check(std::string_view function) const {
+        detail::require(detail::is_made_row(row), function, "filter.row", "of make_window_row", row.size,
+                        "That is its size; its weights, steps and whole count, too.");
+    }
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {

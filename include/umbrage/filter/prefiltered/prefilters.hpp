@@ -21,7 +21,7 @@
 namespace umbrage {
 
 /// Value that encodes depths as texels, and decodes visibility from a mean of texels. Functions over images need no
-/// more.
+/// more. If it has check(std::string_view function), they call that as they call a filter's.
 template <class Prefilter>
 concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
     typename Prefilter::texel;
@@ -42,6 +42,22 @@ consteval bool is_prefilter() {
     return true;
 }
 
+/// Refuses what make_evsm refuses, of the first `count` powers.
+inline void require_evsm(std::string_view function, const evsm_parameters& parameters, glm::length_t count) {
+    for (glm::length_t i = 0; i < count; ++i) {
+        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
+        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
+                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
+                "make_evsm computes them.");
+    }
+}
+
+/// Refuses a bias that moves moments away from those of depths in [-1, 1].
+inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
+    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
+            "filter.bias", "from 0 to 1", bias);
+}
+
 }  // namespace detail
 
 namespace prefilters {
@@ -55,6 +71,10 @@ struct vsm {
     float min_variance = 1e-6f;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const {
+        detail::require(is_finite(min_variance) && min_variance >= 0.0f, function, "filter.min_variance",
+                        "finite, 0 or more", min_variance);
+    }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
         return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
@@ -70,6 +90,7 @@ struct esm {
     esm_settings settings{};
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_esm(function, "filter.settings.exponent", settings); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_esm(depth, settings.exponent, cleared_depth(direction));
     }
@@ -87,6 +108,7 @@ struct evsm2 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_evsm(function, parameters, 1); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
     }
@@ -104,6 +126,7 @@ struct evsm4 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_evsm(function, parameters, 2); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
     }
@@ -121,6 +144,7 @@ struct msm {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm(b, receiver, bias, cleared_depth(direction));
@@ -137,6 +161,7 @@ struct msm_unorm16 {
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
     }
@@ -157,6 +182,7 @@ struct msm_hausdorff {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
@@ -172,47 +198,4 @@ struct msm_hausdorff {
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_unorm16, msm_hausdorff>;
 
 }  // namespace prefilters
-
-namespace detail {
-
-inline void require_filter(std::string_view function, const prefilters::vsm& filter) {
-    require(is_finite(filter.min_variance) && filter.min_variance >= 0.0f, function, "filter.min_variance",
-            "finite, 0 or more", filter.min_variance);
-}
-inline void require_filter(std::string_view function, const prefilters::esm& filter) {
-    require_esm(function, "filter.settings.exponent", filter.settings);
-}
-
-/// Refuses what make_evsm refuses, of the first `count` powers.
-inline void require_evsm(std::string_view function, const evsm_parameters& parameters, glm::length_t count) {
-    for (glm::length_t i = 0; i < count; ++i) {
-        require_evsm_exponent(function, "filter.parameters.exponents", parameters.exponents[i]);
-        require(holds_deviation(parameters.deviations[i], i == 0 ? 0.0f : parameters.exponents[i]), function,
-                "filter.parameters.deviations", "finite, and large enough for the exponents", parameters.deviations[i],
-                "make_evsm computes them.");
-    }
-}
-inline void require_filter(std::string_view function, const prefilters::evsm2& filter) {
-    require_evsm(function, filter.parameters, 1);
-}
-inline void require_filter(std::string_view function, const prefilters::evsm4& filter) {
-    require_evsm(function, filter.parameters, 2);
-}
-
-/// Refuses a bias that moves moments away from those of depths in [-1, 1].
-inline void require_msm_bias(std::string_view function, glm::vec2 bias) {
-    require(all_finite(bias) && bias.x >= 0.0f && bias.x <= 1.0f && bias.y >= 0.0f && bias.y <= 1.0f, function,
-            "filter.bias", "from 0 to 1", bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm& filter) {
-    require_msm_bias(function, filter.bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm_unorm16& filter) {
-    require_msm_bias(function, filter.bias);
-}
-inline void require_filter(std::string_view function, const prefilters::msm_hausdorff& filter) {
-    require_msm_bias(function, filter.bias);
-}
-
-}  // namespace detail
 }  // namespace umbrage
