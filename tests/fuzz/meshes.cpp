@@ -85,7 +85,7 @@ void tessellations(fuzz::input& in) {
             nearest = std::min(nearest, distance), farthest = std::max(farthest, distance);
         }
         // an edge's bisector rounds to an end, or a corner is in the light, to floats' digits: the triangle stays
-        if (nearest < std::max(1e-9 * farthest, 1e-6 * glm::length(light))) continue;
+        if (nearest < std::max(1e-9 * farthest, 2e-5 * glm::length(light))) continue;
         for (glm::length_t i = 0; i < 3; ++i) {
             const glm::dvec3 a = glm::dvec3(cut.positions[t[i]]) - light,
                              b = glm::dvec3(cut.positions[t[(i + 1) % 3]]) - light;

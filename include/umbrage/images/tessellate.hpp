@@ -90,10 +90,10 @@ private:
 
         [[nodiscard]] glm::vec3 middle() const { return glm::vec3(glm::mix(close, distant, share)); }
 
-        /// False where rounding leaves the middle at an end, or at most half as far from the nearer as it should be.
+        /// False where rounding moves the middle by 1/8 of its way from the nearer end, or more.
         [[nodiscard]] bool has_middle() const {
-            const glm::dvec3 m(middle());
-            return m != distant && glm::distance(m, close) > 0.5 * share * glm::distance(close, distant);
+            const glm::dvec3 way = share * (distant - close);
+            return glm::distance(glm::dvec3(middle()) - close, way) < 0.125 * glm::length(way);
         }
     };
     [[nodiscard]] divided_edge edge(unsigned a, unsigned b) const {
@@ -103,7 +103,7 @@ private:
     }
 
     /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
-    /// rounding leaves it no middle: to cut again and again would not shorten it.
+    /// rounding moves its middle: to cut again and again would not shorten it.
     [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
         glm::length_t longest = 3;
         std::pair<double, double> most{0, 0};
@@ -172,8 +172,8 @@ private:
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
 ///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
 ///               contain the light, or are seen edge-on, would be cut forever
-/// @edge         where rounding leaves no point between the ends of a triangle's longest edge, far from the origin or
-///               with one end in the light, the triangle stays. Beside neighbors that are cut it may leave a gap
+/// @edge         where rounding moves the cut of a triangle's longest edge, far from the origin or with one end close
+///               to the light, the triangle stays. Beside neighbors that are cut it may leave a gap
 template <class = detail::on_use>
 [[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";

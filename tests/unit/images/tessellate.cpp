@@ -136,6 +136,10 @@ TEST_CASE("tessellate: small and wholly distant triangles stay, as do those that
                 {.position = {0, 1.8e28f, 1}, .angle = 1.8f, .range = 19, .depth_error = 0.004f}) < 1000);
     CHECK(count({{8, 1.1f, -7.8f}, {0, 3.4e38f, 0}, {8, -1.1f, 8}},  // a middle that moves by a denormal alone
                 {.position = {0, 3.4e38f, 8}, .angle = 3, .range = 30, .depth_error = 0.5f}) < 1000);
+    CHECK(count({{1.06346703f, -7.99986172f, 3.40282347e38f},  // middles closer to the light than its digits
+                 {1.84917282e28f, 1.12486076f, 1.09803867f},
+                 {-7.96446133f, 0, 0}},
+                {.position = {0, 0, 1.84917282e28f}, .angle = 1.79685068f, .range = 19, .depth_error = 0.285f}) < 1000);
     CHECK(tessellate({}, {}).triangles.empty());
 }
 
