@@ -18564,6 +18564,8 @@ template <class = on_use>
 
 struct extent {
     glm::dvec3 low{highest<double>}, high{-highest<double>};
+
+    [[nodiscard]] double diagonal() const { return glm::length(high - low); }
 };
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
@@ -20006,9 +20008,9 @@ template <real T>
     const hull& receivers = lit.points.empty() ? box_of_casters : lit;
     const auto points = seen(frame, receivers.points);
     const auto [low, high] = extent_of(points);
-    const auto [first, last] = extent_of(receivers.points);
     const double radius = receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const double margin = double(fit.margin) * (extent_of(receivers.points).diagonal() + 2.0 * radius),
+                 around = radius + margin;
     const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {
@@ -20137,21 +20139,22 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene.
+/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene, or a point of it.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
-    const polyhedron seen = intersection(part, scene);
-    return seen.empty() ? hull(part) : hull(seen);
+    const hull seen(intersection(part, scene)), slice(part);
+    const double rounding = 0x1p-40 * extent_of(slice.points).diagonal();
+    return seen.points.empty() || extent_of(seen.points).diagonal() <= rounding ? slice : seen;
 }
 
 /// Directional light with the depth range of a whole scene, and a little beyond.
 template <real T>
 [[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
                                                  const char* function) {
-    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes need some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
-                                           function, "", "low and high of scene");
+    const extent box = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = box.diagonal() * 0x1p-8;  // flat scenes need some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), box.low.z - beyond, box.high.z + beyond,
+                                           light.clip, function, "", "low and high of scene");
     light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
     return light;
 }
@@ -20213,8 +20216,8 @@ template <std::size_t Count, real T>
 }
 
 /// Cascades of the highest resolution: each map covers the part of the scene inside its slice.
-/// A slice that misses the scene gets a map of the whole slice. Texels change size and place as the camera moves, so
-/// edges shimmer. The margin is fit.margin or more.
+/// A slice that misses the scene, or touches it in a point, gets a map of the whole slice. Texels change size and place
+/// as the camera moves, so edges shimmer. The margin is fit.margin or more.
 /// Parameters, result and errors are those of make_stable_cascades.
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
@@ -20577,7 +20580,7 @@ struct warped_cascade {
 };
 
 /// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees, or the
-/// whole slice if it sees nothing.
+/// whole slice if it sees nothing, or a point.
 ///
 /// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp

@@ -2,6 +2,7 @@
 //
 // Fits of lights: each holds its receivers. Cascades hold the part of the camera's view that is theirs, warps what the
 // camera sees of a scene. All are finite, or refused.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -40,7 +41,8 @@ glm::dmat4 absolute(glm::dmat4 m) {
     return m;
 }
 
-/// Every point in front of the light lies within clip space, with room for rounding in its matrices' products.
+/// Every point in front of the light lies within clip space, with room for rounding in its matrices' products, and in
+/// the point where it is a corner of an intersection: all its numbers are as far off as the largest.
 /// @param depths   false: the near and the far plane do not count
 /// @param share    room as a share of the map
 void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& points, const char* model,
@@ -49,7 +51,8 @@ void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& 
     const glm::dmat4 to_clip = light.projection * light.view, sizes = absolute(light.projection) * absolute(light.view);
     for (const glm::dvec3& point : points) {
         const glm::dvec4 at = to_clip * glm::dvec4(point, 1.0);
-        const glm::dvec4 rounded = 1e-14 * (sizes * glm::dvec4(glm::abs(point), 1.0));
+        const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+        const glm::dvec4 rounded = 1e-14 * (sizes * glm::dvec4(glm::dvec3(largest), 1.0));
         const auto room = [&](glm::length_t axis) { return share * at.w + rounded[axis] + rounded.w; };
         fuzz::must(at.w > 0.0 && std::abs(at.x) <= at.w + room(0) && std::abs(at.y) <= at.w + room(1), model);
         if (depths) fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);

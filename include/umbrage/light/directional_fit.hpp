@@ -73,9 +73,9 @@ template <real T>
     const hull& receivers = lit.points.empty() ? box_of_casters : lit;
     const auto points = seen(frame, receivers.points);
     const auto [low, high] = extent_of(points);
-    const auto [first, last] = extent_of(receivers.points);
     const double radius = receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const double margin = double(fit.margin) * (extent_of(receivers.points).diagonal() + 2.0 * radius),
+                 around = radius + margin;
     const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {

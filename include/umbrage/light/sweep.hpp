@@ -65,6 +65,8 @@ template <class = on_use>
 
 struct extent {
     glm::dvec3 low{highest<double>}, high{-highest<double>};
+
+    [[nodiscard]] double diagonal() const { return glm::length(high - low); }
 };
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {

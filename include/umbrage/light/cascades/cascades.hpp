@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <span>
 
-#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <umbrage/core/check.hpp>
@@ -95,21 +94,22 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene.
+/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene, or a point of it.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
-    const polyhedron seen = intersection(part, scene);
-    return seen.empty() ? hull(part) : hull(seen);
+    const hull seen(intersection(part, scene)), slice(part);
+    const double rounding = 0x1p-40 * extent_of(slice.points).diagonal();
+    return seen.points.empty() || extent_of(seen.points).diagonal() <= rounding ? slice : seen;
 }
 
 /// Directional light with the depth range of a whole scene, and a little beyond.
 template <real T>
 [[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
                                                  const char* function) {
-    const auto [low, high] = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = glm::length(high - low) * 0x1p-8;  // flat scenes need some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), low.z - beyond, high.z + beyond, light.clip,
-                                           function, "", "low and high of scene");
+    const extent box = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
+    const double beyond = box.diagonal() * 0x1p-8;  // flat scenes need some depth too
+    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), box.low.z - beyond, box.high.z + beyond,
+                                           light.clip, function, "", "low and high of scene");
     light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
     return light;
 }
@@ -171,8 +171,8 @@ template <std::size_t Count, real T>
 }
 
 /// Cascades of the highest resolution: each map covers the part of the scene inside its slice.
-/// A slice that misses the scene gets a map of the whole slice. Texels change size and place as the camera moves, so
-/// edges shimmer. The margin is fit.margin or more.
+/// A slice that misses the scene, or touches it in a point, gets a map of the whole slice. Texels change size and place
+/// as the camera moves, so edges shimmer. The margin is fit.margin or more.
 /// Parameters, result and errors are those of make_stable_cascades.
 template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,

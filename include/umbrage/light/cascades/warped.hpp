@@ -41,7 +41,7 @@ struct warped_cascade {
 };
 
 /// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees, or the
-/// whole slice if it sees nothing.
+/// whole slice if it sees nothing, or a point.
 ///
 /// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp

@@ -102,6 +102,20 @@ TEST_CASE("make_tight_cascades: a camera that looks away from the scene has casc
     }
 }
 
+TEST_CASE_TEMPLATE("make_tight_cascades: a slice that touches the scene in a point has a map of its frustum", T, float,
+                   double) {
+    cascade_fit<T> fit{.camera = {.direction = {0, 0, -1}, .tan_half_x = 1, .tan_half_y = 1, .z_near = 1, .z_far = 8},
+                       .direction = {-1, -2, -3},
+                       .clip = cpu_clip_space};
+    const auto scale_of = [&](glm::vec<3, T> corner) {
+        fit.scene = {corner, corner + T(1)};
+        return glm::vec<2, T>(make_tight_cascades<1>(fit, std::array{T(4), T(8)})[0].scale);
+    };
+    const glm::vec<2, T> missed = scale_of({9, 9, -8});
+    CHECK(scale_of({8, 8, -8}) == missed);                       // the frustum's farthest corner
+    CHECK(scale_of({T(8) - T(1e-5), 8, -8}).x > 10 * missed.x);  // an edge of a little length
+}
+
 TEST_CASE_TEMPLATE("make_cascade_uniforms: of five to nine cascades, in groups, each has what it has by itself", T,
                    float, double) {
     const auto check = [&]<std::size_t Count>() {
