@@ -11,7 +11,7 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/filter/filters.hpp>
 
-#include "../special_values.hpp"
+#include "../../special_values.hpp"
 
 using namespace umbrage;
 
