@@ -4490,6 +4490,7 @@ requires(Points == 8 || Points == 16 ||
 template <>
 inline constexpr std::array<disc_point, 8> disc_points<8>{
     {{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+// The formatter would give each of these points a line of its own.
 // clang-format off
 template <>
 inline constexpr std::array<disc_point, 16> disc_points<16>{
@@ -4706,7 +4707,7 @@ namespace filters {
 
 /// Disc filter as a value. Functions over images rotate it per pixel.
 struct disc {
-    int points = 16;  ///< 8, 16 or 32. Others count as 32, where check does not refuse them
+    int points = 16;  ///< 8, 16 or 32. check refuses others; alone they count as 32
     float radius_texels = 2.0f;
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
@@ -26197,7 +26198,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Checks that a setup's maps together have a size, and that they continue as far as the filter reaches.
+/// Checks that the size of all maps together is an int, and that each continues as far as the filter reaches.
 template <shadow_set_up SetUp>
 void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
     constexpr map_grid grid = SetUp::grid;

@@ -41,21 +41,24 @@ glm::dmat4 absolute(glm::dmat4 m) {
     return m;
 }
 
-/// Every point in front of the light lies within clip space, with room for rounding in its matrices' products, and in
-/// the point where it is a corner of an intersection: all its numbers are as far off as the largest.
-/// @param depths   false: the near and the far plane do not count
-/// @param share    room as a share of the map
+struct holding {
+    bool depths = true;    ///< false: the near and the far plane do not count
+    double share = 1e-6;   ///< room as a share of the map
+    bool corners = false;  ///< points are corners of an intersection: all numbers of one are as far off as its largest
+};
+
+/// Every point in front of the light lies within clip space, with room for rounding in its matrices' products.
 void must_hold(const light_space<double>& light, const std::vector<glm::dvec3>& points, const char* model,
-               bool depths = true, double share = 1e-6) {
+               const holding& how = {}) {
     const double nearest = light.clip.range == depth_range::zero_to_one ? 0.0 : -1.0;
     const glm::dmat4 to_clip = light.projection * light.view, sizes = absolute(light.projection) * absolute(light.view);
     for (const glm::dvec3& point : points) {
         const glm::dvec4 at = to_clip * glm::dvec4(point, 1.0);
-        const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-        const glm::dvec4 rounded = 1e-14 * (sizes * glm::dvec4(glm::dvec3(largest), 1.0));
-        const auto room = [&](glm::length_t axis) { return share * at.w + rounded[axis] + rounded.w; };
+        const glm::dvec3 own = glm::abs(point), off = how.corners ? glm::dvec3(std::max({own.x, own.y, own.z})) : own;
+        const glm::dvec4 rounded = 1e-14 * (sizes * glm::dvec4(off, 1.0));
+        const auto room = [&](glm::length_t axis) { return how.share * at.w + rounded[axis] + rounded.w; };
         fuzz::must(at.w > 0.0 && std::abs(at.x) <= at.w + room(0) && std::abs(at.y) <= at.w + room(1), model);
-        if (depths) fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);
+        if (how.depths) fuzz::must(at.z <= at.w + room(2) && at.z >= nearest * at.w - room(2), model);
     }
 }
 
@@ -81,21 +84,22 @@ void cascades(fuzz::input& in, const cascade_fit<double>& fit) {
     };
     const auto stable = make_stable_cascades<3>(fit, splits);
     for (std::size_t i = 0; i < stable.size(); ++i)
-        must_hold(stable[i].light, hull(part(i)).points, "a stable cascade holds its slice", false);
+        must_hold(stable[i].light, hull(part(i)).points, "a stable cascade holds its slice", {.depths = false});
     const auto tight = make_tight_cascades<3>(fit, splits);
     for (std::size_t i = 0; i < tight.size(); ++i)
-        must_hold(tight[i].light, hull(intersection(part(i), fit.scene)).points, "a tight cascade holds what is seen");
+        must_hold(tight[i].light, hull(intersection(part(i), fit.scene)).points, "a tight cascade holds what is seen",
+                  {.corners = true});
     const auto warp = [](const warp_fit<double>& of_slice) { return fit_light_space_perspective(of_slice); };
     const auto warped = make_warped_cascades<3>(fit, splits, warp);
     for (std::size_t i = 0; i < warped.size(); ++i)
-        must_hold(warped[i].light, hull(intersection(part(i), fit.scene)).points,
-                  "a warped cascade holds what is seen");
+        must_hold(warped[i].light, hull(intersection(part(i), fit.scene)).points, "a warped cascade holds what is seen",
+                  {.corners = true});
 }
 
 void warps(fuzz::input& in, const warp_fit<double>& fit) {
     const auto holds = [&](const warped_light<double>& warped, const char* model, double share = 1e-6) {
         fuzz::must(warped.strength >= 0.0 && warped.strength <= 1.0, "a warp's strength lies within 0 and 1");
-        must_hold(warped.light, fit.receivers->points, model, true, share);
+        must_hold(warped.light, fit.receivers->points, model, {.share = share, .corners = true});
     };
     fuzz::answered([&] { holds(fit_light_space_perspective(fit), "a light-space perspective holds what is seen"); });
     fuzz::answered([&] { holds(fit_light_space_perspective(fit, double(in.number(0, 50))), "at any distance"); });

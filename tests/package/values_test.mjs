@@ -65,7 +65,8 @@ const size = 136, of = { pages: shadow('b', { kind: umbrage.adaptive_pages, filt
     cascades: shadow('b', { kind: umbrage.cascades, filter: umbrage.tent3, map_size: size }),
     sun: shadow('b', { kind: umbrage.directional_light, filter: umbrage.tent3, map_size: size }),
     lamp: shadow('b', { kind: umbrage.point_light, filter: umbrage.tent3, map_size: size }),
-    wide: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.disc8, map_size: size }), disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
+    wide: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.disc8, map_size: size }),
+    disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
 const ordinary = { pages: seen, wide: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
 for (const [kind, part, message] of [
     ['pages', { points: [0, 0, 0] }, `${must}points must be four floats each; got 3`], ['pages', { normals: [] }, `${must}normals must be as many`],

@@ -21,6 +21,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/images/blocks/receivers.hpp>

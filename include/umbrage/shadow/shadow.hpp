@@ -67,7 +67,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Checks that a setup's maps together have a size, and that they continue as far as the filter reaches.
+/// Checks that the size of all maps together is an int, and that each continues as far as the filter reaches.
 template <shadow_set_up SetUp>
 void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
     constexpr map_grid grid = SetUp::grid;

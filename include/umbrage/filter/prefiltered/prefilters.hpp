@@ -15,7 +15,6 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/list.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace umbrage {

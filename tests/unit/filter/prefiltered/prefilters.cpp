@@ -18,7 +18,7 @@ constexpr float nan32 = std::numeric_limits<float>::quiet_NaN(), inf = std::nume
 /// Message with which a prefilter is refused; its first words are always the same.
 std::string refused(const auto& filter) {
     try {
-        detail::require_filter("visibility", filter);
+        filter.check("visibility");
     } catch (const std::invalid_argument& error) { return error.what(); }
     return "no error";
 }
