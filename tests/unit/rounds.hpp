@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Long tests take one round in so many: all, but an eighth in make asan. The sanitizers look for faults on the way,
-/// which few rounds go as well. make fuzz takes many more under the same sanitizers.
-#ifdef UMBRAGE_FEWER_ROUNDS
-constexpr int one_round_in = 8;
-#else
-constexpr int one_round_in = 1;
-#endif
+#include <cstdlib>
+
+/// Long tests take one round in so many: an eighth, and all with UMBRAGE_ALL_ROUNDS in the environment. The tests named
+/// .../all_rounds set it, which make test-all runs.
+inline const int one_round_in = std::getenv("UMBRAGE_ALL_ROUNDS") ? 1 : 8;
 
 /// Rounds that a long test takes of so many.
-constexpr int rounds(int all) { return (all + one_round_in - 1) / one_round_in; }
+inline int rounds(int all) { return (all + one_round_in - 1) / one_round_in; }

@@ -7,13 +7,15 @@
 #include <string>
 #include <type_traits>
 
+#include "../../rounds.hpp"
+
 namespace {
 
 using namespace paths;
 
 /// Receivers of every kind in and around a map, in an image and in planes.
 struct scattered {
-    glm::ivec2 size{131, 9};
+    glm::ivec2 size{131, rounds(9)};
     image<glm::vec3> receivers{size};
     image<float> x_plane{size}, y_plane{size}, depth{size};
     glm::mat4 matrix{0.4f};

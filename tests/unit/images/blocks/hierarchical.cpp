@@ -9,6 +9,7 @@
 #include <umbrage/images/visibility.hpp>
 
 #include "../../../forced_form.hpp"
+#include "../../rounds.hpp"
 
 namespace {
 
@@ -51,7 +52,7 @@ TEST_CASE(
         for (int y = 0; y < map_size.y; ++y)
             for (int x = 0; x < map_size.x; ++x)
                 shapes[{x, y}] = (x / 40 + y / 30) % 2 ? 0.25f : 0.75f + 0.01f * v.unit();
-        image<glm::vec3> scattered({131, 9}), walk({192, 60});
+        image<glm::vec3> scattered({131, rounds(9)}), walk({192, rounds(60)});
         for (glm::vec3& r : scattered.texels()) r = {v.coord(map_size.x), v.coord(map_size.y), v.depth()};
         for (int y = 0; y < walk.size().y; ++y)
             for (int x = 0; x < walk.size().x; ++x)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // visibility over images where receivers follow each other: whole blocks inside a map, and at the end of texel space.
+#include "../../../rounds.hpp"
 #include "../one_by_one.hpp"
 
 namespace {
@@ -30,7 +31,7 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::
     values v;
     image<typename Encoding::texel> map(map_size);
     for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
-    const image<glm::vec3> receivers = in_a_row({192, 24}, map_size, start, step);
+    const image<glm::vec3> receivers = in_a_row({192, 6 + rounds(18)}, map_size, start, step);
     const auto fetch = umbrage::decoded(map, encoding);
     const auto clamped = umbrage::clamped(fetch);
     const one_by_one bordered_one(any_filter(filter), erase(fetch), receivers),

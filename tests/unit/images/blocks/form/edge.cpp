@@ -9,6 +9,8 @@
 
 #include <umbrage/images/blocks/soft.hpp>
 
+#include "../../../rounds.hpp"
+
 namespace {
 
 using namespace paths;
@@ -16,8 +18,8 @@ using namespace paths;
 /// Receivers up to so many texels off one of the map's four edges or corners, in whole blocks and in some that only
 /// touch the band.
 image<glm::vec3> around_edges(glm::ivec2 map_size, float band, values& v) {
-    image<glm::vec3> receivers({200, 24});
-    for (int y = 0; y < 24; ++y)
+    image<glm::vec3> receivers({200, rounds(24)});
+    for (int y = 0; y < receivers.size().y; ++y)
         for (int x = 0; x < 200; ++x) {
             const glm::vec2 size(map_size), along(v.unit(), v.unit()), off((v.unit() - 0.5f) * 2 * band);
             glm::vec2 c = along * size;
@@ -53,7 +55,7 @@ void check_edge(Encoding encoding, const Filter& filter, glm::ivec2 map_size) {
     image<float> at_edge(receivers.size());
     umbrage::visibility(map, encoding, receivers, given, at_edge, bands{2}, umbrage::outside_map::clamped);
     CHECK(clamped.differing(at_edge) == 0);
-    CHECK(bordered.differing(at_edge) > 100);
+    CHECK(bordered.differing(at_edge) > rounds(100));
 }
 
 template <class Filter>
