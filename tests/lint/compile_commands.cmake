@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+#
+# Fails when an editor would not find how a .cpp file is compiled: each has an entry of its own in compile_commands.json.
+#
+#     cmake -D ROOT=source-folder -D BUILD=build-folder -P compile_commands.cmake
+cmake_minimum_required(VERSION 3.21)
+file(READ ${BUILD}/compile_commands.json commands)
+file(GLOB_RECURSE files ${ROOT}/include/*.cpp ${ROOT}/tests/*.cpp ${ROOT}/examples/*.cpp)
+list(LENGTH files count)
+set(missing "")
+foreach(file IN LISTS files)
+    string(FIND "${commands}" "\"file\": \"${file}\"" found)
+    if(found EQUAL -1)
+        string(APPEND missing "\n  ${file}")
+    endif()
+endforeach()
+if(missing OR count LESS 100)
+    message(FATAL_ERROR "Of ${count} files, no entry in ${BUILD}/compile_commands.json for:${missing}")
+endif()
