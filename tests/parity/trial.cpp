@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What the program of `make test` goes without, to be built in a third of the time: implementations other than OpenGL and
+// C++, and the arithmetic that bounds what an implementation returns that may reorder sums, which none of these does.
+#include "expected.hpp"
+
+namespace parity {
+
+backends vulkan_backends(std::string_view) { return {}; }
+backends webgl_backends() { return {}; }
+backends webgpu_backends() { return {}; }
+backends metal_backends() { return {}; }
+
+expectation expect(const job& j, const texels* flushed_map, bool) { return {twin_results(j), flushed_map}; }
+
+}  // namespace parity
