@@ -3,7 +3,7 @@
 # Writes what is made of the headers: include/umbrage/primitives.hpp, which includes those of the primitives; and the single
 # header, umbrage.hpp with each of our headers put in place once and the others' hoisted.
 #
-#     cmake -P single_include/amalgamate.cmake                  # or: make single-header
+#     cmake -P single_include/amalgamate.cmake                  # or: cmake --build --preset dev --target single_include
 #     cmake -D OUTPUT=folder -P single_include/amalgamate.cmake # the test: elsewhere, and compare
 cmake_minimum_required(VERSION 3.21)
 
@@ -17,7 +17,7 @@ endif()
 function(made name new old)
     execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${new}/${name} ${old}/${name} RESULT_VARIABLE different)
     if(different)
-        message(FATAL_ERROR "${old}/${name} is stale; make it anew:\n  make single-header")
+        message(FATAL_ERROR "${old}/${name} is stale; make it anew:\n  cmake --build --preset dev --target single_include")
     endif()
 endfunction()
 

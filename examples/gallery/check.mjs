@@ -14,11 +14,11 @@ import { pathToFileURL } from "node:url";
 
 const [gallery, viewer, originals, chromium, modules, work, glslang] = process.argv.slice(2);
 const skip = why => {
-  console.log("skipped: " + why);
+  console.log("SKIPPED: " + why);
   process.exit(77);
 };
 if (!existsSync(chromium)) skip("no chromium (Debian: chromium)");
-if (!existsSync(join(modules, "playwright-core"))) skip("no playwright-core in " + modules + ": make test installs it");
+if (!existsSync(join(modules, "playwright-core"))) skip("no playwright-core in " + modules + ": make test-all installs it");
 const playwright = createRequire(import.meta.url)(join(modules, "playwright-core"));
 
 // The page, and the same from the original programs.

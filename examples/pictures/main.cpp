@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the pictures that the pages show: make pictures writes them to .media.
+// Makes the pictures that the pages show: the target draw_pictures writes them to .media.
 #include <algorithm>
 #include <filesystem>
 #include <functional>

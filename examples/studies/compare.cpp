@@ -31,7 +31,7 @@
 namespace shadow_render {
 namespace {
 
-/// What snippets cost on RDNA2, from the table that `make bench-shaders` writes; empty without one.
+/// What snippets cost on RDNA2, from the table that `tests/bench/shaders/run` writes; empty without one.
 std::map<std::string, std::string> costs(const std::filesystem::path& shaders) {
     const std::filesystem::path made = "build/bench-shaders/shaders.tsv";
     if (shaders.empty() && !std::filesystem::exists(made)) return {};
@@ -44,7 +44,7 @@ std::map<std::string, std::string> costs(const std::filesystem::path& shaders) {
         for (std::string& column : of) std::getline(columns, column, '\t');
         if (of[1] == "umbrage" && columns) all[of[2]] = of[3] + " instructions, " + of[4] + " cycles";
     }
-    if (all.empty()) throw std::runtime_error(table.string() + ": not a table of make bench-shaders");
+    if (all.empty()) throw std::runtime_error(table.string() + ": not a table of tests/bench/shaders/run");
     return all;
 }
 

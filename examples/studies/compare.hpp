@@ -11,7 +11,7 @@
 
 namespace shadow_render {
 
-/// @param shaders   shaders.tsv of `make bench-shaders`; empty: the one in build/bench-shaders, if any
+/// @param shaders   shaders.tsv of `tests/bench/shaders/run`; empty: the one in build/bench-shaders, if any
 /// @throws std::runtime_error  the table of costs cannot be read, or the sheet not written
 void compare(const options& o, const example::scene& scene, const std::filesystem::path& shaders);
 

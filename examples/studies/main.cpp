@@ -47,8 +47,8 @@ std::optional<study> parse(int argc, const char* const* argv) {
     app.add_option("--light-size", o.light_size, "filters: its diameter, world units")->check(within(0, 4));
     example::add_bias(app, o.bias);
     app.add_option("--shaders", s.shaders,
-                   "filters: shaders.tsv of make bench-shaders, for what they cost on RDNA2; without it the one in "
-                   "build/bench-shaders, if any");
+                   "filters: shaders.tsv of tests/bench/shaders/run, for what they cost on RDNA2; "
+                   "without it the one in build/bench-shaders, if any");
     app.add_flag("-q,--quiet", o.quiet, "the pictures alone");
     if (!example::parse(app, argc, argv)) return std::nullopt;
     o.width = size.x, o.height = size.y;

@@ -236,14 +236,14 @@ int main(int argc, char** argv) {
     constexpr int skipped = 77;
     doctest::Context context(argc, argv);
     if (std::string(argc > 1 ? argv[1] : "").find("window") != std::string::npos && std::string(XVFB_RUN).empty()) {
-        std::puts("skipped: no xvfb-run here");
+        std::puts("SKIPPED: no xvfb-run here");
         return skipped;
     }
     try {
         viewer::headless(false);
         viewer::headless(true);
     } catch (const viewer::no_context& error) {
-        std::printf("skipped: %s\n", error.what());
+        std::printf("SKIPPED: %s\n", error.what());
         return skipped;
     }
     return context.run();

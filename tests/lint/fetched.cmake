@@ -4,10 +4,10 @@
 #
 #     cmake -D ROOT=source-folder -P fetched.cmake
 file(READ ${ROOT}/tests/fetched.md page)
-file(GLOB_RECURSE lists ${ROOT}/tests/*/CMakeLists.txt)
+file(GLOB_RECURSE lists ${ROOT}/tests/CMakeLists.txt ${ROOT}/tests/run)
 set(failed FALSE)
 set(count 0)
-foreach(file IN LISTS lists ITEMS ${ROOT}/Makefile)
+foreach(file IN LISTS lists ITEMS ${ROOT}/.ci/install)
     file(READ ${file} text)
     string(REGEX MATCHALL "@?[a-z][a-z0-9-]*(/[a-z0-9-]+)?@(latest|next|[0-9]+[.][0-9]+[.][0-9]+)" fetched "${text}")
     foreach(package IN LISTS fetched)

@@ -34,7 +34,7 @@ if (!check) {
     mkdirSync(join(folder, 'wasm'), { recursive: true });
     writeFileSync(path, text);
 } else if (!existsSync(path) || readFileSync(path, 'utf8') !== text) {
-    console.log(`FAILED: ${path} is stale; write it anew: make single-header`);
+    console.log(`FAILED: ${path} is stale; write it anew: cmake --build --preset dev --target single_include`);
     process.exitCode = 1;
 }
 console.log(`${readFileSync(out).length} bytes of WebAssembly`);

@@ -95,7 +95,7 @@ int check(const fs::path& root) {
                 std::cerr << "- " << was << "\n+ " << is << '\n';
                 break;
             }
-        std::cerr << p.path << " is out of date: run `make readme`\n";
+        std::cerr << p.path << " is out of date: run `cmake --build --preset dev --target pages`\n";
     }
     return wrong + check_all_listed(all) ? 1 : 0;
 }

