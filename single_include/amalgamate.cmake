@@ -57,7 +57,7 @@ macro(put_in header)
     list(APPEND done ${header})
     file(READ ${root}/include/${header} text_of_${header})
     # Conditional includes stay where they are.
-    string(REGEX REPLACE "(\n#(if|else)[^\n]*\n#) *include" "\\1 include" text_of_${header} "${text_of_${header}}")
+    string(REGEX REPLACE "(\n#(if|else|error)[^\n]*\n#) *include" "\\1 include" text_of_${header} "${text_of_${header}}")
     string(REGEX MATCHALL "\n#include <[^>]+" includes "${text_of_${header}}")
     list(TRANSFORM includes REPLACE "\n#include <" "")
     foreach(include IN LISTS includes)

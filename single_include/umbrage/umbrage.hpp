@@ -73,6 +73,7 @@
 
 #if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
 #error "umbrage needs C++20: -std=c++20, or /std:c++20"
+# include <C++20>  // no such file, so that compilers stop before the errors that follow
 #endif
 
 #if defined(GLM_FORCE_CXX98) || defined(GLM_FORCE_CXX03)

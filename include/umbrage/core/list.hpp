@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include <umbrage/core/config.hpp>
+
 namespace umbrage {
 
 /// Cheap alternative to std::tuple: it is never constructed, so files that do not iterate over it pay nothing.

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/core/config.hpp>
+
 namespace umbrage::glsl {
 
 /// Agreement between a snippet and its C++ version, called its twin.
