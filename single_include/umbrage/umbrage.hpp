@@ -4186,8 +4186,8 @@ template <int Bits, class Texel = glm::u8vec2>
     static_assert(Bits >= 9 && Bits <= 16);
     std::array<Texel, std::size_t(1) << Bits> table{};
     for (std::uint32_t x = 0; x < table.size(); ++x) {
-        table[x][0] = static_cast<std::uint8_t>(x & 0xFF);
-        table[x][1] = static_cast<std::uint8_t>((x >> 8) << (16 - Bits));
+        table[x].x = static_cast<std::uint8_t>(x & 0xFF);
+        table[x].y = static_cast<std::uint8_t>((x >> 8) << (16 - Bits));
     }
     return table;
 }
@@ -4209,7 +4209,7 @@ inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_tab
 template <int Bits, real T, class Fetch>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T cleared = T(1)) {
     const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, cleared)));
-    return {texel[0], texel[1]};
+    return {texel.x, texel.y};
 }
 
 namespace glsl {
