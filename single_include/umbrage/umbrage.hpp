@@ -3852,7 +3852,7 @@ struct float_bits {
 // Depth in one 16-bit UNORM channel: half the memory of a float map, without packing.
 //
 //     std::uint16_t texel = umbrage::encode_r16(depth);
-//     float stored = umbrage::decode_r16(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_r16(texel);
 //
 
 namespace umbrage {
@@ -3873,17 +3873,17 @@ template <real T>
 /// Depth from a value read from a 16-bit texture.
 ///
 /// @param c       as sampled, k / 65535. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the quantization step
+/// @param edge    lower_edge, center or upper_edge of the quantization step. For reversed depth, pass lower_edge
 /// @formula       (k + edge) 2^-16, k = floor(65535 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-16, at the center 2^-17
 template <real T>
-[[nodiscard]] T decode_r16(T c, T edge) {
+[[nodiscard]] T decode_r16(T c, T edge = upper_edge<T>) {
     return from_code<16>(from_unorm<16>(c), edge);
 }
 
 /// Depth from a channel.
-template <real T>
-[[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge = upper_edge<T>) {
     return from_code<16>(T(texel), edge);
 }
 
@@ -3948,7 +3948,7 @@ struct r16 {
 // The sample has Bits = 11. Bits = 16 is plain two-byte depth.
 //
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
-//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rg<11>(texel);
 //
 // Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
 //
@@ -3974,21 +3974,21 @@ template <int Bits, real T>
 /// Depth from values read from an 8-bit texture.
 ///
 /// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the quantization step
+/// @param edge    lower_edge, center or upper_edge of the quantization step. For reversed depth, pass lower_edge
 /// @return        depth
 /// @edge          channels that no encoder wrote: the value of the formula, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the center
 template <int Bits, real T>
-[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
+[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     const glm::vec<2, T> k = from_unorm(c);
     return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
 }
 
 /// Depth from bytes.
-template <int Bits, real T>
-[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
+template <int Bits, real T = float>
+[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
 }
@@ -4072,7 +4072,7 @@ struct rg {
 // ---- umbrage/depth/rg_level.hpp
 // Shadow test on maps of encode_rg without decoding them: one multiply-add per texel.
 //
-//     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
+//     bool lit = umbrage::receiver_rg<11>(depth) <= umbrage::level_rg<11>(sampled);
 //
 // The receiver is converted once, to the scale of the channels' sum. It lies halfway between two codes there, so the
 // rounding of a texel's read cannot change the result. In a shader, bind the filter to
@@ -4104,7 +4104,7 @@ template <int Bits, real T>
 /// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
 /// @exactness     B, n = 2: products and sums round once each. The test for which it is made is exact
 template <int Bits, real T>
-[[nodiscard]] T receiver_rg(T depth, T edge) {
+[[nodiscard]] T receiver_rg(T depth, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     if (less_equal::beyond_far_plane(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);
@@ -4256,7 +4256,7 @@ inline constexpr const snippet* rg_table_snippets[]{&encode_rg_table<Bits>...};
 // Depth in the three 10-bit channels of an R10G10B10A2 target: 24 bits, R most significant.
 //
 //     glm::u16vec3 channels = umbrage::encode_rgb10(depth);
-//     float stored = umbrage::decode_rgb10(channels, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rgb10(channels);
 //
 
 namespace umbrage {
@@ -4279,18 +4279,19 @@ template <real T>
 /// Depth from values read from a 10-bit texture.
 ///
 /// @param c       as sampled, k / 1023. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only.
+///                For reversed depth, pass lower_edge
 /// @formula       (16384 R + 16 G + floor(B / 64) + edge) 2^-24, with R, G, B = floor(1023 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
-[[nodiscard]] T decode_rgb10(glm::vec<3, T> c, T edge) {
+[[nodiscard]] T decode_rgb10(glm::vec<3, T> c, T edge = upper_edge<T>) {
     const glm::vec<3, T> k = from_unorm<10>(c);
     return from_code<24>((k.x * T(1024) + k.y) * T(16) + std::floor(k.z * T(1.0 / 64.0)), edge);
 }
 
 /// Depth from channels.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge = upper_edge<T>) {
     return from_code<24>(T((std::uint32_t(k.x) << 14) + (std::uint32_t(k.y) << 4) + (k.z >> 6)), edge);
 }
 
@@ -4362,7 +4363,7 @@ struct rgb10 {
 // Depth in three 8-bit channels: 24 bits, R most significant.
 //
 //     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
-//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rgb24(texel);
 //
 // Also called: pack depth to RGB8, 24-bit depth (encode_rgb24, decode_rgb24).
 //
@@ -4387,18 +4388,19 @@ template <real T>
 /// Depth from values read from an 8-bit texture.
 ///
 /// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only.
+///                For reversed depth, pass lower_edge
 /// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
-[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
+[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge = upper_edge<T>) {
     const glm::vec<3, T> k = from_unorm(c);
     return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
 }
 
 /// Depth from bytes.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge = upper_edge<T>) {
     return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
 }
 

@@ -3,7 +3,7 @@
 // Depth in one 16-bit UNORM channel: half the memory of a float map, without packing.
 //
 //     std::uint16_t texel = umbrage::encode_r16(depth);
-//     float stored = umbrage::decode_r16(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_r16(texel);
 //
 #pragma once
 
@@ -30,17 +30,17 @@ template <real T>
 /// Depth from a value read from a 16-bit texture.
 ///
 /// @param c       as sampled, k / 65535. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the quantization step
+/// @param edge    lower_edge, center or upper_edge of the quantization step. For reversed depth, pass lower_edge
 /// @formula       (k + edge) 2^-16, k = floor(65535 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-16, at the center 2^-17
 template <real T>
-[[nodiscard]] T decode_r16(T c, T edge) {
+[[nodiscard]] T decode_r16(T c, T edge = upper_edge<T>) {
     return from_code<16>(from_unorm<16>(c), edge);
 }
 
 /// Depth from a channel.
-template <real T>
-[[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_r16(std::uint16_t texel, T edge = upper_edge<T>) {
     return from_code<16>(T(texel), edge);
 }
 

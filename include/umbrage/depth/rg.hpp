@@ -5,7 +5,7 @@
 // The sample has Bits = 11. Bits = 16 is plain two-byte depth.
 //
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
-//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rg<11>(texel);
 //
 // Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
 //
@@ -44,21 +44,21 @@ template <int Bits, real T>
 /// Depth from values read from an 8-bit texture.
 ///
 /// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, center or upper_edge of the quantization step
+/// @param edge    lower_edge, center or upper_edge of the quantization step. For reversed depth, pass lower_edge
 /// @return        depth
 /// @edge          channels that no encoder wrote: the value of the formula, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the center
 template <int Bits, real T>
-[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
+[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     const glm::vec<2, T> k = from_unorm(c);
     return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
 }
 
 /// Depth from bytes.
-template <int Bits, real T>
-[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
+template <int Bits, real T = float>
+[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
 }

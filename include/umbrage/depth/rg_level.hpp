@@ -2,7 +2,7 @@
 //
 // Shadow test on maps of encode_rg without decoding them: one multiply-add per texel.
 //
-//     bool lit = umbrage::receiver_rg<11>(depth, umbrage::upper_edge<float>) <= umbrage::level_rg<11>(sampled);
+//     bool lit = umbrage::receiver_rg<11>(depth) <= umbrage::level_rg<11>(sampled);
 //
 // The receiver is converted once, to the scale of the channels' sum. It lies halfway between two codes there, so the
 // rounding of a texel's read cannot change the result. In a shader, bind the filter to
@@ -43,7 +43,7 @@ template <int Bits, real T>
 /// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
 /// @exactness     B, n = 2: products and sums round once each. The test for which it is made is exact
 template <int Bits, real T>
-[[nodiscard]] T receiver_rg(T depth, T edge) {
+[[nodiscard]] T receiver_rg(T depth, T edge = upper_edge<T>) {
     static_assert(Bits >= 9 && Bits <= 16);
     if (less_equal::beyond_far_plane(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);

@@ -3,7 +3,7 @@
 // Depth in the three 10-bit channels of an R10G10B10A2 target: 24 bits, R most significant.
 //
 //     glm::u16vec3 channels = umbrage::encode_rgb10(depth);
-//     float stored = umbrage::decode_rgb10(channels, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rgb10(channels);
 //
 #pragma once
 
@@ -35,18 +35,19 @@ template <real T>
 /// Depth from values read from a 10-bit texture.
 ///
 /// @param c       as sampled, k / 1023. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only.
+///                For reversed depth, pass lower_edge
 /// @formula       (16384 R + 16 G + floor(B / 64) + edge) 2^-24, with R, G, B = floor(1023 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
-[[nodiscard]] T decode_rgb10(glm::vec<3, T> c, T edge) {
+[[nodiscard]] T decode_rgb10(glm::vec<3, T> c, T edge = upper_edge<T>) {
     const glm::vec<3, T> k = from_unorm<10>(c);
     return from_code<24>((k.x * T(1024) + k.y) * T(16) + std::floor(k.z * T(1.0 / 64.0)), edge);
 }
 
 /// Depth from channels.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_rgb10(glm::u16vec3 k, T edge = upper_edge<T>) {
     return from_code<24>(T((std::uint32_t(k.x) << 14) + (std::uint32_t(k.y) << 4) + (k.z >> 6)), edge);
 }
 

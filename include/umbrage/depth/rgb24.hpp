@@ -3,7 +3,7 @@
 // Depth in three 8-bit channels: 24 bits, R most significant.
 //
 //     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
-//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
+//     float stored = umbrage::decode_rgb24(texel);
 //
 // Also called: pack depth to RGB8, 24-bit depth (encode_rgb24, decode_rgb24).
 //
@@ -37,18 +37,19 @@ template <real T>
 /// Depth from values read from an 8-bit texture.
 ///
 /// @param c       as sampled, k / 255. Any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only
+/// @param edge    lower_edge or upper_edge of the quantization step; the center is exact in double only.
+///                For reversed depth, pass lower_edge
 /// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-24
 template <real T>
-[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
+[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge = upper_edge<T>) {
     const glm::vec<3, T> k = from_unorm(c);
     return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
 }
 
 /// Depth from bytes.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
+template <real T = float>
+[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge = upper_edge<T>) {
     return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
 }
 

@@ -23,6 +23,8 @@ TEST_CASE("r16: every code, in memory and as sampled, decodes to the ends and th
             REQUIRE(decode_r16(r16::target::load(texel).x, edge) == depth);
         }
         REQUIRE(r16{}.encode(float(k) / 65536.0f) == texel);
+        REQUIRE(decode_r16(texel) == r16{}.decode(texel));
+        REQUIRE(decode_r16(r16::target::load(texel).x) == r16{}.decode(texel));
         REQUIRE(r16::target::store(to_unorm<16>(float(k)), unorm_store::truncates) == texel);
     }
     CHECK(r16{}.decode(r16{}.cleared()) == 1.0f);

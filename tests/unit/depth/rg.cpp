@@ -25,6 +25,7 @@ static_assert(encode_rg<16>(0.5f) == u8vec2(0, 128) && encode_rg<16>(1.0f) == u8
 static_assert(encode_rg<16>(258.0f / 65536.0f) == u8vec2(2, 1));
 static_assert(decode_rg<11>(u8vec2(0, 32), lower_edge<float>) == 0.125f);
 static_assert(decode_rg<11>(u8vec2(255, 224), upper_edge<float>) == 1.0f);
+static_assert(decode_rg<11>(u8vec2(255, 224)) == 1.0f && decode_rg<11, double>(u8vec2(0, 0)) == 1.0 / 2048.0);
 static_assert(rg<11>::codes == 2048 && rg<16>{}.error().above == 1.0 / 65536 && rg<16>{}.error().below == 0.0);
 static_assert(decode_rg<16>(u8vec2(2, 1), center<float>) == 258.5f / 65536.0f);
 
@@ -80,4 +81,13 @@ TEST_CASE("rg: the encoding as a value") {
     CHECK(encoding.decode(encoding.encode(1.0f)) == 1.0f);
     CHECK(encoding.decode(encoding.encode(0.3f)) == 615.0f / 2048.0f);
     CHECK(rg<11>{.edge = lower_edge<float>}.decode(u8vec2(1, 0)) == 1.0f / 2048.0f);
+}
+
+TEST_CASE("decode_rg: without an edge, as the encoding as a value decodes") {
+    for (const float depth : {0.0f, 0.3f, 1.0f}) {
+        const u8vec2 texel = encode_rg<11>(depth);
+        CHECK(decode_rg<11>(texel) == rg<11>{}.decode(texel));
+        CHECK(decode_rg<11>(load_unorm(texel)) == rg<11>{}.decode(texel));
+        CHECK(decode_rg<11>(load_unorm<8, double>(texel)) == double(rg<11>{}.decode(texel)));
+    }
 }

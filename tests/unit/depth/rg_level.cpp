@@ -45,6 +45,7 @@ TEST_CASE("receiver_rg, level_rg: the test of decode_rg, for every code, at, bes
 TEST_CASE("receiver_rg: depths that no map holds") {
     const float top = level_rg<11>(glm::vec2(1, 224.0f / 255.0f)), infinity = std::numeric_limits<float>::infinity();
     CHECK(receiver_rg<11>(0.0f, 1.0f) <= 0.0f);  // nothing shadows the near plane
+    CHECK(receiver_rg<11>(0.5f) == receiver_rg<11>(0.5f, upper_edge<float>));
     CHECK(receiver_rg<11>(-5.0f, 0.0f) <= 0.0f);
     CHECK(receiver_rg<11>(-infinity, 0.0f) <= 0.0f);
     CHECK(receiver_rg<11>(1.0f, 1.0f) <= top);                         // a cleared map shadows nothing up to 1

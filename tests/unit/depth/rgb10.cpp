@@ -13,6 +13,7 @@ namespace {
 static_assert(encode_rgb10(0.5f) == u16vec3(512, 0, 0));
 static_assert(encode_rgb10(float(0xABCDEF) / 16777216.0f) == u16vec3(0xABCDEF >> 14, 0xABCDEF >> 4 & 1023, 0xF * 64));
 static_assert(decode_rgb10(u16vec3(1023), upper_edge<float>) == 1.0f);
+static_assert(decode_rgb10(u16vec3(1023)) == 1.0f);
 
 }  // namespace
 
@@ -35,6 +36,7 @@ TEST_CASE("rgb10: codes in memory and as sampled decode to the ends of their int
             REQUIRE(rgb10{.edge = edge}.decode(texel) == (float(x) + edge) / 16777216.0f);
             REQUIRE(decode_rgb10(glm::vec3(rgb10::target::load(texel)), edge) == (float(x) + edge) / 16777216.0f);
         }
+        REQUIRE(decode_rgb10(glm::vec3(rgb10::target::load(texel))) == rgb10{}.decode(texel));
     }
     CHECK(rgb10{}.decode(rgb10{}.cleared()) == 1.0f);
 }

@@ -16,6 +16,7 @@ static_assert(encode_rgb24(0.5f) == u8vec3(128, 0, 0));
 static_assert(encode_rgb24(float(0x010203) / 16777216.0f) == u8vec3(1, 2, 3));
 static_assert(decode_rgb24(u8vec3(1, 2, 3), lower_edge<float>) == float(0x010203) / 16777216.0f);
 static_assert(decode_rgb24(u8vec3(255), upper_edge<float>) == 1.0f);
+static_assert(decode_rgb24(u8vec3(255)) == 1.0f);
 static_assert(decode_rgb24(u8vec3(255), center<double>) == 1.0 - 0x1p-25);
 
 }  // namespace
@@ -37,6 +38,7 @@ TEST_CASE("decode_rgb24: bytes, sampled floats and sampled doubles agree") {
             REQUIRE(double(d) == decode_rgb24(load_unorm<8, double>(texel), double(edge)));
         }
         REQUIRE(decode_rgb24(load_unorm<8, double>(texel), center<double>) == (x + 0.5) / 16777216.0);
+        REQUIRE(decode_rgb24(load_unorm(texel)) == rgb24{}.decode(texel));
     }
 }
 
