@@ -711,7 +711,8 @@ template <real T, class Compare = less_equal>
 }
 
 /// Visibility as the DirectX SDK's ShadowMap sample computes it.
-/// @param receiver, stored   depths
+/// @param receiver           depth of the receiver
+/// @param stored             depth in the map
 /// @param epsilon            depth units, added to the stored depth
 /// @return        0 when stored + epsilon < receiver, else 1
 /// @edge          NaN: 1
@@ -724,7 +725,8 @@ template <real T>
 }
 
 /// Visibility as the directional-light exercise computes it.
-/// @param current, stored    depths
+/// @param current            depth of the receiver
+/// @param stored             depth in the map
 /// @param epsilon            depth units, added to the stored depth
 /// @return        1 when current < stored + epsilon, else 0
 /// @edge          NaN: 0
@@ -1371,7 +1373,8 @@ template <real T>
 
 /// Smallest depth bias without shadow acne, for filters that read a disc.
 ///
-/// @param slope, error   as for acne_free_bias
+/// @param slope          as for acne_free_bias
+/// @param error          as for acne_free_bias
 /// @param radius         distance from the receiver to the farthest sample point, in texels. The center of the point's
 ///                       texel lies up to half a texel farther, and 1/128 texel more for the rounding of points
 /// @return               bias in depth, 0 to 1
@@ -1703,9 +1706,11 @@ template <real T>
 
 /// Perspective projection.
 ///
-/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            distances, world units, 0 < z_near < z_far. With an infinite z_far there is no far
-///                                 plane: depth nears the far depth with distance, forward or reversed
+/// @param tan_half_x               tangent of half the opening angle along x, > 0
+/// @param tan_half_y               tangent of half the opening angle along y, > 0
+/// @param z_near                   distance of the near plane, world units, 0 < z_near < z_far
+/// @param z_far                    distance of the far plane, world units. Infinite: there is no far plane, and depth
+///                                 nears the far depth with distance, forward or reversed
 /// @param clip                     clip space that the matrix leads to
 /// @throws std::invalid_argument   values outside these ranges; clip unset; a matrix that would not be finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
@@ -1719,8 +1724,10 @@ template <real T>
 
 /// Orthographic projection of a box in view space.
 ///
-/// @param low, high        x and y of the box's corners, world units, low < high
-/// @param z_near, z_far    distances in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param low              x and y of the box's lower corner, world units, low < high
+/// @param high             x and y of the box's upper corner, world units
+/// @param z_near           distance in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param z_far            distance in front of the light, world units
 /// @param clip             clip space that the matrix leads to
 /// @throws std::invalid_argument   an empty or non-finite box; clip unset; a matrix that would not be finite
 template <real T>
@@ -2633,7 +2640,8 @@ namespace umbrage {
 
 /// Slope of the plane through a receiver and its neighbors on the screen.
 ///
-/// @param dx, dy   derivatives of (x and y in texels, depth) on the screen: dFdx and dFdy, taken outside of branches
+/// @param dx       derivative of (x and y in texels, depth) along the screen's x: dFdx, taken outside of branches
+/// @param dy       the same along the screen's y: dFdy
 /// @return         x, y: change of depth per texel, as from plane_slope. z: largest error of their sum. It is the bias
 ///                 that is left to add per texel of reach: acne_free_bias({z, 0}, reach, error)
 /// @edge           NaN, a pixel whose texels are nearly in line, or fewer than 2^-10 texels per pixel: (0, 0, 0). The
@@ -3489,10 +3497,10 @@ template <real T>
     return ndc * T(0.5) + T(0.5);
 }
 
-/// Distance along the light's axis from perspective depth.
+/// Distance along the light's axis from perspective depth: z_near .. z_far, world units, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / (1 - depth (1 - n / f))
 /// @exactness             C, n = 8: two divisions. S = n (1 + depth (1 + n / f)) / (1 - depth (1 - n / f))^2
 template <real T>
@@ -3500,10 +3508,10 @@ template <real T>
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
 }
 
-/// Perspective depth from the distance along the light's axis.
+/// Perspective depth from the distance along the light's axis: z/w in [0, 1], 0 at the near plane, not clamped.
 /// @param z_view          > 0, world units
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               (1 - n / z) / (1 - n / f)
 /// @exactness             C, n = 10: three divisions. S = (1 + n / z) (1 + n / f) / (1 - n / f)^2
 template <real T>
@@ -3511,13 +3519,13 @@ template <real T>
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
 }
 
-/// Distance along the light's axis from reversed perspective depth.
+/// Distance along the light's axis from reversed perspective depth: z_near .. z_far, world units, not clamped.
 ///
 /// It is within 3 ulp of the distance for depth in [0, 1], since nothing cancels. Going through 1 - depth would lose
 /// thousands of ulp far from the light.
 /// @param depth           z/w in [0, 1], 1 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / (n / f + depth (1 - n / f))
 /// @exactness             C, n = 11: two divisions. S = n (n / f + depth (1 + n / f)) / (n / f + depth (1 - n / f))^2
 template <real T>
@@ -3525,10 +3533,10 @@ template <real T>
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
 }
 
-/// Reversed perspective depth from the distance along the light's axis.
+/// Reversed perspective depth from the distance along the light's axis: 1 at the near plane, not clamped.
 /// @param z_view          > 0, finite, world units
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z/w in [0, 1], 1 at the near plane; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / z (1 - z / f) / (1 - n / f)
 /// @exactness             C, n = 13: four divisions. S = n / z (1 + z / f) (1 + n / f) / (1 - n / f)^2
 template <real T>
@@ -3536,10 +3544,10 @@ template <real T>
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
 }
 
-/// Distance along the light's axis from orthographic depth, as of a directional light.
+/// Distance along the light's axis from orthographic depth, as of a directional light: z_near .. z_far, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed: that keeps all digits
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
+/// @param z_far           far plane, world units. The exchange keeps all digits
 /// @formula               n + depth (f - n)
 /// @exactness             B, n = 3: sums and a product
 template <real T>
@@ -3547,10 +3555,10 @@ template <real T>
     return z_near + depth * (z_far - z_near);
 }
 
-/// Orthographic depth, as of a directional light, from the distance along the light's axis.
+/// Orthographic depth, as of a directional light, from the distance along the light's axis: z/w, not clamped.
 /// @param z_view          distance along the axis, world units
-/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed
-/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
+/// @param z_far           far plane, world units
 /// @formula               (z - n) / (f - n)
 /// @exactness             C, n = 5: one division. S = (z + n) (f + n) / (f - n)^2
 template <real T>
@@ -6099,7 +6107,10 @@ namespace umbrage {
 
 /// Mean of four shadow tests, each with its own coordinates.
 /// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called up to 4 times
-/// @param a, b, c, d   positions of the taps in the map, in texels
+/// @param a            position of the first tap in the map, in texels
+/// @param b            position of the second tap
+/// @param c            position of the third tap
+/// @param d            position of the fourth tap
 /// @param receiver     receiver depth in [0, 1], with the bias already applied
 /// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
@@ -6194,7 +6205,10 @@ namespace umbrage {
 /// Mean of four shadow tests at coordinates from 0 to 1 over the map.
 /// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called 4 times
 /// @param size         size of the map, in texels
-/// @param a, b, c, d   positions of the taps, from (0, 0) to (1, 1) over the map
+/// @param a            position of the first tap, from (0, 0) to (1, 1) over the map
+/// @param b            position of the second tap
+/// @param c            position of the third tap
+/// @param d            position of the fourth tap
 /// @param receiver     receiver depth in [0, 1], with the bias already applied
 /// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
@@ -9696,7 +9710,8 @@ template <real T>
 
 /// Weight of the next cascade, which grows towards the end of a cascade.
 /// @param depth           distance along the camera's axis, world units
-/// @param scale, offset   scale and offset of the weight: the w of the cascade's scale and offset
+/// @param scale           scale of the weight: the w of the cascade's scale
+/// @param offset          offset of the weight: the w of the cascade's offset
 /// @return                0 to 1 in steps of 1/256
 /// @edge                  NaN: 0
 /// @formula               depth scale + offset
@@ -9926,7 +9941,8 @@ template <real T>
 
 /// Position of a point in one cascade's map.
 /// @param light           the point, rotated into the light's axes
-/// @param scale, offset   scale and offset of the cascade, see cascade; their w is not used
+/// @param scale           scale of the cascade, see cascade; its w is not used
+/// @param offset          offset of the cascade; its w is not used
 /// @return                x and y in texels, z depth, ready for a filter without a division
 /// @formula               light scale + offset
 /// @exactness             B, n = 2: a product and a sum each
@@ -9950,7 +9966,8 @@ template <real T>
 
 /// Finest cascade that contains a point and the filter around it, which is the first, and the position there.
 /// @param light            the point, rotated into the light's axes
-/// @param scales, offsets  columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
+/// @param scales           columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
+/// @param offsets          columns of the same cascades
 /// @param size             size of each map, in texels
 /// @param reach            filter radius, in texels
 /// @return                 (x, y) in texels, depth, index of the cascade
@@ -9969,7 +9986,8 @@ template <real T>
 }
 
 /// One of eight columns, for five to eight cascades: see grouped_cascade_uniforms.
-/// @param nearer, farther   four columns each
+/// @param nearer            columns 0 to 3
+/// @param farther           columns 4 to 7
 /// @param number            index of the column, 0 to 7
 /// @edge                    above 7: the last column
 /// @exactness               A
@@ -10164,7 +10182,8 @@ namespace umbrage {
 ///
 /// Logarithmic splits grow by one factor, so that a texel covers the same number of pixels in every cascade.
 /// @tparam Count           number of cascades
-/// @param z_near, z_far    distances along the camera's axis, world units, 0 < z_near < z_far
+/// @param z_near           distance along the camera's axis, world units, 0 < z_near < z_far
+/// @param z_far            distance along the camera's axis, world units
 /// @param lambda           0 for uniform, 1 for logarithmic splits
 /// @return                 Count + 1 distances, strictly increasing; the first and the last are z_near and z_far
 /// @throws std::invalid_argument  values outside these ranges; a range too short to be split
@@ -10538,7 +10557,8 @@ template <real T>
 }
 
 /// Direction from the cube's center to the center of an atlas texel.
-/// @param texel, size   as for cube_atlas_texel
+/// @param texel         as for cube_atlas_texel
+/// @param size          as for cube_atlas_texel
 /// @return              direction in half texels: its largest component is size or -size
 /// @exactness           A: integers. -ffast-math may change a zero's sign
 template <real T>
@@ -10683,7 +10703,8 @@ template <real T = float>
 
 /// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
 /// It holds inside the circle and the border.
-/// @param map_size, border   values of a light, as make_dual_paraboloid_light takes them
+/// @param map_size           as make_dual_paraboloid_light takes it
+/// @param border             as make_dual_paraboloid_light takes it
 /// @return                   angle from end to end, radians
 /// @edge                     map_size of 2 border or less, which no light has: NaN
 /// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
@@ -12018,7 +12039,8 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 }
 
 /// apply_receiver_plane of a row of texels from column `first` on.
-/// @param slope, x   slope and position of the receiver, along the row
+/// @param slope      slope of the receiver, along the row
+/// @param x          position of the receiver, along the row
 /// @param beside     depth that the row's distance from the receiver adds to the plane
 template <int Count>
 inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
@@ -12701,7 +12723,8 @@ template <class ParallelFor = serial>
 /// Range of distances along a camera's axis, from the depths it saw. It is wider by 1/1000, for rounding of the depths.
 /// @param seen             depths in [0, 1] of a perspective camera
 /// @param direction        depth direction of the camera's image
-/// @param z_near, z_far    near and far plane of the camera, 0 < z_near < z_far; z_far may be infinite
+/// @param z_near           near plane of the camera, 0 < z_near < z_far
+/// @param z_far            far plane of the camera; may be infinite
 /// @return                 x < y within z_near .. z_far, world units
 /// @edge                   nothing seen: (z_near, z_far)
 template <real T>
@@ -13406,7 +13429,8 @@ public:
     using floats = lanes_of<float, Lanes>;
     using doubles = lanes_of<double, Lanes / 2>;
 
-    /// @param lowest,highest  normal numbers above 0
+    /// @param lowest          normal number above 0
+    /// @param highest         normal number above 0
     UMBRAGE_INLINE any_depths(double lowest, double highest)
         : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
           highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}
@@ -13953,7 +13977,9 @@ struct clipped_polygon {
 enum class near_side { behind, before };
 
 /// Part of a triangle inside all planes, or outside the near plane, where snap() gives it that plane's depth.
-/// @param a,b,c   homogeneous texels
+/// @param a       first point, in homogeneous texels
+/// @param b       second point
+/// @param c       third point
 /// @param planes  a bit for each plane to clip against; those with all three points inside may be left out
 template <class = on_use>
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
@@ -15313,7 +15339,8 @@ template <class = detail::on_use>
 namespace detail {
 
 /// True when a body within a box may mark a texel. Other parameters as for umbrage::may_mark.
-/// @param middle, half   center and half size of the box
+/// @param middle         center of the box
+/// @param half           half size of the box
 /// @param reach          dvec3 normal -> extent of the body from its center along the normal, times its length
 template <class Reach>
 [[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
@@ -15399,7 +15426,8 @@ namespace umbrage {
 ///
 /// @param texture_matrix   world to texels, of the light
 /// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world, normal    a point in front of both, and its surface's normal there, of any length > 0
+/// @param world            point in front of the camera and the light
+/// @param normal           surface normal there, of any length > 0
 /// @return                 columns: pixels of a step of one texel in x and in y
 /// @edge                   surface parallel to the light: not finite
 /// @formula                d(pixel) / d(texel) on the plane through the point
@@ -15980,7 +16008,8 @@ template <class ParallelFor = serial>
 
 /// Visibility from a table: summed_moments of each receiver.
 ///
-/// @param table, of   from make_moment_table
+/// @param table       from make_moment_table
+/// @param of          from make_moment_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these
@@ -16421,7 +16450,8 @@ struct map_tile {
     }
 
     /// Copies texels of the map.
-    /// @param first, last   texels of the map that the tile must hold; at least eight columns
+    /// @param first         first texel of the map that the tile must hold
+    /// @param last          last texel, at least seven columns farther
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;
         const auto eight = [](const float* from, float* to)
@@ -16942,7 +16972,8 @@ struct plane_rows {
     float slope, x, first, cleared;
     alignas(32) float beside[24];  ///< per row: depth that its distance from the receiver adds to the plane
 
-    /// @param column, row   first texel
+    /// @param column        column of the first texel
+    /// @param row           row of the first texel
     /// @param rows          number of rows of texels, at most 24
     UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
         : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
@@ -16981,7 +17012,8 @@ template <class Placed>
 }
 
 /// Moves one texel of each receiver of a block.
-/// @param column, row   return the texel's position for receiver i, inside or outside the map
+/// @param column        returns the column of the texel of receiver i, inside or outside the map
+/// @param row           returns its row
 template <class Placed, class Column, class Row>
 UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
     if constexpr (requires { at.planes; }) {
@@ -19914,7 +19946,8 @@ template <class ParallelFor = serial>
 
 /// Visibility from a table: summed_variance of each receiver.
 ///
-/// @param table, of   from make_variance_table
+/// @param table       from make_variance_table
+/// @param of          from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these
@@ -20476,7 +20509,8 @@ template <real T>
 /// Light of a projective map that sends a box to clip space's cube. It is flipped if it would mirror.
 /// @param to_map           matrix from the world to x, y, depth and w, in double, of any scale. Along the
 ///                         light x / w and y / w are constant, and depth z / w grows
-/// @param least, greatest  smallest and largest w of receivers
+/// @param least            smallest w of receivers
+/// @param greatest         largest w of receivers
 /// @return                 nothing if the box has no extent or an infinite one, or if the map overflows
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
@@ -22564,7 +22598,7 @@ template <class = umbrage::detail::on_use>
     for (const std::string_view parameter : members(parameters)) {
         std::size_t end = 0;  // end of the name: a type may follow, or a number of elements
         while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
-            end += parameter.substr(end + 1).starts_with("::") ? 3 : 1;
+            end += parameter.substr(end + 1).starts_with("::") ? 3u : 1u;
         const auto all = words_of(parameter.substr(0, end));
         if (!all.empty()) names.push_back(all.back());
     }
@@ -26062,7 +26096,8 @@ template <class Filter>
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters with a rotated disc
+/// @param terms          declaration of shadow_terms
+/// @param pixel          declaration of a pixel, for filters with a rotated disc
 template <class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =
@@ -26331,7 +26366,8 @@ public:
     }
 
     /// Visibility of an image of receivers.
-    /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param points            image with world of operator() in each pixel
+    /// @param normals           image of the same size, with normal of operator()
     /// @param map               image of size(), texels of the encoding
     /// @param out               receives visibility, 1 lit; same size as points, other memory than the map
     /// @param parallel          cuts the rows into pieces, see parallel.hpp
@@ -26779,7 +26815,8 @@ namespace umbrage {
 /// Debug color of a world position under a shadow. Reads no map.
 ///
 /// @param of              the shadow
-/// @param world, normal   position and normal, as for the shadow
+/// @param world           position, as for the shadow
+/// @param normal          normal, as for the shadow
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
 /// @exactness   C, as project_coordinate; A for the color alone

@@ -56,7 +56,8 @@ template <real T>
 
 /// Smallest depth bias without shadow acne, for filters that read a disc.
 ///
-/// @param slope, error   as for acne_free_bias
+/// @param slope          as for acne_free_bias
+/// @param error          as for acne_free_bias
 /// @param radius         distance from the receiver to the farthest sample point, in texels. The center of the point's
 ///                       texel lies up to half a texel farther, and 1/128 texel more for the rounding of points
 /// @return               bias in depth, 0 to 1

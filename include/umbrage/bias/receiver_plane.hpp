@@ -25,7 +25,8 @@ namespace umbrage {
 
 /// Slope of the plane through a receiver and its neighbors on the screen.
 ///
-/// @param dx, dy   derivatives of (x and y in texels, depth) on the screen: dFdx and dFdy, taken outside of branches
+/// @param dx       derivative of (x and y in texels, depth) along the screen's x: dFdx, taken outside of branches
+/// @param dy       the same along the screen's y: dFdy
 /// @return         x, y: change of depth per texel, as from plane_slope. z: largest error of their sum. It is the bias
 ///                 that is left to add per texel of reach: acne_free_bias({z, 0}, reach, error)
 /// @edge           NaN, a pixel whose texels are nearly in line, or fewer than 2^-10 texels per pixel: (0, 0, 0). The

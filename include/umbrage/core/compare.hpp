@@ -106,7 +106,8 @@ template <real T, class Compare = less_equal>
 }
 
 /// Visibility as the DirectX SDK's ShadowMap sample computes it.
-/// @param receiver, stored   depths
+/// @param receiver           depth of the receiver
+/// @param stored             depth in the map
 /// @param epsilon            depth units, added to the stored depth
 /// @return        0 when stored + epsilon < receiver, else 1
 /// @edge          NaN: 1
@@ -119,7 +120,8 @@ template <real T>
 }
 
 /// Visibility as the directional-light exercise computes it.
-/// @param current, stored    depths
+/// @param current            depth of the receiver
+/// @param stored             depth in the map
 /// @param epsilon            depth units, added to the stored depth
 /// @return        1 when current < stored + epsilon, else 0
 /// @edge          NaN: 0

@@ -66,10 +66,10 @@ template <real T>
     return ndc * T(0.5) + T(0.5);
 }
 
-/// Distance along the light's axis from perspective depth.
+/// Distance along the light's axis from perspective depth: z_near .. z_far, world units, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / (1 - depth (1 - n / f))
 /// @exactness             C, n = 8: two divisions. S = n (1 + depth (1 + n / f)) / (1 - depth (1 - n / f))^2
 template <real T>
@@ -77,10 +77,10 @@ template <real T>
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
 }
 
-/// Perspective depth from the distance along the light's axis.
+/// Perspective depth from the distance along the light's axis: z/w in [0, 1], 0 at the near plane, not clamped.
 /// @param z_view          > 0, world units
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               (1 - n / z) / (1 - n / f)
 /// @exactness             C, n = 10: three divisions. S = (1 + n / z) (1 + n / f) / (1 - n / f)^2
 template <real T>
@@ -88,13 +88,13 @@ template <real T>
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
 }
 
-/// Distance along the light's axis from reversed perspective depth.
+/// Distance along the light's axis from reversed perspective depth: z_near .. z_far, world units, not clamped.
 ///
 /// It is within 3 ulp of the distance for depth in [0, 1], since nothing cancels. Going through 1 - depth would lose
 /// thousands of ulp far from the light.
 /// @param depth           z/w in [0, 1], 1 at the near plane
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / (n / f + depth (1 - n / f))
 /// @exactness             C, n = 11: two divisions. S = n (n / f + depth (1 + n / f)) / (n / f + depth (1 - n / f))^2
 template <real T>
@@ -102,10 +102,10 @@ template <real T>
     return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
 }
 
-/// Reversed perspective depth from the distance along the light's axis.
+/// Reversed perspective depth from the distance along the light's axis: 1 at the near plane, not clamped.
 /// @param z_view          > 0, finite, world units
-/// @param z_near, z_far   0 < z_near < z_far, world units; z_far may be infinite
-/// @return                z/w in [0, 1], 1 at the near plane; not clamped
+/// @param z_near          near plane, world units, 0 < z_near < z_far
+/// @param z_far           far plane, world units; may be infinite
 /// @formula               n / z (1 - z / f) / (1 - n / f)
 /// @exactness             C, n = 13: four divisions. S = n / z (1 + z / f) (1 + n / f) / (1 - n / f)^2
 template <real T>
@@ -113,10 +113,10 @@ template <real T>
     return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
 }
 
-/// Distance along the light's axis from orthographic depth, as of a directional light.
+/// Distance along the light's axis from orthographic depth, as of a directional light: z_near .. z_far, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
-/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed: that keeps all digits
-/// @return                z_near .. z_far, world units; not clamped
+/// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
+/// @param z_far           far plane, world units. The exchange keeps all digits
 /// @formula               n + depth (f - n)
 /// @exactness             B, n = 3: sums and a product
 template <real T>
@@ -124,10 +124,10 @@ template <real T>
     return z_near + depth * (z_far - z_near);
 }
 
-/// Orthographic depth, as of a directional light, from the distance along the light's axis.
+/// Orthographic depth, as of a directional light, from the distance along the light's axis: z/w, not clamped.
 /// @param z_view          distance along the axis, world units
-/// @param z_near, z_far   z_near < z_far, world units. Exchange them where depth is reversed
-/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
+/// @param z_far           far plane, world units
 /// @formula               (z - n) / (f - n)
 /// @exactness             C, n = 5: one division. S = (z + n) (f + n) / (f - n)^2
 template <real T>

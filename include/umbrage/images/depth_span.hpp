@@ -77,7 +77,8 @@ template <class ParallelFor = serial>
 /// Range of distances along a camera's axis, from the depths it saw. It is wider by 1/1000, for rounding of the depths.
 /// @param seen             depths in [0, 1] of a perspective camera
 /// @param direction        depth direction of the camera's image
-/// @param z_near, z_far    near and far plane of the camera, 0 < z_near < z_far; z_far may be infinite
+/// @param z_near           near plane of the camera, 0 < z_near < z_far
+/// @param z_far            far plane of the camera; may be infinite
 /// @return                 x < y within z_near .. z_far, world units
 /// @edge                   nothing seen: (z_near, z_far)
 template <real T>

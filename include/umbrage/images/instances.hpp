@@ -48,7 +48,8 @@ template <class = detail::on_use>
 namespace detail {
 
 /// True when a body within a box may mark a texel. Other parameters as for umbrage::may_mark.
-/// @param middle, half   center and half size of the box
+/// @param middle         center of the box
+/// @param half           half size of the box
 /// @param reach          dvec3 normal -> extent of the body from its center along the normal, times its length
 template <class Reach>
 [[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,

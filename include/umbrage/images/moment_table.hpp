@@ -78,7 +78,8 @@ template <class ParallelFor = serial>
 
 /// Visibility from a table: summed_moments of each receiver.
 ///
-/// @param table, of   from make_moment_table
+/// @param table       from make_moment_table
+/// @param of          from make_moment_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these

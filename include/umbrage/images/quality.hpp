@@ -26,7 +26,8 @@ namespace umbrage {
 ///
 /// @param texture_matrix   world to texels, of the light
 /// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world, normal    a point in front of both, and its surface's normal there, of any length > 0
+/// @param world            point in front of the camera and the light
+/// @param normal           surface normal there, of any length > 0
 /// @return                 columns: pixels of a step of one texel in x and in y
 /// @edge                   surface parallel to the light: not finite
 /// @formula                d(pixel) / d(texel) on the plane through the point

@@ -89,7 +89,8 @@ template <class ParallelFor = serial>
 
 /// Visibility from a table: summed_variance of each receiver.
 ///
-/// @param table, of   from make_variance_table
+/// @param table       from make_variance_table
+/// @param of          from make_variance_table
 /// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
 /// @param radius      radius of the box in texels, at most the table's
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these

@@ -187,9 +187,11 @@ template <real T>
 
 /// Perspective projection.
 ///
-/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            distances, world units, 0 < z_near < z_far. With an infinite z_far there is no far
-///                                 plane: depth nears the far depth with distance, forward or reversed
+/// @param tan_half_x               tangent of half the opening angle along x, > 0
+/// @param tan_half_y               tangent of half the opening angle along y, > 0
+/// @param z_near                   distance of the near plane, world units, 0 < z_near < z_far
+/// @param z_far                    distance of the far plane, world units. Infinite: there is no far plane, and depth
+///                                 nears the far depth with distance, forward or reversed
 /// @param clip                     clip space that the matrix leads to
 /// @throws std::invalid_argument   values outside these ranges; clip unset; a matrix that would not be finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
@@ -203,8 +205,10 @@ template <real T>
 
 /// Orthographic projection of a box in view space.
 ///
-/// @param low, high        x and y of the box's corners, world units, low < high
-/// @param z_near, z_far    distances in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param low              x and y of the box's lower corner, world units, low < high
+/// @param high             x and y of the box's upper corner, world units
+/// @param z_near           distance in front of the light, world units, z_near < z_far. Negative: behind the light
+/// @param z_far            distance in front of the light, world units
 /// @param clip             clip space that the matrix leads to
 /// @throws std::invalid_argument   an empty or non-finite box; clip unset; a matrix that would not be finite
 template <real T>

@@ -50,7 +50,7 @@ template <class = umbrage::detail::on_use>
     for (const std::string_view parameter : members(parameters)) {
         std::size_t end = 0;  // end of the name: a type may follow, or a number of elements
         while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
-            end += parameter.substr(end + 1).starts_with("::") ? 3 : 1;
+            end += parameter.substr(end + 1).starts_with("::") ? 3u : 1u;
         const auto all = words_of(parameter.substr(0, end));
         if (!all.empty()) names.push_back(all.back());
     }

@@ -180,7 +180,8 @@ template <class Filter>
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
-/// @param terms, pixel   declarations of shadow_terms, and of a pixel for filters with a rotated disc
+/// @param terms          declaration of shadow_terms
+/// @param pixel          declaration of a pixel, for filters with a rotated disc
 template <class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
     std::string text =

@@ -24,7 +24,8 @@ namespace umbrage {
 /// Debug color of a world position under a shadow. Reads no map.
 ///
 /// @param of              the shadow
-/// @param world, normal   position and normal, as for the shadow
+/// @param world           position, as for the shadow
+/// @param normal          normal, as for the shadow
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
 /// @exactness   C, as project_coordinate; A for the color alone

@@ -197,7 +197,8 @@ public:
     }
 
     /// Visibility of an image of receivers.
-    /// @param points, normals   images of one size, with world and normal of operator()
+    /// @param points            image with world of operator() in each pixel
+    /// @param normals           image of the same size, with normal of operator()
     /// @param map               image of size(), texels of the encoding
     /// @param out               receives visibility, 1 lit; same size as points, other memory than the map
     /// @param parallel          cuts the rows into pieces, see parallel.hpp

@@ -96,7 +96,8 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 }
 
 /// apply_receiver_plane of a row of texels from column `first` on.
-/// @param slope, x   slope and position of the receiver, along the row
+/// @param slope      slope of the receiver, along the row
+/// @param x          position of the receiver, along the row
 /// @param beside     depth that the row's distance from the receiver adds to the plane
 template <int Count>
 inline void move_to_plane(float slope, float first, float x, float beside, float cleared,

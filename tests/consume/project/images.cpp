@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A shadow map from light to picture, through every function over images.
+// A shadow map from light to picture, through every function over images; and a shadow's text in every language.
 #include <umbrage/umbrage.hpp>
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 bool shadows();  // main.cpp calls it
 
@@ -26,6 +27,13 @@ float shadow(const umbrage::image<float>& depth, const umbrage::image<glm::vec3>
     return sum / float(size.x * size.y);
 }
 
+std::string texts(const umbrage::light_space<float>& light) {
+    const umbrage::shadow spot(light, map_size, umbrage::filters::tent<3>, umbrage::rg<11>{});
+    const auto lookup = umbrage::glsl::bind(spot, "spot");
+    return umbrage::glsl::source(umbrage::glsl::version::v450, {lookup}) + umbrage::hlsl::text({lookup}) +
+           umbrage::msl::text({lookup}) + umbrage::wgsl::text({lookup});
+}
+
 }  // namespace
 
 bool shadows() {
@@ -36,7 +44,7 @@ bool shadows() {
     const auto sun = umbrage::make_directional_light(
         {.direction = {0, -1, 0}, .map_size = map_size, .z_far = 20, .clip = umbrage::cpu_clip_space});
 
-    bool ok = true;
+    bool ok = texts(spot).find("umbrage_spot(") != std::string::npos;
     for (const umbrage::light_space<float>& light : {spot, sun}) {
         umbrage::image<float> depth(map_size, umbrage::cleared_depth(light.clip));
         umbrage::rasterize_depth(depth.view(), {square, triangles}, light.projection * light.view, light.clip);

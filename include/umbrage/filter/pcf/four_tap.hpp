@@ -19,7 +19,10 @@ namespace umbrage {
 
 /// Mean of four shadow tests, each with its own coordinates.
 /// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called up to 4 times
-/// @param a, b, c, d   positions of the taps in the map, in texels
+/// @param a            position of the first tap in the map, in texels
+/// @param b            position of the second tap
+/// @param c            position of the third tap
+/// @param d            position of the fourth tap
 /// @param receiver     receiver depth in [0, 1], with the bias already applied
 /// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1

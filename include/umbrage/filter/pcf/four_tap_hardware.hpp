@@ -17,7 +17,10 @@ namespace umbrage {
 /// Mean of four shadow tests at coordinates from 0 to 1 over the map.
 /// @param fetch        returns the stored depth of a texel: float(glm::ivec2). Called 4 times
 /// @param size         size of the map, in texels
-/// @param a, b, c, d   positions of the taps, from (0, 0) to (1, 1) over the map
+/// @param a            position of the first tap, from (0, 0) to (1, 1) over the map
+/// @param b            position of the second tap
+/// @param c            position of the third tap
+/// @param d            position of the fourth tap
 /// @param receiver     receiver depth in [0, 1], with the bias already applied
 /// @param is_lit       less_equal, or greater_equal for reversed depth
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1

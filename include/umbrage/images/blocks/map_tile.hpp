@@ -29,7 +29,8 @@ struct map_tile {
     }
 
     /// Copies texels of the map.
-    /// @param first, last   texels of the map that the tile must hold; at least eight columns
+    /// @param first         first texel of the map that the tile must hold
+    /// @param last          last texel, at least seven columns farther
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;
         const auto eight = [](const float* from, float* to)

@@ -46,7 +46,8 @@ struct plane_rows {
     float slope, x, first, cleared;
     alignas(32) float beside[24];  ///< per row: depth that its distance from the receiver adds to the plane
 
-    /// @param column, row   first texel
+    /// @param column        column of the first texel
+    /// @param row           row of the first texel
     /// @param rows          number of rows of texels, at most 24
     UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
         : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
@@ -85,7 +86,8 @@ template <class Placed>
 }
 
 /// Moves one texel of each receiver of a block.
-/// @param column, row   return the texel's position for receiver i, inside or outside the map
+/// @param column        returns the column of the texel of receiver i, inside or outside the map
+/// @param row           returns its row
 template <class Placed, class Column, class Row>
 UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
     if constexpr (requires { at.planes; }) {

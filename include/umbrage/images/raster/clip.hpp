@@ -29,7 +29,9 @@ struct clipped_polygon {
 enum class near_side { behind, before };
 
 /// Part of a triangle inside all planes, or outside the near plane, where snap() gives it that plane's depth.
-/// @param a,b,c   homogeneous texels
+/// @param a       first point, in homogeneous texels
+/// @param b       second point
+/// @param c       third point
 /// @param planes  a bit for each plane to clip against; those with all three points inside may be left out
 template <class = on_use>
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,

@@ -30,7 +30,8 @@ public:
     using floats = lanes_of<float, Lanes>;
     using doubles = lanes_of<double, Lanes / 2>;
 
-    /// @param lowest,highest  normal numbers above 0
+    /// @param lowest          normal number above 0
+    /// @param highest         normal number above 0
     UMBRAGE_INLINE any_depths(double lowest, double highest)
         : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
           highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}

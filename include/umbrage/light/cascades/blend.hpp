@@ -33,7 +33,8 @@ template <real T>
 
 /// Weight of the next cascade, which grows towards the end of a cascade.
 /// @param depth           distance along the camera's axis, world units
-/// @param scale, offset   scale and offset of the weight: the w of the cascade's scale and offset
+/// @param scale           scale of the weight: the w of the cascade's scale
+/// @param offset          offset of the weight: the w of the cascade's offset
 /// @return                0 to 1 in steps of 1/256
 /// @edge                  NaN: 0
 /// @formula               depth scale + offset

@@ -62,7 +62,8 @@ template <real T>
 
 /// Position of a point in one cascade's map.
 /// @param light           the point, rotated into the light's axes
-/// @param scale, offset   scale and offset of the cascade, see cascade; their w is not used
+/// @param scale           scale of the cascade, see cascade; its w is not used
+/// @param offset          offset of the cascade; its w is not used
 /// @return                x and y in texels, z depth, ready for a filter without a division
 /// @formula               light scale + offset
 /// @exactness             B, n = 2: a product and a sum each
@@ -86,7 +87,8 @@ template <real T>
 
 /// Finest cascade that contains a point and the filter around it, which is the first, and the position there.
 /// @param light            the point, rotated into the light's axes
-/// @param scales, offsets  columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
+/// @param scales           columns of four cascades, as for cascade_coordinate; fewer: see make_cascade_uniforms
+/// @param offsets          columns of the same cascades
 /// @param size             size of each map, in texels
 /// @param reach            filter radius, in texels
 /// @return                 (x, y) in texels, depth, index of the cascade
@@ -105,7 +107,8 @@ template <real T>
 }
 
 /// One of eight columns, for five to eight cascades: see grouped_cascade_uniforms.
-/// @param nearer, farther   four columns each
+/// @param nearer            columns 0 to 3
+/// @param farther           columns 4 to 7
 /// @param number            index of the column, 0 to 7
 /// @edge                    above 7: the last column
 /// @exactness               A

@@ -22,7 +22,8 @@ namespace umbrage {
 ///
 /// Logarithmic splits grow by one factor, so that a texel covers the same number of pixels in every cascade.
 /// @tparam Count           number of cascades
-/// @param z_near, z_far    distances along the camera's axis, world units, 0 < z_near < z_far
+/// @param z_near           distance along the camera's axis, world units, 0 < z_near < z_far
+/// @param z_far            distance along the camera's axis, world units
 /// @param lambda           0 for uniform, 1 for logarithmic splits
 /// @return                 Count + 1 distances, strictly increasing; the first and the last are z_near and z_far
 /// @throws std::invalid_argument  values outside these ranges; a range too short to be split

@@ -28,7 +28,8 @@ template <real T>
 }
 
 /// Direction from the cube's center to the center of an atlas texel.
-/// @param texel, size   as for cube_atlas_texel
+/// @param texel         as for cube_atlas_texel
+/// @param size          as for cube_atlas_texel
 /// @return              direction in half texels: its largest component is size or -size
 /// @exactness           A: integers. -ffast-math may change a zero's sign
 template <real T>

@@ -111,7 +111,8 @@ template <real T = float>
 
 /// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
 /// It holds inside the circle and the border.
-/// @param map_size, border   values of a light, as make_dual_paraboloid_light takes them
+/// @param map_size           as make_dual_paraboloid_light takes it
+/// @param border             as make_dual_paraboloid_light takes it
 /// @return                   angle from end to end, radians
 /// @edge                     map_size of 2 border or less, which no light has: NaN
 /// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of

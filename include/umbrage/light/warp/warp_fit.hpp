@@ -147,7 +147,8 @@ template <real T>
 /// Light of a projective map that sends a box to clip space's cube. It is flipped if it would mirror.
 /// @param to_map           matrix from the world to x, y, depth and w, in double, of any scale. Along the
 ///                         light x / w and y / w are constant, and depth z / w grows
-/// @param least, greatest  smallest and largest w of receivers
+/// @param least            smallest w of receivers
+/// @param greatest         largest w of receivers
 /// @return                 nothing if the box has no extent or an infinite one, or if the map overflows
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
