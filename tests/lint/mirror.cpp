@@ -55,24 +55,25 @@ bool has_functions(const std::string& text) {
     return false;
 }
 
-/// The names that follow `inline constexpr snippet`.
-paths snippets_in(const std::string& text) {
+/// The names that follow `inline constexpr snippet`, of those whose members before the text have some words.
+paths snippets_in(const std::string& text, const std::string& words = "") {
     paths names;
     const std::string key = "inline constexpr snippet ";
     for (auto at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
         const auto start = at + key.size();
-        names.push_back(text.substr(start, text.find_first_of("{;= ", start) - start));
+        if (text.substr(start, text.find(".source", start) - start).find(words) != text.npos)
+            names.push_back(text.substr(start, text.find_first_of("{;= ", start) - start));
     }
     return names;
 }
 
-/// Structs that have a name: encodings, filters and prefilters as values.
-paths values_in(const std::string& text) {
+/// Structs with a member: encodings, filters and prefilters as values have a name.
+paths values_in(const std::string& text, const std::string& member = "string_view name = ") {
     paths names;
     const std::string key = "\nstruct ";
     for (auto at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
         const std::string body = text.substr(at + key.size(), text.find("\n};", at) - at - key.size());
-        if (body.find("string_view name = ") != body.npos) names.push_back(body.substr(0, body.find_first_of(" {")));
+        if (body.find(member) != body.npos) names.push_back(body.substr(0, body.find_first_of(" {")));
     }
     return names;
 }
@@ -116,6 +117,8 @@ TEST_CASE("the mirror sees what it should") {
     CHECK(has_functions("// a\n#define B\n    int c();\n"));
     CHECK_FALSE(has_functions("// a()\n\n#define B()\n#include <c>\nstruct d {\n    int e;  // f()\n};\n"));
     CHECK(snippets_in("inline constexpr snippet a{.name\n  inline constexpr snippet b = c;") == paths{"a", "b"});
+    CHECK(snippets_in("inline constexpr snippet a{tier::b, .source}\ninline constexpr snippet c{tier::a, .source}",
+                      "tier::a") == paths{"c"});
     CHECK(values_in("\nstruct a {\n    std::string_view name = \"b\";\n};\n\nstruct c {\n    d e{};\n};\n") ==
           paths{"a"});
     CHECK(place_of("include/umbrage/version.hpp", "// SPDX").ends_with(".hpp:1"));
@@ -168,6 +171,33 @@ TEST_CASE("every encoding, filter and prefilter is in the list of its kind") {
         for (const std::string& name : values_in(text_of(header)))
             CHECK_MESSAGE(has_word(listed, name), "add " << name << " to the list in " << place_of(list, "list_of<")
                                                          << ", and #include <umbrage/" << header << ".hpp> above");
+    }
+}
+
+TEST_CASE("every encoding with an edge has its layout and its decoding in proof/codecs.hpp") {
+    const std::string path = "tests/proof/codecs.hpp", codecs = read(root / path);
+    for (const std::string& header : headers) {
+        if (!header.starts_with("depth/")) continue;
+        for (const std::string& name : values_in(text_of(header), " edge = "))
+            for (const std::string function : {"of_code", "decode"})
+                CHECK_MESSAGE(has_word(codecs, function + "\\(const umbrage::" + name),
+                              "add " << function << " of umbrage::" << name << " to "
+                                     << place_of(path, '"' + function + ": add above"));
+    }
+}
+
+TEST_CASE("every snippet of tier A, but the filters of the list, has a run in proof/hostile") {
+    const std::string folder = "tests/proof/hostile/", path = folder + "tier_a.cpp";
+    std::string runs;
+    for (const char* file : {"tier_a.cpp", "light.hpp", "soft_shadows.hpp", "view.hpp"})
+        runs += read(root / folder / file);
+    for (const std::string& header : headers) {
+        const std::string text = text_of(header);
+        if (header.ends_with("hooks") || text.find("namespace filters {") != text.npos) continue;
+        for (const std::string& name : snippets_in(text, "tier::a"))
+            CHECK_MESSAGE(has_word(runs, name), "add a run of " << name << " to " << place_of(path, "void suite::all()")
+                                                                << ", or of 10 or 16 bits to "
+                                                                << place_of(path, "void suite::wide_channels()"));
     }
 }
 

@@ -81,16 +81,17 @@ inline std::uint32_t of_code(const umbrage::rgb10&, std::uint32_t x) {
 inline std::uint16_t of_code(const umbrage::r16&, std::uint32_t x) { return static_cast<std::uint16_t>(x); }
 template <class Encoding>
 typename Encoding::texel of_code(const Encoding&, std::uint32_t) {
-    static_assert(sizeof(Encoding) == 0, "add above how this encoding lays out a code: of_code");
+    static_assert(sizeof(Encoding) == 0, "of_code: add above how this encoding lays out a code");
 }
 
 /// The integers that a shader makes values of.
 template <class Encoding>
 auto channels_of(const Encoding&, typename Encoding::texel t) {
-    return glm::vec<Encoding::target::channels, float>(t);
+    using target = typename Encoding::target;
+    if constexpr (requires { target::unpacked(t); }) return glm::vec3(target::unpacked(t));
+    else if constexpr (target::channels == 1) return float(t);
+    else return glm::vec<target::channels, float>(t);
 }
-inline float channels_of(const umbrage::r16&, std::uint16_t t) { return t; }
-inline glm::vec3 channels_of(const umbrage::rgb10&, std::uint32_t t) { return umbrage::rgb10::target::unpacked(t); }
 
 /// Texel as read from a texture, as an argument for its encoding's reader.
 template <class Encoding>
@@ -124,7 +125,8 @@ T decode(const umbrage::r16&, From from, T edge) {
 }
 template <class Encoding, class From, class T>
 T decode(const Encoding&, From, T) {
-    static_assert(sizeof(Encoding) == 0, "add above how this encoding's decode_* is called, of a texel and as sampled");
+    static_assert(sizeof(Encoding) == 0,
+                  "decode: add above how this encoding's decode_* is called, of a texel and as sampled");
 }
 
 template <int Bits>
