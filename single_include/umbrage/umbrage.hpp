@@ -2098,7 +2098,8 @@ inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 //
 // Also called: shadow matrix, bias matrix, depthBiasMVP, unity_WorldToShadow, world-to-shadow matrix (texture_matrix);
 // shadowCoord, FragPosLightSpace, vShadowCoord (shadow_coordinate); perspective divide, projCoords
-// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to).
+// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to); tap matrices, a texture
+// matrix per tap (tap_matrices).
 
 namespace umbrage {
 
@@ -3958,7 +3959,7 @@ struct r16 {
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
 //     float stored = umbrage::decode_rg<11>(texel);
 //
-// Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
+// Also called: pack depth to RG8, 16-bit depth, unpack depth (encode_rg, decode_rg).
 //
 
 namespace umbrage {
@@ -4181,6 +4182,7 @@ inline constexpr const snippet* rg_level_snippets[]{&level_rg<Bits>..., &receive
 //     constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();  // 2048 x 1 RGBA8, B = A = 0
 //     glm::u8vec2 texel = umbrage::encode_rg_table<11>([&](int x) { return table[x]; }, depth);
 //
+// Also called: LUT, lookup table, lookup texture (make_rg_table, encode_rg_table).
 
 namespace umbrage {
 

@@ -7,7 +7,7 @@
 //     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
 //     float stored = umbrage::decode_rg<11>(texel);
 //
-// Also called: pack depth to RG8, 16-bit depth (encode_rg, decode_rg).
+// Also called: pack depth to RG8, 16-bit depth, unpack depth (encode_rg, decode_rg).
 //
 #pragma once
 

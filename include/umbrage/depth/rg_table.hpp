@@ -7,6 +7,7 @@
 //     constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();  // 2048 x 1 RGBA8, B = A = 0
 //     glm::u8vec2 texel = umbrage::encode_rg_table<11>([&](int x) { return table[x]; }, depth);
 //
+// Also called: LUT, lookup table, lookup texture (make_rg_table, encode_rg_table).
 #pragma once
 
 #include <array>

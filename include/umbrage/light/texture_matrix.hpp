@@ -13,7 +13,8 @@
 //
 // Also called: shadow matrix, bias matrix, depthBiasMVP, unity_WorldToShadow, world-to-shadow matrix (texture_matrix);
 // shadowCoord, FragPosLightSpace, vShadowCoord (shadow_coordinate); perspective divide, projCoords
-// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to).
+// (project_coordinate); floating origin, camera-relative rendering, large worlds (relative_to); tap matrices, a texture
+// matrix per tap (tap_matrices).
 #pragma once
 
 #include <array>
