@@ -45,6 +45,7 @@
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filter.hpp>
+#include <umbrage/filter/numbers.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>

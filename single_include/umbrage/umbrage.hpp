@@ -61,6 +61,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -1265,6 +1266,108 @@ consteval bool is_encoding() {
 }  // namespace detail
 }  // namespace umbrage
 
+// ---- umbrage/filter/numbers.hpp
+// Numbers of a filter: what its snippet's function takes after coordinate and receiver. A filter states them once, and
+// their types are those of its members.
+//
+//     static constexpr auto numbers(auto& f) { return std::tie(f.radius); }  // int radius: the function takes an int
+//
+// A shadow's uniform block holds them as the components of one vec4, in their order.
+
+namespace umbrage {
+namespace detail {
+
+/// Tuple of references to a filter's numbers.
+template <class Filter>
+using numbers_of = decltype(std::remove_cvref_t<Filter>::numbers(std::declval<Filter&>()));
+
+}  // namespace detail
+
+namespace glsl {
+
+/// Name of a number's type in GLSL; empty for types that are none of a filter's numbers.
+template <class Number>
+inline constexpr std::string_view number_type{};
+template <>
+inline constexpr std::string_view number_type<int> = "int";
+template <>
+inline constexpr std::string_view number_type<float> = "float";
+template <>
+inline constexpr std::string_view number_type<glm::vec2> = "vec2";
+template <>
+inline constexpr std::string_view number_type<glm::vec3> = "vec3";
+template <>
+inline constexpr std::string_view number_type<glm::vec4> = "vec4";
+
+}  // namespace glsl
+
+namespace detail {
+
+/// Number of floats of a filter's number in a uniform block.
+template <class Number>
+inline constexpr int width_of_number = static_cast<int>(sizeof(Number) / sizeof(float));
+
+/// Calls use(number) for each of a filter's numbers, in their order.
+template <class Filter>
+constexpr void for_each_number(Filter& filter, const auto& use) {
+    std::apply([&](auto&... all) { (use(all), ...); }, std::remove_cvref_t<Filter>::numbers(filter));
+}
+
+/// Sums of a tuple of references: whether GLSL has all types, and how many floats they are.
+template <class Numbers>
+struct number_list;
+template <class... Numbers>
+struct number_list<std::tuple<Numbers&...>> {
+    static constexpr bool known = (!glsl::number_type<std::remove_const_t<Numbers>>.empty() && ...);
+    static constexpr int width = (width_of_number<Numbers> + ... + 0);
+};
+
+/// Filter whose numbers are of types that GLSL has, four floats at most.
+template <class Filter>
+concept with_numbers = requires(const Filter& f) {
+    Filter::numbers(f);
+}
+&&number_list<numbers_of<const Filter>>::known&& number_list<numbers_of<const Filter>>::width <= 4;
+
+/// Number of floats that a filter's numbers take in a uniform block.
+template <with_numbers Filter>
+inline constexpr int width_of_numbers = number_list<numbers_of<const Filter>>::width;
+
+/// A filter's numbers as a uniform block holds them.
+template <with_numbers Filter>
+[[nodiscard]] constexpr glm::vec4 packed_numbers(const Filter& filter) {
+    glm::vec4 all(0.0f);
+    glm::length_t at = 0;
+    for_each_number(filter, [&]<class Number>(const Number& n) {
+        constexpr int width = width_of_number<Number>;
+        if constexpr (width == 1) all[at] = static_cast<float>(n);
+        else {
+            const glm::vec<width, float> v(n);
+            for (glm::length_t i = 0; i < width; ++i) all[at + i] = v[i];
+        }
+        at += width;
+    });
+    return all;
+}
+
+/// The filter with numbers as a uniform block holds them.
+template <with_numbers Filter>
+[[nodiscard]] constexpr Filter with_packed_numbers(Filter filter, const glm::vec4& all) {
+    glm::length_t at = 0;
+    for_each_number(filter, [&]<class Number>(Number& n) {
+        constexpr int width = width_of_number<Number>;
+        if constexpr (width == 1) n = static_cast<Number>(all[at]);
+        else if constexpr (width == 2) n = Number{all[at], all[at + 1]};
+        else if constexpr (width == 3) n = Number{all[at], all[at + 1], all[at + 2]};
+        else n = Number{all};
+        at += width;
+    });
+    return filter;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/filter/filter.hpp
 // Concepts of a shadow filter: a callable that computes visibility from a map's texels.
 //
@@ -1299,11 +1402,12 @@ concept filter = std::copy_constructible<Filter> &&
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
-/// Filter with a name, a snippet, a reach and a comparison, as all of this library's filters have.
+/// Filter with a name, a snippet, its numbers, a reach and a comparison, as all of this library's filters have.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // C++ version and snippet return the same result
+    {Filter::numbers(f)};                                        // those that its snippet takes: numbers.hpp
     { f.reach() } -> std::same_as<float>;  // filter radius: distance to the farthest texel center, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // comparison, with the direction of depth
 };
@@ -4727,6 +4831,7 @@ struct disc {
     std::string_view name = snippet->name;
 
     static const std::array<disc, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.radius_texels); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, in the name of `function`
     void check(std::string_view function) const {
@@ -4783,6 +4888,9 @@ struct penumbra_params {
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
+
+template <>
+inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec3";
 
 namespace detail {
 
@@ -5120,6 +5228,7 @@ struct dpcf {
     std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.softness); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
     ///                                makes, in the name of `function`
@@ -5253,6 +5362,7 @@ struct pcss {
     std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.softness); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
     ///                                makes, in the name of `function`
@@ -5420,6 +5530,7 @@ struct pcf_2x2 {
 
     comparison is_lit{};
 
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
@@ -5436,6 +5547,7 @@ struct pcf_2x2_dx_sdk {
     float epsilon = 0.0f;  ///< depth in [0, 1], added to each stored depth
     less_equal is_lit{};   ///< forward depth only; the epsilon is added to the stored depth
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.epsilon); }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
@@ -6084,6 +6196,7 @@ struct box {
     int radius = 1;  ///< in texels; clamped to 0..8
     comparison is_lit{};
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.radius); }
     [[nodiscard]] constexpr float reach() const {
         return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
     }
@@ -6174,6 +6287,7 @@ struct four_tap {
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< from the receiver to each tap, in texels
     comparison is_lit{};
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.offsets); }
     [[nodiscard]] constexpr float reach() const {
         float farthest = 0.0f;
         for (glm::vec2 offset : offsets)
@@ -6324,6 +6438,7 @@ struct hard {
 
     comparison is_lit{};
 
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 0.5f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
@@ -7361,6 +7476,7 @@ struct window {
         detail::require(detail::is_made_row(row), function, "filter.row", "of make_window_row", row.size,
                         "That is its size; its weights, steps and whole count, too.");
     }
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
@@ -19286,6 +19402,8 @@ struct vsm {
     float min_variance = 1e-6f;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.min_variance); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const {
         detail::require(is_finite(min_variance) && min_variance >= 0.0f, function, "filter.min_variance",
                         "finite, 0 or more", min_variance);
@@ -19305,6 +19423,8 @@ struct esm {
     esm_settings settings{};
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.settings.exponent); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_esm(function, "filter.settings.exponent", settings); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_esm(depth, settings.exponent, cleared_depth(direction));
@@ -19323,6 +19443,8 @@ struct evsm2 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.parameters.exponents.x, f.parameters.deviations.x); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_evsm(function, parameters, 1); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
@@ -19341,6 +19463,8 @@ struct evsm4 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.parameters.exponents, f.parameters.deviations); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_evsm(function, parameters, 2); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
@@ -19359,6 +19483,8 @@ struct msm {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
@@ -19376,6 +19502,8 @@ struct msm_unorm16 {
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
@@ -19397,6 +19525,8 @@ struct msm_hausdorff {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
@@ -25958,22 +26088,31 @@ struct moment_texels {
 
 namespace detail {
 
-/// Filter that takes a coordinate and a receiver, perhaps a pixel, and nothing else.
+/// Filter that takes a coordinate and a receiver, perhaps a pixel, and numbers of its own. It compares in either
+/// direction of depth.
 template <class Filter>
-concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
+    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
-} && !requires(const Filter& f) { f.offsets; }
-&&!requires(const Filter& f) { f.epsilon; };
+};
 
 /// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
 template <class Filter>
-concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
-    f.softness;
+concept contact_hardening =
+    point_filter<Filter> && std::same_as<numbers_of<const Filter>, std::tuple<const penumbra_params&>>;
+
+/// Prefilter whose texels a shader decodes and writes.
+template <class Prefilter>
+concept known_prefilter = prefilter<Prefilter> && with_numbers<Prefilter> && requires {
+    { Prefilter::snippet } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer_numbers } -> std::convertible_to<int>;  // of its numbers, how many the writer takes
 };
 
 /// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
 template <class Filter>
-concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
+concept disc_filter =
+    point_filter<Filter> && !contact_hardening<Filter> && width_of_numbers<Filter> < 4 && requires(const Filter& f) {
     f.farthest_point();
 };
 
@@ -25996,7 +26135,7 @@ struct encoding_for<Prefilter> {
 
 /// Filter that a shadow takes.
 template <class Filter>
-concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
+concept shadow_filter = detail::point_filter<Filter> || detail::known_prefilter<Filter>;
 
 /// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
 template <class Encoding, class Filter>
@@ -26011,26 +26150,40 @@ namespace detail {
     else return 1.0f;  // a prefilter reads the four texels around it
 }
 
+/// Checks that a shadow takes a filter and an encoding, with a readable error message.
+template <class Filter, class Encoding>
+consteval bool shadow_takes() {
+    static_assert(
+        with_numbers<Filter>,
+        "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
+        "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
+    static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
+                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
+                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
+    static_assert(shadow_encoding<Encoding, Filter>,
+                  "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
+    return true;
+}
+
+/// Component of filter_terms behind a filter's numbers. That of a disc's filter is its farthest point, for the bias.
+template <class Filter>
+inline constexpr glm::length_t component_for_disc = width_of_numbers<Filter>;
+
 /// Numbers of a filter, as the uniform block holds them.
 /// @param more   texels that the rasterizer and rounding add to a reach
-[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
-    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
-    else if constexpr (requires { filter.radius_texels; })
-        return {filter.radius_texels, filter.farthest_point() + more, 0.0f, 0.0f};
-    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.settings; }) return {filter.settings.exponent, 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.parameters; })
-        return glm::vec4(filter.parameters.exponents, filter.parameters.deviations);
-    else if constexpr (requires { filter.bias; }) return glm::vec4(filter.bias, 0.0f, 0.0f);
-    else if constexpr (requires { filter.min_variance; }) return {filter.min_variance, 0.0f, 0.0f, 0.0f};
-    else return glm::vec4(0.0f);
+template <class Filter>
+[[nodiscard]] constexpr glm::vec4 terms_of(const Filter& filter, float more) {
+    glm::vec4 all = packed_numbers(filter);
+    if constexpr (disc_filter<Filter>) all[component_for_disc<Filter>] = filter.farthest_point() + more;
+    return all;
 }
 
 /// Bias of a receiver, in depth.
 template <class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
     if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
-    else if constexpr (disc_filter<Filter>) return acne_free_disc_bias(slope, terms.filter_terms.y, terms.error);
+    else if constexpr (disc_filter<Filter>)
+        return acne_free_disc_bias(slope, terms.filter_terms[component_for_disc<Filter>], terms.error);
     else return acne_free_bias(slope, terms.reach, terms.error);
 }
 
@@ -26054,32 +26207,32 @@ template <outside_map Outside, class Filter, class Encoding>
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
-/// GLSL version of terms_of: arguments of the filter's function after coordinate and receiver.
+/// A component of filter_terms in GLSL.
+[[nodiscard]] inline std::string filter_term(int component) { return std::string("filter_terms.") + "xyzw"[component]; }
+
+/// GLSL version of terms_of: a filter's numbers, from the first on, as arguments after others.
+/// @param count   how many of them
 template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
-                               zw = ", vec2(filter_terms.z, filter_terms.w)";
+[[nodiscard]] std::string numbers_text(int count) {
     std::string all;
-    if constexpr (requires(const Filter& f) { f.softness; })
-        all = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-    else if constexpr (requires(const Filter& f) { f.radius_texels; }) all = x;
-    else if constexpr (requires(const Filter& f) { f.radius; }) all = ", int(filter_terms.x)";
-    else if constexpr (requires(const Filter& f) { f.settings; }) all = x;
-    else if constexpr (requires(const Filter& f) { f.parameters; }) {
-        if constexpr (Filter::texel::length() == 4) all = std::string(xy).append(zw);
-        else all = std::string(x).append(", filter_terms.z");
-    } else if constexpr (requires(const Filter& f) { f.bias; }) all = xy;
-    else if constexpr (requires(const Filter& f) { f.min_variance; }) all = x;
-    return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
+    int at = 0;
+    const auto add = [&]<class Number>(std::type_identity<Number>) {
+        if (count-- <= 0) return;
+        const std::string_view type = glsl::number_type<Number>;
+        std::string terms = filter_term(at++);
+        for (int i = 1; i < width_of_number<Number>; ++i) terms += ", " + filter_term(at++);
+        all += ", " + (type == "float" ? terms : std::string(type) + '(' + terms + ')');
+    };
+    [&]<class... Numbers>(std::type_identity<std::tuple<const Numbers&...>>) {
+        (add(std::type_identity<Numbers>()), ...);
+    }(std::type_identity<numbers_of<const Filter>>());
+    return all;
 }
 
-/// Arguments of a prefilter's writer after the depth, in GLSL.
-template <prefilter Prefilter>
-[[nodiscard]] constexpr std::string_view writer_arguments() {
-    if constexpr (requires(const Prefilter& p) { p.parameters; })
-        return Prefilter::texel::length() == 4 ? ", vec2(filter_terms.x, filter_terms.y)" : ", filter_terms.x";
-    else if constexpr (requires(const Prefilter& p) { p.settings; }) return ", filter_terms.x";
-    else return "";
+/// Arguments of a filter's function after coordinate and receiver, in GLSL.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
 }
 
 /// Snippet that computes bias_of.
@@ -26090,11 +26243,11 @@ template <class Filter>
 /// GLSL version of bias_of: a statement that uses `slope` and `terms`.
 template <class Filter>
 [[nodiscard]] std::string bias_text() {
-    const std::string_view reach = contact_hardening<Filter> ? "0.5"
-                                   : disc_filter<Filter>     ? "filter_terms.y"
-                                                             : "terms.z";
-    std::string text = "    UMBRAGE_HIGHP float bias = umbrage_";
-    return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
+    std::string reach = "terms.z";
+    if constexpr (contact_hardening<Filter>) reach = "0.5";
+    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
+    return std::string("    UMBRAGE_HIGHP float bias = umbrage_") + std::string(bias_snippet<Filter>().name) +
+           "(slope, " + reach + ", terms.w);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
@@ -26279,9 +26432,10 @@ template <class Filter>
 /// @tparam SetUp      setup of the light's maps, deduced from the light
 /// @tparam Filter     filter of the lookup
 /// @tparam Encoding   encoding of depths in the map
-template <shadow_set_up SetUp, shadow_filter Filter,
-          shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
+template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
+    static_assert(detail::shadow_takes<Filter, Encoding>());
+
 public:
     using texel = typename Encoding::texel;
     using uniforms_type = shadow_uniforms<SetUp>;
@@ -26428,7 +26582,7 @@ template <class Light, class Filter, class Encoding = typename detail::encoding_
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, shadow_filter Filter, shadow_encoding<Filter> Encoding>
+template <shadow_set_up SetUp, class Filter, class Encoding>
 template <class ParallelFor>
 void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,
@@ -26516,7 +26670,8 @@ template <prefilter Prefilter>
 [[nodiscard]] own_text write_moments_text() {
     const bool of_moments = Prefilter::writer == &to_optimized_moments;
     return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
-                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
+                      channels_of<typename Prefilter::texel>,
+                      umbrage::detail::numbers_text<Prefilter>(Prefilter::writer_numbers));
 }
 
 /// Text of umbrage_vertex: a vertex in clip space.

@@ -148,14 +148,12 @@ void box_table(fuzz::input& in, image_view<const float> map, Table of, const Mak
     for (const float v : out.texels()) fuzz::must(v >= 0.0f && v <= 1.0f, "a visibility lies within 0 and 1");
 }
 
-/// A prefilter with numbers of its own, now and then such as functions over images refuse.
-template <class Prefilter>
-void vary(fuzz::input& in, Prefilter& filter) {
-    if constexpr (requires { filter.settings; }) filter.settings.exponent = in.number(0, 63);
-    else if constexpr (requires { filter.parameters; }) filter.parameters.exponents.x = in.number(0, 55);
-    else if constexpr (requires { filter.bias; }) filter.bias = {in.number(0, 1), in.number(0, 1)};
-    else filter.min_variance = in.number(0, 1);
-}
+/// Gives a prefilter numbers of its own, now and then such as functions over images refuse.
+void vary(fuzz::input& in, prefilters::vsm& filter) { filter.min_variance = in.number(0, 1); }
+void vary(fuzz::input& in, prefilters::esm& filter) { filter.settings.exponent = in.number(0, 63); }
+void vary(fuzz::input& in, prefilters::evsm2& filter) { filter.parameters.exponents.x = in.number(0, 55); }
+void vary(fuzz::input& in, prefilters::evsm4& filter) { filter.parameters.exponents.x = in.number(0, 55); }
+void vary(fuzz::input& in, auto& msm) { msm.bias = {in.number(0, 1), in.number(0, 1)}; }
 
 template <class Prefilter>
 void prefiltered(fuzz::input& in, image_view<const float> map, Prefilter filter) {

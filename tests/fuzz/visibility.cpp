@@ -108,22 +108,33 @@ Filter alone_first(fuzz::input& in, const Filter& filter) {
     return filter;
 }
 
+template <class Filter>
+constexpr bool is_soft = std::is_same_v<Filter, filters::pcss> || std::is_same_v<Filter, filters::dpcf>;
+
+/// Gives a filter settings such as functions over images refuse.
+template <class Filter>
+void spoil(fuzz::input& in, Filter& filter) {
+    if constexpr (is_soft<Filter>) {
+        filter.points = 8 * in.within(-1, 5);
+        filter.softness = {in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
+    } else if constexpr (std::is_same_v<Filter, filters::disc>) {
+        filter.points = 8 * in.within(-1, 5);
+        filter.radius_texels = in.number(-1, 6);
+    } else if constexpr (std::is_same_v<Filter, filters::window>)
+        filter.row.size = in.chance(2) ? in.within(-9, 0) : in.within(16, 99);  // others are undefined alone
+}
+
 /// A filter with settings of its own, now and then such as functions over images refuse.
 template <class Filter>
 Filter varied(fuzz::input& in, Filter filter) {
     if (in.chance(8)) {
-        if constexpr (requires { filter.points; }) filter.points = 8 * in.within(-1, 5);
-        if constexpr (requires { filter.softness.per_code; })
-            filter.softness = {in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
-        else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.number(-1, 6);
-        else if constexpr (requires { filter.row; })
-            filter.row.size = in.chance(2) ? in.within(-9, 0) : in.within(16, 99);  // others are undefined alone
+        spoil(in, filter);
         return alone_first(in, filter);
     }
-    if constexpr (requires { filter.softness.per_code; })
+    if constexpr (is_soft<Filter>)
         filter.softness = {in.tame(0, 1), static_cast<float>(in.within(0, 32)), static_cast<float>(in.within(32, 128))};
-    else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = in.tame(0, 6);
-    else if constexpr (requires { filter.radius; }) filter.radius = in.within(0, 6);
+    else if constexpr (std::is_same_v<Filter, filters::disc>) filter.radius_texels = in.tame(0, 6);
+    else if constexpr (std::is_same_v<Filter, filters::box>) filter.radius = in.within(0, 6);
     return filter;
 }
 

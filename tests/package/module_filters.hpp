@@ -35,24 +35,19 @@ inline std::string numbers(std::initializer_list<float> all) {
 inline std::string numbers(glm::vec2 v) { return numbers({v.x, v.y}); }
 inline std::string numbers(glm::vec3 v) { return numbers({v.x, v.y, v.z}); }
 
+inline std::string numbers(float v) { return numbers({v}); }
+inline std::string numbers(int v) { return numbers({static_cast<float>(v)}); }
+inline std::string numbers(const umbrage::penumbra_params& v) { return numbers(glm::vec3(v)); }
+
 /// Defaults of what a filter's function takes behind coordinate and receiver.
-template <class Filter>
+template <umbrage::detail::with_numbers Filter>
 [[nodiscard]] std::vector<std::string> defaults_of(const Filter& f) {
     std::vector<std::string> all;
-    if constexpr (requires { f.softness; }) all = {numbers(glm::vec3(f.softness))};
-    else if constexpr (requires { f.radius_texels; }) all = {numbers({f.radius_texels})};
-    else if constexpr (requires { f.radius; }) all = {numbers({static_cast<float>(f.radius)})};
-    else if constexpr (requires { f.epsilon; }) all = {numbers({f.epsilon})};
-    else if constexpr (requires { f.settings; }) all = {numbers({f.settings.exponent})};
-    else if constexpr (requires { f.parameters; }) {
-        if constexpr (Filter::texel::length() == 4)
-            all = {numbers(f.parameters.exponents), numbers(f.parameters.deviations)};
-        else all = {numbers({f.parameters.exponents.x}), numbers({f.parameters.deviations.x})};
-    } else if constexpr (requires { f.bias; }) all = {numbers(f.bias)};
-    else if constexpr (requires { f.min_variance; }) all = {numbers({f.min_variance})};
+    umbrage::detail::for_each_number(f, [&](const auto& number) { all.push_back(numbers(number)); });
     if constexpr (umbrage::detail::turning<Filter>) all.push_back(numbers(umbrage::disc_rotation(glm::vec2(0))));
     return all;
 }
+[[nodiscard]] inline std::vector<std::string> defaults_of(const umbrage::filters::four_tap&) { return {}; }
 
 /// Kind of map that a filter needs. A comparison sampler is enough for filters that only compare.
 template <class Filter>
@@ -122,7 +117,7 @@ inline std::string filter_of(const snippet& s) {
         const auto add = [&](const auto& f) {
             std::string out = " filter: { reads: " + literal(reads(f)) +
                               ", reach: " + numbers({umbrage::detail::reach_of(f)}) + ", arguments: " + arguments_of(f);
-            if constexpr (requires { f.offsets; }) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(f)>, umbrage::filters::four_tap>) {
                 out += ", offsets: [";
                 for (const glm::vec2 offset : f.offsets) out += (out.back() == '[' ? "" : ", ") + numbers(offset);
                 out += ']';

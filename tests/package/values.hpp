@@ -175,17 +175,15 @@ void with_set_up(int kind, const asked& a, std::span<const seen_point> seen, glm
 /// A filter of these arguments.
 template <class Filter>
 [[nodiscard]] Filter with_arguments(Filter f, const std::array<double, 4>& a) {
-    const glm::vec4 v(static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2]),
-                      static_cast<float>(a[3]));
-    if constexpr (requires { f.softness; }) f.softness = {v.x, v.y, v.z};
-    else if constexpr (requires { f.radius_texels; }) f.radius_texels = v.x;
-    else if constexpr (requires { f.radius; }) f.radius = static_cast<int>(v.x);
-    else if constexpr (requires { f.settings; }) f.settings.exponent = v.x;
-    else if constexpr (requires { f.parameters; }) {
-        if constexpr (Filter::texel::length() == 4) f.parameters = {glm::vec2(v), {v.z, v.w}};
-        else f.parameters = {{v.x, f.parameters.exponents.y}, {v.y, f.parameters.deviations.y}};
-    } else if constexpr (requires { f.bias; }) f.bias = glm::vec2(v);
-    else if constexpr (requires { f.min_variance; }) f.min_variance = v.x;
+    auto next = a.begin();
+    const auto number = [&] { return static_cast<float>(*next++); };
+    umbrage::detail::for_each_number(f, [&]<class Number>(Number& n) {
+        if constexpr (std::is_same_v<Number, int>) n = static_cast<int>(number());
+        else if constexpr (std::is_same_v<Number, penumbra_params>) n = {number(), number(), number()};
+        else if constexpr (std::is_same_v<Number, float>) n = number();
+        else
+            for (glm::length_t i = 0; i < Number::length(); ++i) n[i] = number();
+    });
     return f;
 }
 

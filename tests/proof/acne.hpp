@@ -169,12 +169,12 @@ void for_each_percentage_closer(Use&& use) {
         for (auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
             if constexpr (requires { filter.is_lit = umbrage::comparison{direction}; }) filter.is_lit = {direction};
             else if (direction == umbrage::depth_direction::reversed) continue;
-            if constexpr (requires { filter.radius = 0; })
+            if constexpr (std::is_same_v<Filter, umbrage::filters::box>)
                 for (int radius = 0; radius <= umbrage::max_box_radius; ++radius) {
                     filter.radius = radius;
                     use(filter, direction);
                 }
-            else if constexpr (requires { filter.radius_texels = 0.0f; })
+            else if constexpr (std::is_same_v<Filter, umbrage::filters::disc>)
                 for (float radius : disc_radii) {
                     filter.radius_texels = radius;
                     use(filter, direction);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades
-// and pages, in an atlas and in an array, in a fourth. OpenGL and C++ have to say the same of each receiver.
+// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades,
+// pages, in an atlas and in an array, and a filter of a user's own in a fourth. OpenGL and C++ have to say the same of
+// each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ
@@ -15,6 +16,7 @@
 #include <umbrage/umbrage.hpp>
 
 #include "../../examples/viewer/headless.hpp"
+#include "../unit/shadow/own_filter.hpp"
 #include "../unit/shadow/scene.hpp"
 #include "drawn_in_gl.hpp"
 
@@ -83,6 +85,8 @@ int main(int argc, char** argv) try {
 
     const shadow bent(shadow_scene::warped<4>(clip), {256, 256}, filters::tent<3>);
     const shadow paged(shadow_scene::pages(clip), {80, 80}, filters::disc{});
+    const shadow own_filter(shadow_scene::cascades(clip), {256, 256}, own::two_taps{});
+    const auto own_map = shadow_scene::drawn(own_filter);
     const auto bent_map = shadow_scene::drawn(bent), paged_map = shadow_scene::drawn(paged);
     const auto pages = layers_of(paged, paged_map);
 
@@ -139,6 +143,8 @@ int main(int argc, char** argv) try {
                                   bind(paged, "layers", {.block = 2, .texture = 3, .map = glsl::texture::array}),
                                   array_of_pages, paged_map));
         }
+        chosen.push_back(make("mine", own_filter, bind(own_filter, "mine", {.block = 3, .texture = 4}),
+                              one_channel(own_map), own_map));
         good = agree(v, std::move(chosen), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats
 

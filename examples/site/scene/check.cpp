@@ -61,22 +61,13 @@ void with_filter(int number, const Use& use) {
     umbrage::filters::soft::for_each(one);
 }
 
-/// The filter with its arguments as the block holds them.
-template <class Filter>
-Filter with_terms(Filter filter, const glm::vec4& terms) {
-    if constexpr (requires { filter.softness; }) filter.softness = {terms.x, terms.y, terms.z};
-    else if constexpr (requires { filter.radius_texels; }) filter.radius_texels = terms.x;
-    else if constexpr (requires { filter.radius; }) filter.radius = static_cast<int>(terms.x);
-    return filter;
-}
-
 template <class SetUp, class Filter>
 void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
     typename SetUp::uniforms maps;
     shadow_terms terms;
     std::memcpy(&maps, block, sizeof maps);
     std::memcpy(&terms, reinterpret_cast<const char*>(block) + sizeof maps, sizeof terms);
-    filter = with_terms(filter, terms.filter_terms);
+    filter = umbrage::detail::with_packed_numbers(filter, terms.filter_terms);
     filter.is_lit.direction = direction;
     const umbrage::depth32f stored{.direction = direction};
     const glm::ivec2 map_size(terms.map_size);

@@ -16,6 +16,7 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/snippet.hpp>
+#include <umbrage/filter/numbers.hpp>
 
 namespace umbrage {
 namespace detail {
@@ -41,11 +42,12 @@ concept filter = std::copy_constructible<Filter> &&
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
-/// Filter with a name, a snippet, a reach and a comparison, as all of this library's filters have.
+/// Filter with a name, a snippet, its numbers, a reach and a comparison, as all of this library's filters have.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // C++ version and snippet return the same result
+    {Filter::numbers(f)};                                        // those that its snippet takes: numbers.hpp
     { f.reach() } -> std::same_as<float>;  // filter radius: distance to the farthest texel center, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // comparison, with the direction of depth
 };

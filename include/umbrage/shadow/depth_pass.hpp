@@ -62,7 +62,8 @@ template <prefilter Prefilter>
 [[nodiscard]] own_text write_moments_text() {
     const bool of_moments = Prefilter::writer == &to_optimized_moments;
     return write_text(of_moments ? encode_msm : *Prefilter::writer, of_moments ? Prefilter::writer : nullptr,
-                      channels_of<typename Prefilter::texel>, umbrage::detail::writer_arguments<Prefilter>());
+                      channels_of<typename Prefilter::texel>,
+                      umbrage::detail::numbers_text<Prefilter>(Prefilter::writer_numbers));
 }
 
 /// Text of umbrage_vertex: a vertex in clip space.

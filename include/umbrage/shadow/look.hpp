@@ -10,6 +10,8 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <glm/vec2.hpp>
@@ -40,22 +42,31 @@ struct moment_texels {
 
 namespace detail {
 
-/// Filter that takes a coordinate and a receiver, perhaps a pixel, and nothing else.
+/// Filter that takes a coordinate and a receiver, perhaps a pixel, and numbers of its own. It compares in either
+/// direction of depth.
 template <class Filter>
-concept point_filter = known_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
+    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
-} && !requires(const Filter& f) { f.offsets; }
-&&!requires(const Filter& f) { f.epsilon; };
+};
 
 /// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
 template <class Filter>
-concept contact_hardening = point_filter<Filter> && requires(const Filter& f) {
-    f.softness;
+concept contact_hardening =
+    point_filter<Filter> && std::same_as<numbers_of<const Filter>, std::tuple<const penumbra_params&>>;
+
+/// Prefilter whose texels a shader decodes and writes.
+template <class Prefilter>
+concept known_prefilter = prefilter<Prefilter> && with_numbers<Prefilter> && requires {
+    { Prefilter::snippet } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer_numbers } -> std::convertible_to<int>;  // of its numbers, how many the writer takes
 };
 
 /// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
 template <class Filter>
-concept disc_filter = point_filter<Filter> && !contact_hardening<Filter> && requires(const Filter& f) {
+concept disc_filter =
+    point_filter<Filter> && !contact_hardening<Filter> && width_of_numbers<Filter> < 4 && requires(const Filter& f) {
     f.farthest_point();
 };
 
@@ -78,7 +89,7 @@ struct encoding_for<Prefilter> {
 
 /// Filter that a shadow takes.
 template <class Filter>
-concept shadow_filter = detail::point_filter<Filter> || prefilter<Filter>;
+concept shadow_filter = detail::point_filter<Filter> || detail::known_prefilter<Filter>;
 
 /// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
 template <class Encoding, class Filter>
@@ -93,26 +104,40 @@ namespace detail {
     else return 1.0f;  // a prefilter reads the four texels around it
 }
 
+/// Checks that a shadow takes a filter and an encoding, with a readable error message.
+template <class Filter, class Encoding>
+consteval bool shadow_takes() {
+    static_assert(
+        with_numbers<Filter>,
+        "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
+        "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
+    static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
+                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
+                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
+    static_assert(shadow_encoding<Encoding, Filter>,
+                  "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
+    return true;
+}
+
+/// Component of filter_terms behind a filter's numbers. That of a disc's filter is its farthest point, for the bias.
+template <class Filter>
+inline constexpr glm::length_t component_for_disc = width_of_numbers<Filter>;
+
 /// Numbers of a filter, as the uniform block holds them.
 /// @param more   texels that the rasterizer and rounding add to a reach
-[[nodiscard]] constexpr glm::vec4 terms_of(const auto& filter, float more) {
-    if constexpr (requires { filter.softness; }) return glm::vec4(glm::vec3(filter.softness), 0.0f);
-    else if constexpr (requires { filter.radius_texels; })
-        return {filter.radius_texels, filter.farthest_point() + more, 0.0f, 0.0f};
-    else if constexpr (requires { filter.radius; }) return {static_cast<float>(filter.radius), 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.settings; }) return {filter.settings.exponent, 0.0f, 0.0f, 0.0f};
-    else if constexpr (requires { filter.parameters; })
-        return glm::vec4(filter.parameters.exponents, filter.parameters.deviations);
-    else if constexpr (requires { filter.bias; }) return glm::vec4(filter.bias, 0.0f, 0.0f);
-    else if constexpr (requires { filter.min_variance; }) return {filter.min_variance, 0.0f, 0.0f, 0.0f};
-    else return glm::vec4(0.0f);
+template <class Filter>
+[[nodiscard]] constexpr glm::vec4 terms_of(const Filter& filter, float more) {
+    glm::vec4 all = packed_numbers(filter);
+    if constexpr (disc_filter<Filter>) all[component_for_disc<Filter>] = filter.farthest_point() + more;
+    return all;
 }
 
 /// Bias of a receiver, in depth.
 template <class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
     if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
-    else if constexpr (disc_filter<Filter>) return acne_free_disc_bias(slope, terms.filter_terms.y, terms.error);
+    else if constexpr (disc_filter<Filter>)
+        return acne_free_disc_bias(slope, terms.filter_terms[component_for_disc<Filter>], terms.error);
     else return acne_free_bias(slope, terms.reach, terms.error);
 }
 
@@ -136,32 +161,32 @@ template <outside_map Outside, class Filter, class Encoding>
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
-/// GLSL version of terms_of: arguments of the filter's function after coordinate and receiver.
+/// A component of filter_terms in GLSL.
+[[nodiscard]] inline std::string filter_term(int component) { return std::string("filter_terms.") + "xyzw"[component]; }
+
+/// GLSL version of terms_of: a filter's numbers, from the first on, as arguments after others.
+/// @param count   how many of them
 template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    constexpr std::string_view x = ", filter_terms.x", xy = ", vec2(filter_terms.x, filter_terms.y)",
-                               zw = ", vec2(filter_terms.z, filter_terms.w)";
+[[nodiscard]] std::string numbers_text(int count) {
     std::string all;
-    if constexpr (requires(const Filter& f) { f.softness; })
-        all = ", vec3(filter_terms.x, filter_terms.y, filter_terms.z)";
-    else if constexpr (requires(const Filter& f) { f.radius_texels; }) all = x;
-    else if constexpr (requires(const Filter& f) { f.radius; }) all = ", int(filter_terms.x)";
-    else if constexpr (requires(const Filter& f) { f.settings; }) all = x;
-    else if constexpr (requires(const Filter& f) { f.parameters; }) {
-        if constexpr (Filter::texel::length() == 4) all = std::string(xy).append(zw);
-        else all = std::string(x).append(", filter_terms.z");
-    } else if constexpr (requires(const Filter& f) { f.bias; }) all = xy;
-    else if constexpr (requires(const Filter& f) { f.min_variance; }) all = x;
-    return turning<Filter> ? all + ", umbrage_disc_rotation(pixel)" : all;
+    int at = 0;
+    const auto add = [&]<class Number>(std::type_identity<Number>) {
+        if (count-- <= 0) return;
+        const std::string_view type = glsl::number_type<Number>;
+        std::string terms = filter_term(at++);
+        for (int i = 1; i < width_of_number<Number>; ++i) terms += ", " + filter_term(at++);
+        all += ", " + (type == "float" ? terms : std::string(type) + '(' + terms + ')');
+    };
+    [&]<class... Numbers>(std::type_identity<std::tuple<const Numbers&...>>) {
+        (add(std::type_identity<Numbers>()), ...);
+    }(std::type_identity<numbers_of<const Filter>>());
+    return all;
 }
 
-/// Arguments of a prefilter's writer after the depth, in GLSL.
-template <prefilter Prefilter>
-[[nodiscard]] constexpr std::string_view writer_arguments() {
-    if constexpr (requires(const Prefilter& p) { p.parameters; })
-        return Prefilter::texel::length() == 4 ? ", vec2(filter_terms.x, filter_terms.y)" : ", filter_terms.x";
-    else if constexpr (requires(const Prefilter& p) { p.settings; }) return ", filter_terms.x";
-    else return "";
+/// Arguments of a filter's function after coordinate and receiver, in GLSL.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
 }
 
 /// Snippet that computes bias_of.
@@ -172,11 +197,11 @@ template <class Filter>
 /// GLSL version of bias_of: a statement that uses `slope` and `terms`.
 template <class Filter>
 [[nodiscard]] std::string bias_text() {
-    const std::string_view reach = contact_hardening<Filter> ? "0.5"
-                                   : disc_filter<Filter>     ? "filter_terms.y"
-                                                             : "terms.z";
-    std::string text = "    UMBRAGE_HIGHP float bias = umbrage_";
-    return text.append(bias_snippet<Filter>().name).append("(slope, ").append(reach).append(", terms.w);\n");
+    std::string reach = "terms.z";
+    if constexpr (contact_hardening<Filter>) reach = "0.5";
+    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
+    return std::string("    UMBRAGE_HIGHP float bias = umbrage_") + std::string(bias_snippet<Filter>().name) +
+           "(slope, " + reach + ", terms.w);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.

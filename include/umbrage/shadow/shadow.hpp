@@ -108,9 +108,10 @@ template <class Filter>
 /// @tparam SetUp      setup of the light's maps, deduced from the light
 /// @tparam Filter     filter of the lookup
 /// @tparam Encoding   encoding of depths in the map
-template <shadow_set_up SetUp, shadow_filter Filter,
-          shadow_encoding<Filter> Encoding = typename detail::encoding_for<Filter>::type>
+template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
+    static_assert(detail::shadow_takes<Filter, Encoding>());
+
 public:
     using texel = typename Encoding::texel;
     using uniforms_type = shadow_uniforms<SetUp>;
@@ -257,7 +258,7 @@ template <class Light, class Filter, class Encoding = typename detail::encoding_
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, shadow_filter Filter, shadow_encoding<Filter> Encoding>
+template <shadow_set_up SetUp, class Filter, class Encoding>
 template <class ParallelFor>
 void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,

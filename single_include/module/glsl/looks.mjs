@@ -76,7 +76,7 @@ UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBR
 UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope) {
     UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(slope, terms.z, terms.w);
     UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);
-    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x, filter_terms.z);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x, filter_terms.y);
 }
 `,
     },

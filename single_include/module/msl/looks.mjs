@@ -78,7 +78,7 @@ inline float umbrage_look(UMBRAGE_MAP map, float4 terms, float4 filter_terms, fl
 inline float umbrage_look(UMBRAGE_MAP map, float4 terms, float4 filter_terms, float3 at, float2 slope) {
     float bias = umbrage_acne_free_bias(slope, terms.z, terms.w);
     float receiver = umbrage_biased(at.z, bias);
-    return umbrage_FILTER(map, float2(terms.x, terms.y), float2(at.x, at.y), receiver, filter_terms.x, filter_terms.z);
+    return umbrage_FILTER(map, float2(terms.x, terms.y), float2(at.x, at.y), receiver, filter_terms.x, filter_terms.y);
 }
 `,
     },

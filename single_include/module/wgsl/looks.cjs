@@ -78,7 +78,7 @@ fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, s
 fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec2f) -> f32 {
     let bias: f32 = umbrage_acne_free_bias(slope, terms.z, terms.w);
     let receiver: f32 = umbrage_biased(at.z, bias);
-    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x, filter_terms.z);
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x, filter_terms.y);
 }
 `,
     },

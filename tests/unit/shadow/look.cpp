@@ -5,13 +5,15 @@
 
 #include <umbrage/shadow/look.hpp>
 
+#include "own_filter.hpp"
+
 using namespace umbrage;
 
 TEST_CASE("look: which filters a shadow takes, and which encodings with them") {
     static_assert(shadow_filter<filters::window> && shadow_filter<filters::disc> && shadow_filter<filters::dpcf>);
     static_assert(shadow_filter<prefilters::vsm> && shadow_filter<prefilters::msm_unorm16>);
-    static_assert(!shadow_filter<filters::four_tap>);        // its offsets are a setup's of the application
-    static_assert(!shadow_filter<filters::pcf_2x2_dx_sdk>);  // it has a bias of its own
+    static_assert(!shadow_filter<filters::four_tap>);        // its offsets do not fit into a block
+    static_assert(!shadow_filter<filters::pcf_2x2_dx_sdk>);  // it compares in one direction of depth
     static_assert(shadow_encoding<depth32f, filters::window> && !shadow_encoding<depth32f, prefilters::vsm>);
     static_assert(shadow_encoding<moment_texels<prefilters::vsm>, prefilters::vsm>);
     static_assert(!shadow_encoding<moment_texels<prefilters::vsm>, prefilters::esm>);
@@ -28,10 +30,17 @@ TEST_CASE("look: each filter's numbers are in the block where its text reads the
     CHECK(detail::arguments_of<filters::box>() == ", int(filter_terms.x)");
     const prefilters::evsm4 powers;
     CHECK(detail::terms_of(powers, 0.5f) == glm::vec4(powers.parameters.exponents, powers.parameters.deviations));
-    CHECK(detail::arguments_of<prefilters::evsm2>() == ", filter_terms.x, filter_terms.z");
+    CHECK(detail::arguments_of<prefilters::evsm2>() == ", filter_terms.x, filter_terms.y");
     CHECK(detail::terms_of(prefilters::msm{}, 0.5f) == glm::vec4(msm_bias_32, 0, 0));
     CHECK(detail::arguments_of<prefilters::msm>() == ", vec2(filter_terms.x, filter_terms.y)");
     CHECK(detail::arguments_of<filters::hard>().empty());
+}
+
+TEST_CASE("look: numbers of any name and type reach a user's filter, each as its snippet takes it") {
+    static_assert(shadow_filter<own::two_taps>);
+    CHECK(detail::terms_of(own::two_taps{.sharpness = 1.5f}, 0.5f) == glm::vec4(1.5f, 1, -2, 2));
+    CHECK(detail::arguments_of<own::two_taps>() ==
+          ", filter_terms.x, vec2(filter_terms.y, filter_terms.z), int(filter_terms.w)");
 }
 
 TEST_CASE("look: a receiver's bias is that of the filter's reach, its disc or half a texel") {

@@ -14,6 +14,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -147,6 +148,7 @@ struct dpcf {
     std::string_view name = snippet->name;
 
     static const std::array<dpcf, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.softness); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
     ///                                makes, in the name of `function`

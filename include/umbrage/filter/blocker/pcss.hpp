@@ -20,6 +20,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -112,6 +113,7 @@ struct pcss {
     std::string_view name = snippet->name;
 
     static const std::array<pcss, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.softness); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, or a softness that make_penumbra_params never
     ///                                makes, in the name of `function`

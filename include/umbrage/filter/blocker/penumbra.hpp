@@ -29,6 +29,7 @@
 #include <umbrage/core/floor_divide.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
+#include <umbrage/filter/numbers.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/light/light_space.hpp>
 
@@ -42,6 +43,9 @@ struct penumbra_params {
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
+
+template <>
+inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec3";
 
 namespace detail {
 

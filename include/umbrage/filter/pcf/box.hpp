@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -153,6 +154,7 @@ struct box {
     int radius = 1;  ///< in texels; clamped to 0..8
     comparison is_lit{};
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.radius); }
     [[nodiscard]] constexpr float reach() const {
         return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
     }

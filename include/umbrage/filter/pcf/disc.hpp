@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/texel_space.hpp>
@@ -262,6 +263,7 @@ struct disc {
     std::string_view name = snippet->name;
 
     static const std::array<disc, 3> values;
+    static constexpr auto numbers(auto& f) { return std::tie(f.radius_texels); }
 
     /// @throws std::invalid_argument  points other than 8, 16 and 32, in the name of `function`
     void check(std::string_view function) const {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -84,6 +85,7 @@ struct four_tap {
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< from the receiver to each tap, in texels
     comparison is_lit{};
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.offsets); }
     [[nodiscard]] constexpr float reach() const {
         float farthest = 0.0f;
         for (glm::vec2 offset : offsets)

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -65,6 +66,7 @@ struct hard {
 
     comparison is_lit{};
 
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 0.5f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {

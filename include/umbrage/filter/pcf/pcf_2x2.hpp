@@ -11,6 +11,7 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -144,6 +145,7 @@ struct pcf_2x2 {
 
     comparison is_lit{};
 
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
@@ -160,6 +162,7 @@ struct pcf_2x2_dx_sdk {
     float epsilon = 0.0f;  ///< depth in [0, 1], added to each stored depth
     less_equal is_lit{};   ///< forward depth only; the epsilon is added to the stored depth
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.epsilon); }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {

@@ -18,6 +18,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/filter/filter.hpp>
@@ -241,6 +242,7 @@ struct window {
         detail::require(detail::is_made_row(row), function, "filter.row", "of make_window_row", row.size,
                         "That is its size; its weights, steps and whole count, too.");
     }
+    static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {

@@ -11,10 +11,12 @@
 
 #include <concepts>
 #include <string_view>
+#include <tuple>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/list.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/filter/numbers.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace umbrage {
@@ -70,6 +72,8 @@ struct vsm {
     float min_variance = 1e-6f;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.min_variance); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const {
         detail::require(is_finite(min_variance) && min_variance >= 0.0f, function, "filter.min_variance",
                         "finite, 0 or more", min_variance);
@@ -89,6 +93,8 @@ struct esm {
     esm_settings settings{};
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.settings.exponent); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_esm(function, "filter.settings.exponent", settings); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_esm(depth, settings.exponent, cleared_depth(direction));
@@ -107,6 +113,8 @@ struct evsm2 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.parameters.exponents.x, f.parameters.deviations.x); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_evsm(function, parameters, 1); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
@@ -125,6 +133,8 @@ struct evsm4 {
     evsm_parameters parameters = make_evsm({});
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.parameters.exponents, f.parameters.deviations); }
+    static constexpr int writer_numbers = 1;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_evsm(function, parameters, 2); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
@@ -143,6 +153,8 @@ struct msm {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
@@ -160,6 +172,8 @@ struct msm_unorm16 {
     glm::vec2 bias = msm_bias_16;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
         return to_optimized_moments(encode_msm(depth, cleared_depth(direction)));
@@ -181,6 +195,8 @@ struct msm_hausdorff {
     glm::vec2 bias = msm_bias_32;
     depth_direction direction = depth_direction::forward;
 
+    static constexpr auto numbers(auto& f) { return std::tie(f.bias); }
+    static constexpr int writer_numbers = 0;  ///< how many of these, from the first on, the writer takes
     void check(std::string_view function) const { detail::require_msm_bias(function, bias); }
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {

@@ -90,7 +90,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
 /// The library's filters, each in each evaluation and with some radii, in either direction.
 template <class Use>
 void for_each_setting(std::initializer_list<int> radii, Use&& use) {
-    umbrage::for_each_filter([&](auto filter) {
+    umbrage::for_each_filter([&]<class Filter>(Filter filter) {
         const auto in_both_directions = [&] {
             forced::each_evaluation(filter, use);
             if constexpr (requires { filter.is_lit.direction; }) {
@@ -99,7 +99,7 @@ void for_each_setting(std::initializer_list<int> radii, Use&& use) {
                 filter.is_lit.direction = umbrage::depth_direction::forward;
             }
         };
-        if constexpr (requires { filter.radius; })
+        if constexpr (std::is_same_v<Filter, umbrage::filters::box>)
             for (int radius : radii) {
                 filter.radius = radius;
                 in_both_directions();
