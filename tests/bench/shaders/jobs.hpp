@@ -3,6 +3,7 @@
 // Jobs to measure: snippets, and the shaders of three.js, Babylon.js and PlayCanvas for the same job.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct shader {
 struct job {
     std::string name;
     std::vector<shader> shaders;
+    bool apart = false;  ///< inputs are unrelated, as a point and its normal are; else x1 to x5 are the same
 };
 
 /// @param folder   from packing/peers.mjs
@@ -42,6 +44,15 @@ struct job {
 
 /// Shadows as bind() prints them, against their parts.
 [[nodiscard]] std::vector<job> shadows();
+
+/// Whole shadows, one job for each setup and filter.
+/// @param folder   as of jobs()
+[[nodiscard]] std::vector<job> whole(const std::string& folder);
+
+/// Shaders by setup and filter.
+using whole_shaders = std::multimap<std::string, shader>;
+/// Whole shadows of three.js, Babylon.js and PlayCanvas.
+[[nodiscard]] whole_shaders engines(const std::string& folder);
 
 /// Every snippet of the registry, called as the parity tests call it.
 [[nodiscard]] job registry();

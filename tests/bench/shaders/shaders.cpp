@@ -47,23 +47,27 @@ bench::spirv compile(const std::string& text, const std::string& stage) {
 }
 
 /// x0 is (u, v, depth, 1) over the target, x1 to x5 the same in texels. No depth that is the same everywhere: the
-/// compiler would take it for a constant.
-bench::spirv vertex() {
+/// compiler would take it for a constant, as it takes what is equal for one input.
+/// @param apart   as of job
+bench::spirv vertex(bool apart) {
+    std::string unrelated;
+    for (int i = 0; apart && i < 6; ++i)
+        unrelated +=
+            "    x" + std::to_string(i) + " += sin(vec4(1.0, 2.0, 3.0, 4.0) * (x0.z + " + std::to_string(i) + ".0));\n";
     return compile("#version 450\n" + inputs("out") + R"GLSL(
 void main() {
     vec2 corner = vec2(float(gl_VertexIndex / 2) * 2.0, float(gl_VertexIndex % 2) * 2.0);
     x0 = vec4(corner, corner.x * 0.25 + 0.25, 1.0);
     x1 = x2 = x3 = x4 = x5 = vec4(corner * 2048.0, x0.z, 1.0);
     gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-)GLSL",
+)GLSL" + unrelated + "}\n",
                    "vert");
 }
 
 bench::spirv fragment(const shader& s) {
     std::vector<glsl::bound> snippets = s.snippets;
     for (glsl::bound& item : snippets)  // what a border costs is a job of its own
-        if (item.map == glsl::binding{}) item.map.outside = umbrage::outside_map::clamped;
+        if (!item.declared && item.map == glsl::binding{}) item.map.outside = umbrage::outside_map::clamped;
     return compile(glsl::source(glsl::version::vulkan, snippets, s.preamble) + inputs("in") + R"GLSL(
 layout(binding = 0) uniform sampler2D map;
 layout(binding = 1) uniform sampler2D table;
@@ -88,12 +92,12 @@ public:
     void begin(const std::string& job) {
         job_ = job;
         ours_.clear();
-        std::printf("\n%-18s %-38s", "", job.c_str());
+        std::printf("\n%-18s %-46s", "", job.c_str());
         for (const std::string& c : columns_) std::printf(" %12.12s", c.c_str());
         std::puts("");
     }
     void add(const shader& s, const std::vector<double>& values) {
-        std::printf("%-18s %-38s", s.owner.c_str(), s.name.c_str());
+        std::printf("%-18s %-46s", s.owner.c_str(), s.name.c_str());
         tsv_ << job_ << '\t' << s.owner << '\t' << s.name;
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::printf(" %12.6g", values[i]);
@@ -138,12 +142,14 @@ int main(int argc, char** argv) try {
     std::vector<job> all = bench::jobs(argv[1]);
     for (job& j : bench::soft(argv[1])) all.push_back(std::move(j));
     for (job& j : bench::shadows()) all.push_back(std::move(j));
+    for (job& j : bench::whole(argv[1])) all.push_back(std::move(j));
     all.push_back(bench::outside());
     all.push_back(bench::registry());
     table out(argv[2], columns);
-    const bench::spirv corners = vertex();
+    const bench::spirv alike = vertex(false), apart = vertex(true);
     for (const job& j : all) {
         out.begin(j.name);
+        const bench::spirv& corners = j.apart ? apart : alike;
         for (const shader& s : j.shaders) {
             const bench::spirv code = fragment(s);
             std::vector<double> values;

@@ -220,16 +220,16 @@ private:
                                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                                            .queryCount = 2});
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
-
         set_ = descriptor_set(set_layout_, {{texture_type, binding_count - 1}, {uniforms_type, 1}});
-        const VkFormat color = VK_FORMAT_R8G8B8A8_UNORM;
-        const VkImageView views[] = {
-            image(color, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-            image(color, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-            image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-            image(color, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true, VK_IMAGE_VIEW_TYPE_2D_ARRAY)};
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
+        for (std::uint32_t i = 0; i < uniforms_binding; ++i) {
+            const bool compares = i == 2 || i == 4 || i == 6;
+            const VkFormat format = compares ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM;
+            const VkImageViewType type = i < 3   ? VK_IMAGE_VIEW_TYPE_2D
+                                         : i < 5 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                                 : VK_IMAGE_VIEW_TYPE_CUBE;
+            const std::uint32_t rows = i == 1 ? 32 : map_size;
+            const VkImageView view = image(format, map_size, rows, VK_IMAGE_USAGE_SAMPLED_BIT, true, type);
+            const VkDescriptorImageInfo texture{sampler(compares), view, VK_IMAGE_LAYOUT_GENERAL};
             const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                              .dstSet = set_,
                                              .dstBinding = i,

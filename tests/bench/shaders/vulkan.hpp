@@ -11,7 +11,8 @@ namespace bench {
 
 using spirv = std::vector<std::uint32_t>;
 
-/// Bindings of every fragment shader that is drawn: 0 `map`, 1 `table`, both RGBA8; 2 `depth_map`, sampler2DShadow.
+/// Bindings of every fragment shader that is drawn: 0 `map`, 1 `table`, both RGBA8; 2 `depth_map`, sampler2DShadow; 3
+/// sampler2DArray; 4 sampler2DArrayShadow; 5 samplerCube; 6 samplerCubeShadow; 7 uniforms, all 0.
 /// Inputs: vec4 x0 to x5 at locations 0 to 5. Push constants: vec2 map_size. Output: location 0, RGBA8.
 inline constexpr int map_size = 2048;
 

@@ -56,13 +56,16 @@ protected:
         throw std::runtime_error("no memory of the kind needed");
     }
 
-    /// An image in the general layout, an array's of four layers; with texels, its first is filled with them. Views and
+    /// An image in the general layout, an array's of four layers; with noise, its first is filled with it. Views and
     /// images are never destroyed.
     VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise,
                       VkImageViewType type = VK_IMAGE_VIEW_TYPE_2D) {
-        const std::uint32_t layers = type == VK_IMAGE_VIEW_TYPE_2D ? 1 : 4;
+        const bool cube = type == VK_IMAGE_VIEW_TYPE_CUBE;
+        const std::uint32_t layers = cube ? 6 : type == VK_IMAGE_VIEW_TYPE_2D ? 1 : 4;
+        const VkImageCreateFlags flags = cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
         const VkImage handle = make<VkImage>(device_, vkCreateImage,
                                              VkImageCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                                               .flags = flags,
                                                                .imageType = VK_IMAGE_TYPE_2D,
                                                                .format = format,
                                                                .extent = {width, height, 1},
