@@ -8,12 +8,11 @@ import { join } from 'node:path';
 import { copied, visit, webgl_flags } from './visit.mjs';
 
 /** Waits for C++'s answer to what the page shows. */
-const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.receivers, null, { timeout: 120_000 });
-const forget = page => page.evaluate(() => { delete document.querySelector('#picture').dataset.receivers; });
+const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.compared, null, { timeout: 120_000 });
+const forget = page => page.evaluate(() => { document.querySelector('#picture').dataset.compared = ''; });
 const seen = page => page.evaluate(() => {
-    const { different, receivers, maps } = document.querySelector('#picture').dataset;
-    return { different: Number(different), receivers: Number(receivers), maps: Number(maps), picture: document.querySelector('#picture').toDataURL(),
-        lines: document.querySelector('#lines pre').textContent };
+    const picture = document.querySelector('#picture');
+    return { ...JSON.parse(picture.dataset.compared), picture: picture.toDataURL(), lines: document.querySelector('#lines pre').textContent };
 });
 const said = page => page.textContent('#said');
 /** Number of hues, of twelve, that fill a hundredth of the picture each. */

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
 // The live scene: a state, the GPU's picture of it, C++'s answer beside it, and the text that both run.
-import { encodings, exactness } from 'umbrage';
 import { load_values } from 'umbrage/values';
 
-import type { Answer } from './check_worker';
+import { compare } from './check';
 import { Controls } from './controls';
 import { drag } from './drag';
 import { box_of, read_scene, type Part, type Scene } from './mesh';
 import { Picture } from './picture';
 import { read_state, write_state, type State } from './state';
 import { Text } from './text';
+import { sentence, Verdicts } from './verdict';
 
 const most_pixels = 8e5, most_bytes = 200e6;
 const element = <T extends HTMLElement>(name: string) => document.querySelector<T>(`#${name}`)!;
-const canvas = element<HTMLCanvasElement>('picture'), divider = element<HTMLInputElement>('divider'), verdict = element('verdict');
+const canvas = element<HTMLCanvasElement>('picture'), divider = element<HTMLInputElement>('divider');
 const { state: first, refused } = read_state(location.search);
-let state = first, scene: Scene | undefined, picture: Picture | undefined;
+let state = first, picture: Picture | undefined;
 
 function say(words: string) {
     element('said').textContent = words;
@@ -33,79 +33,92 @@ const made = new Map<string, Scene>();
 function make(name: keyof typeof cameras, parts: Part[], target: Scene['target']) {
     made.set(name, { parts, box: box_of(parts), target, ...cameras[name] });
 }
-async function scene_named(name: keyof typeof cameras): Promise<Scene> {
-    if (!made.has(name)) {
-        const answer = await fetch(`scene/${name}.scene`);
-        if (!answer.ok) throw new Error(`The scene ${name} could not be fetched: ${answer.status}.`);
-        const { parts, target } = read_scene(await answer.arrayBuffer());
-        make(name, parts, target);
-    }
-    return made.get(name)!;
+async function fetch_scene(name: keyof typeof cameras) {
+    const answer = await fetch(`scene/${name}.scene`);
+    if (!answer.ok) throw new Error(`The scene ${name} could not be fetched: ${answer.status}.`);
+    const { parts, target } = read_scene(await answer.arrayBuffer());
+    make(name, parts, target);
 }
+
+const words_of = (error: unknown) => error instanceof Error ? error.message : String(error);
 
 // C++ answers for one frame at a time, when the visitor has stopped for a moment.
-const check = new Worker('scene/check_worker.js', { type: 'module' });
-let drawn = 0;     // number of the frame that was drawn last
-let asked = 0;     // of the frame that C++ works on; 0: none
-let answered = 0;  // of the frame whose answer is shown
+const verdicts = new Verdicts();
+let drawn = 0;  // number of the picture that was drawn last
+let asking = false;
 
-/** True of formats whose decoding is not of tier A. */
-const rounds = (encoding: State['encoding']) => exactness(encodings[encoding].needs ?? []) !== 'a';
-function ask() {
-    if (!picture || asked) return;
-    const frame = picture.frame();
-    asked = drawn;
-    check.postMessage(frame, [frame.points.buffer, frame.normals.buffer, frame.map.buffer, frame.visibility.buffer]);
-}
-check.onmessage = ({ data }: MessageEvent<Answer | { error: string }>) => {
-    const is_current = asked === drawn;
-    asked = 0;
-    if ('error' in data) verdict.textContent = `C++ gave no answer: ${data.error}`;
-    else if (!is_current) ask();
-    else {
-        picture?.set_answer(data.visibility, data.places);
-        answered = drawn;
-        const { receivers, different, milliseconds } = data, maps = picture?.map_count;
-        const pages = state.light === 'adaptive_pages' ? `${maps} of 64 pages. ` : '';
-        element('time').textContent = `${pages}C++ took ${milliseconds.toFixed(0)} ms`;
-        const reason = different && rounds(state.encoding) ? ". This format's decoding rounds, and WebGL may regroup its sum: tier B" : '';
-        verdict.textContent = `${different.toLocaleString('en')} of ${receivers.toLocaleString('en')} pixels differ between your GPU and C++${reason}`;
-        verdict.className = different ? 'amber' : 'good';
-        Object.assign(canvas.dataset, { different, receivers, maps });
-        show();
+async function ask() {
+    if (!picture || picture.is_lost || asking || drawn !== verdicts.number) return;
+    asking = true;
+    const of = drawn;
+    let is_accepted = false;
+    try {
+        const { visibility, places, receivers, different, milliseconds } = await compare(picture.frame());
+        is_accepted = verdicts.accept(of, { is: 'compared', receivers, different, milliseconds });
+        if (is_accepted) picture.set_answer(visibility, places);
+    } catch (error) {
+        is_accepted = verdicts.accept(of, { is: 'failed', why: words_of(error) });
     }
-};
-check.onerror = () => { verdict.textContent = 'C++ gave no answer: this browser did not start its WebAssembly.'; };
+    asking = false;
+    if (is_accepted) show();
+    else void ask();
+}
 
+/** Shows the picture and what is known of it. */
 function show() {
-    const divided = answered === drawn && state.view === 'both';
-    picture?.show(answered === drawn ? Number(divider.value) : 1);
+    const verdict = verdicts.current, { words, look } = sentence(verdict, state.encoding), maps = picture?.map_count;
+    const is_compared = verdict.is === 'compared', pages = state.light === 'adaptive_pages' ? `${maps} of 64 pages. ` : '';
+    if (element('verdict').textContent !== words) element('verdict').textContent = words;  // which is read out
+    element('verdict').className = look;
+    element('time').textContent = is_compared ? `${pages}C++ took ${verdict.milliseconds.toFixed(0)} ms` : '';
+    canvas.dataset.compared = is_compared ? JSON.stringify({ different: verdict.different, receivers: verdict.receivers, maps }) : '';
+    picture?.show(is_compared ? Number(divider.value) : 1);
     element('divided').style.setProperty('--at', divider.value);
-    element('divided').hidden = !divided;
+    element('divided').hidden = !is_compared || state.view !== 'both';
     divider.disabled = state.view !== 'both';
+}
+
+/** Another picture is to be shown: what is known of the last one is forgotten. */
+function forget() {
+    const was_known = verdicts.current.is !== 'computing';
+    verdicts.forget();
+    if (was_known) show();
+}
+
+function set(part: Partial<State>) {
+    state = { ...state, ...part };
+    forget();
 }
 
 let drawing = false, stopped = 0;
 function draw() {
+    forget();
     if (drawing) return;
     drawing = true;
     requestAnimationFrame(() => {
         drawing = false;
+        const scene = made.get(state.scene);
         if (!picture || !scene) return;
         const { clientWidth, clientHeight } = canvas, scale = Math.min(2, Math.sqrt(most_pixels / (clientWidth * clientHeight)));
         canvas.width = Math.round(clientWidth * scale);
         canvas.height = Math.round(clientHeight * scale);
         try {
             picture.draw(state, scene, canvas.width, canvas.height);
-            ++drawn;
-            show();
-            element('time').textContent = '';
+            drawn = verdicts.number;
         } catch (error) {
-            return say(error instanceof Error ? error.message : String(error));
+            return fail(error);
         }
+        show();
         clearTimeout(stopped);
         stopped = window.setTimeout(ask, 150);
     });
+}
+
+/** There is no picture. */
+function fail(error: unknown) {
+    say(words_of(error));
+    verdicts.accept(verdicts.number, { is: 'failed', why: 'there is no picture to compute' });
+    show();
 }
 
 const text = new Text(element('lines'), () => state);
@@ -113,15 +126,17 @@ const controls = new Controls(element('controls'), part => void change(part));
 let remembering = 0;
 async function change(part: Partial<State>) {
     const before = state;
-    state = { ...state, ...part };
+    set(part);
     say('');
-    if (state.scene !== before.scene || !scene) {
+    const name = state.scene;
+    if (!made.has(name)) {
         try {
-            scene = await scene_named(state.scene);
-            picture?.set_scene(scene);
+            await fetch_scene(name);
         } catch (error) {
-            state = { ...state, scene: before.scene };
-            say(error instanceof Error ? error.message : String(error));
+            if (state.scene !== name) return;
+            if (!made.has(before.scene)) return fail(error);
+            set({ scene: before.scene });
+            say(words_of(error));
         }
     }
     controls.show(state);
@@ -143,7 +158,6 @@ function drop(file: File) {
         reader.terminate();
         if ('refused' in data) return say(data.refused);
         make('dropped', data.parts, [0, 0.9, 0]);
-        scene = undefined;
         void change({ scene: 'dropped', distance: 1 });
     };
     reader.onerror = () => say(`${file.name} could not be read: this browser did not start the reader.`);
@@ -153,6 +167,7 @@ function drop(file: File) {
 async function start() {
     const gl = canvas.getContext('webgl2', { antialias: false, preserveDrawingBuffer: true });
     if (!gl) throw new Error('This browser has no WebGL 2, so the scene cannot be drawn here.');
+    show();
     const values = await load_values();
     picture = new Picture(gl, values);
     if (refused.length) say(`The address asks for what this page does not have: ${refused.join(', ')}. It shows the default instead.`);
@@ -161,11 +176,11 @@ async function start() {
     say(words);
     canvas.addEventListener('webglcontextlost', event => {
         event.preventDefault();
+        forget();
         say('The browser took the graphics away. The scene comes back when it returns them.');
     });
     canvas.addEventListener('webglcontextrestored', () => {
         picture = new Picture(gl, values);
-        if (scene) picture.set_scene(scene);
         say('');
         draw();
     });
@@ -187,5 +202,5 @@ async function start() {
 }
 start().catch(error => {
     document.body.classList.add('no-scene');
-    say(error instanceof Error ? error.message : String(error));
+    say(words_of(error));
 });

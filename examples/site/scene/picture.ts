@@ -42,6 +42,7 @@ export class Picture {
     private readonly compose: WebGLProgram;
     private readonly block: WebGLBuffer;
     private drawables: Drawable[] = [];
+    private scene?: Scene;  // whose parts these are
     private look?: Look;
     private seen?: Target;
     private few?: Target;
@@ -57,9 +58,13 @@ export class Picture {
         this.block = gl.createBuffer()!;
     }
 
+    /** True while the browser has taken the graphics away. */
+    get is_lost() { return this.gl.isContextLost(); }
+
     /** Uploads a scene's parts. */
-    set_scene(scene: Scene) {
+    private set_scene(scene: Scene) {
         const { gl } = this;
+        this.scene = scene;
         for (const { array } of this.drawables) gl.deleteVertexArray(array);
         gl.bindVertexArray(null);
         const upload = (values: unknown, kind: number = gl.ARRAY_BUFFER) => {
@@ -95,6 +100,7 @@ export class Picture {
 
     /** Draws everything but the picture itself. */
     draw(state: State, scene: Scene, width: number, height: number) {
+        if (scene !== this.scene) this.set_scene(scene);
         const { gl } = this, camera = make_camera(scene, state, width / height), look = this.look_for(state);
         this.fit(width, height);
         const some = state.light === 'adaptive_pages' ? this.some_receivers(camera) : undefined;
@@ -181,6 +187,7 @@ export class Picture {
         if (this.look) {
             for (const program of [this.look.depths, this.look.lookup, this.look.as_picture]) gl.deleteProgram(program);
             delete_target(gl, this.look.map);
+            this.look = undefined;
         }
         const pass = depth_pass(sun, clip_of(state));
         return this.look = { key, asked, sun,
