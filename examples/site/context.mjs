@@ -20,7 +20,7 @@ const emscripten = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
 export function missing(node_modules) {
     for (const name of ['esbuild', 'marked', 'prismjs', '@xmldom/xmldom', 'gl-matrix', '@gltf-transform/core', 'pngjs'])
         if (!existsSync(join(node_modules, name))) return `no ${name} in ${node_modules}`;
-    for (const [program, name] of [['cmake', 'CMake'], ['ninja', 'Ninja'], ['doxygen', 'Doxygen'], ['emcc', 'emscripten']])
+    for (const [program, name] of [['cmake', 'CMake'], ['ninja', 'Ninja'], ['doxygen', 'Doxygen'], ['emcc', 'emscripten'], ['npm', 'npm']])
         if (spawnSync(program, ['--version'], { env: emscripten }).status !== 0) return `no ${name}`;
 }
 

@@ -4,6 +4,7 @@
 import { escape } from './context.mjs';
 
 const sections = [
+    ['start.html', 'Start'],
     ['proof/', 'Proof'],
     ['snippets/', 'Snippets'],
     ['reference/', 'Reference'],
@@ -15,6 +16,10 @@ export const way_up = path => '../'.repeat(path.split('/').length - 1) || './';
 
 /// Where the site is published, from the environment: "https://.../"; unset, pages name no address.
 const published = process.env.SITE_URL && process.env.SITE_URL.replace(/\/*$/, '/');
+
+/// The repository, where a workflow of GitHub builds the site; else pages name none.
+const { GITHUB_SERVER_URL: server, GITHUB_REPOSITORY: repository } = process.env;
+const to_repository = server && repository ? ` · <a href="${escape(`${server}/${repository}`)}">Repository</a>` : '';
 
 /// @param path         of the file in the site, such as "reference/filter/index.html"
 /// @param title        of the page, without the project's name
@@ -55,9 +60,9 @@ ${['search.js', ...scripts].map(script => `<script type="module" src="${up}${scr
 ${body}
 </main>
 <footer class="foot">
-<p>umbrage, a C++20 library of shadow mapping functions with shader twins. MIT license.</p>
-<p><a href="${up}troubleshooting.html">Troubleshooting</a> · <a href="${up}index-by-name.html">Find by name</a> ·
-<a href="${up}contributing.html">Contributing</a> · <a href="${up}changelog.html">Changes</a></p>
+<p>umbrage, a C++20 library of shadow mapping functions with shader versions. <a href="${up}source/LICENSE.html">MIT license</a>.</p>
+<p><a href="${up}readme.html">Readme</a> · <a href="${up}troubleshooting.html">Troubleshooting</a> · <a href="${up}index-by-name.html">Find by name</a> ·
+<a href="${up}contributing.html">Contributing</a> · <a href="${up}changelog.html">Changes</a>${to_repository}</p>
 </footer>
 </body>
 </html>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages of the reference at two widths, dark and light: none is wider than its window, little shifts, and axe finds
-// nothing serious.
+// Pages of text at two widths, dark and light: none is wider than its window, little shifts, and axe finds nothing
+// serious. Start is first in the navigation. It shows code in three ways, leads to every task of README.md, and has files.
+import { readFileSync } from 'node:fs';
+
 import { layout_shift } from './shift.mjs';
 import { visit } from './visit.mjs';
 
 const views = [
+    ['start.html', 1280, true],
+    ['start.html', 390, false],
     ['reference/', 1280, false],
     ['reference/filter/', 390, true],
     ['reference/filter/pcf/box.html', 1280, true],
@@ -22,5 +26,33 @@ await visit(async ({ open, check, picture, axe }) => {
         await picture(page, `${path.replace(/\W+/g, '_')}${width}${dark ? '_dark' : ''}`, false); // they are long
         await axe(page);
         await page.context().close();
+    }
+
+    const page = await open('reference/filter/');
+    check((await page.locator('nav a').first().textContent()) === 'Start', 'Start is not first in the navigation');
+    await page.locator('nav a').first().click();
+    await page.waitForURL(/start\.html$/);
+    const tasks = readFileSync(new URL('../../README.md', import.meta.url), 'utf8')
+        .split('\n## All pages\n')[1]
+        .split('\n## ')[0]
+        .split('\n')
+        .filter(line => line.startsWith('| ') && !line.startsWith('| task |'))
+        .map(line => ({ task: line.slice(2).split(' | ')[0], links: line.split('](').length - 1 }));
+    check(tasks.length > 15, `README.md has ${tasks.length} tasks`);
+    for (const { task, links } of tasks) {
+        const row = page.locator('tr', { has: page.getByText(task, { exact: true }) });
+        check((await row.locator('a').count()) === links, `Start does not lead to "${task}"`);
+    }
+    for (const way of ['In a C++ engine', 'As text in your shader', 'As a package for JavaScript']) {
+        const code = page.locator(`h2:text-is("${way}") + p + pre`).first();
+        check((await code.count()) === 1, `Start shows no code: ${way}`);
+    }
+    for (const [name, words] of [
+        ['umbrage.hpp', 'namespace umbrage'],
+        ['umbrage.tgz', '\x1f\x8b'],
+    ]) {
+        const download = page.waitForEvent('download');
+        await page.getByRole('link', { name, exact: true }).click();
+        check(readFileSync(await (await download).path(), 'latin1').includes(words), `${name} is another file`);
     }
 });

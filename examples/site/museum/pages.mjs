@@ -52,7 +52,7 @@ export async function pages(context) {
     const drawn = join(context.work, 'museum');
     mkdirSync(drawn, { recursive: true });
     execFileSync(context.museum, ['--draw', drawn]);
-    const all = (await model(context)).pages, texts = all.map(each => context.read(each.source));
+    const all = (await model(context)).pages, texts = all.map(each => each.text);
     const { title, description, body } = all.find(each => each.source === 'MUSEUM.md');
     let exhibits = 0;
     const with_figures = body.replace(/(<h2 id="[^"]*">(\d+)\. (.*?)<\/h2>\n)([^]*?)(?=<h2|$)/g, (all, heading, number, name, words) => {

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 
 import { escape } from '../context.mjs';
-import { link, page_of } from './links.mjs';
+import { link } from './links.mjs';
 
 /// A heading as the anchor that links lead to.
 export const anchor = heading =>
@@ -15,21 +15,20 @@ export const anchor = heading =>
         .replace(/[^\w\- ]/g, '')
         .replace(/ /g, '-');
 
-/// A Markdown file as {title, description, body, headings}; copies the pictures that it shows.
-/// @param path      of the file in the repository
+/// A page of Markdown as {path, title, description, body, headings, text}; copies the pictures that it shows.
+/// @param page      {text, file, path}: the text, the file in the repository that its links start from, and its address
 /// @param addresses of the repository's files
 /// @param entry     a public name to the address of its entry, or undefined
-export function render(context, path, addresses, entry) {
+export function render(context, { text, file: source, path: from }, addresses, entry) {
     const { Marked } = context.load('marked');
-    const from = page_of(path),
-        headings = [],
+    const headings = [],
         mentioned = new Set();
     let inside_link = false;
     const target = to => {
         if (/^\w+:/.test(to)) return to;
         const [file, hash = ''] = to.split('#');
         if (file === '') return to;
-        const address = addresses.of(posix.normalize(posix.join(posix.dirname(path), file)));
+        const address = addresses.of(posix.normalize(posix.join(posix.dirname(source), file)));
         return address && link(from, address) + (hash && `#${hash}`);
     };
     const renderer = {
@@ -53,7 +52,7 @@ export function render(context, path, addresses, entry) {
             return `<a href="${link(from, to)}"><code>${breakable(text)}</code></a>`;
         },
         image({ href, text }) {
-            const file = posix.normalize(posix.join(posix.dirname(path), href)),
+            const file = posix.normalize(posix.join(posix.dirname(source), href)),
                 to = addresses.of(file);
             if (!context.written.includes(to)) context.copy(file, to);
             const { width, height } = size_of_png(posix.join(context.root, file));
@@ -69,10 +68,10 @@ export function render(context, path, addresses, entry) {
             return `<div class="scroll" tabindex="0" role="region" aria-label="Table">${html}</div>\n`;
         },
     };
-    const text = context.read(path).replace(/^<!--.*?-->\n/gms, '');
     const body = new Marked({ renderer }).parse(text);
     const first = text.split('\n\n').find(block => /^[A-Z*]/.test(block)) ?? '';
-    return { path: from, title: headings[0]?.text ?? path, description: plain(first).slice(0, 200), body, headings };
+    const title = headings[0]?.text ?? source;
+    return { path: from, title, description: plain(first).slice(0, 200), body, headings, text };
 }
 
 /// An identifier that may go on in another line behind an underscore.

@@ -5,17 +5,18 @@ import { readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
+import { start_text } from '../start/text.mjs';
 import { documented } from './doxygen.mjs';
 import { entries } from './entries.mjs';
 import { files_below, read_headers } from './headers.mjs';
-import { Addresses, header_page } from './links.mjs';
+import { Addresses, header_page, page_of } from './links.mjs';
 import { render } from './markdown.mjs';
 import { exhibits, programs } from './uses.mjs';
 
 const languages = { glsl: ['umbrage', 'GLSL'], hlsl: ['hlsl', 'HLSL'], wgsl: ['wgsl', 'WGSL'], msl: ['msl', 'Metal'] };
 
 /// headers, by_place: headers with public names, and their entries. places: the entry that a name leads to.
-/// texts: the npm package's snippets by language. pages: the repository's Markdown. uses: exhibits, programs by name.
+/// texts: the npm package's snippets by language. pages: Start, then the repository's Markdown. uses: exhibits, programs by name.
 export const model = context => (context.model ??= read(context));
 
 async function read(context) {
@@ -30,7 +31,6 @@ async function read(context) {
     const all = [...by_place.values()].flat();
     const places = new Map();
     for (const each of [...all].sort((a, b) => weight(b) - weight(a))) places.set(each.name, each);
-    const markdown = markdown_files(context.root);
     const addresses = new Addresses(context.root, headers);
     const entry_of = name => (places.has(name) ? `${header_page(places.get(name).place)}#${name}` : undefined);
     return {
@@ -40,7 +40,13 @@ async function read(context) {
         places,
         texts,
         addresses,
-        pages: markdown.map(path => ({ ...render(context, path, addresses, entry_of), source: path })),
+        pages: [
+            render(context, { text: start_text(context), file: 'README.md', path: 'start.html' }, addresses, entry_of),
+            ...markdown_files(context.root).map(file => {
+                const text = context.read(file).replace(/^<!--.*?-->\n/gms, '');
+                return { ...render(context, { text, file, path: page_of(file) }, addresses, entry_of), source: file };
+            }),
+        ],
         uses: {
             exhibits: exhibits(context.read('MUSEUM.md')),
             programs: programs(context.root, new Set(all.flatMap(each => [each.name, ...each.snippets]))),

@@ -4,6 +4,7 @@
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';
+import { known_as } from '../start/text.mjs';
 
 /// Kinds of what is found, as box.ts shows them. An item is [title, kind, address, words].
 const kinds = { known: 0, shader: 1, name: 2, heading: 3 };
@@ -17,6 +18,7 @@ export async function search_index(context) {
         return also.length ? `${words.replace(/\.$/, '')}. Also called ${also.join(', ')}` : words;
     };
     return [
+        ...known_as.map(names => [names, kinds.known, 'start.html', 'Start']),
         ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address, here.join(', ')]),
         ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [
             name,
@@ -42,8 +44,8 @@ export async function search_index(context) {
                     each.depth > 1 ? page.title : page.description,
                 ]),
         ),
-        ...pages.flatMap(page =>
-            situations(page, context.read(page.source)).map(({ title, words, above }) => [
+        ...pages.filter(page => page.source).flatMap(page =>  // the rows of Start are those of README.md
+            situations(page).map(({ title, words, above }) => [
                 title,
                 kinds.heading,
                 `${page.path.replace(/index\.html$/, '')}#${above}`,
@@ -67,11 +69,11 @@ export function known_names(context, addresses) {
 }
 
 /// Rows of tables in which a reader looks for a situation: first cell, second cell, and the heading above.
-function situations(page, text) {
+function situations(page) {
     const found = [];
     let above = page.headings[0]?.anchor,
         rows = false;
-    for (const line of text.split('\n')) {
+    for (const line of page.text.split('\n')) {
         if (line.startsWith('#')) above = anchor(line.replace(/^#+ /, ''));
         const cells = line.startsWith('| ') ? line.slice(2).split(' | ') : [];
         if (cells.length === 0) rows = rows && line.startsWith('|-');
