@@ -8,7 +8,8 @@ import { join } from 'node:path';
 import { copied, visit, webgl_flags } from './visit.mjs';
 
 /** Waits for C++'s answer to what the page shows. */
-const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.compared, null, { timeout: 120_000 });
+const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.compared, null, { timeout: 120_000 })
+    .catch(async () => { throw new Error(`${page.url()} says "${await page.textContent('#verdict')}" and "${await said(page)}"`); });
 const forget = page => page.evaluate(() => { document.querySelector('#picture').dataset.compared = ''; });
 const seen = page => page.evaluate(() => {
     const picture = document.querySelector('#picture');
@@ -194,6 +195,10 @@ await visit(async ({ open, check, picture, axe }) => {
         const shown = await open('', { width, dark });
         await answer(shown);
         check(await shown.locator('nav a').count() >= 4, 'the front page has a navigation');
+        const [sentence] = (await shown.textContent('.lead')).split(/\.\s/);
+        check(/^Most\b.*\bsame bits\b.*\brest\b.*\bstated bound/s.test(sentence), `the first sentence promises "${sentence}"`);
+        const { y, height } = await shown.locator('#verdict').boundingBox();
+        check(width < 600 || y + height <= 800, `the verdict ends at ${y + height}, below a window of 800`);
         const room = await shown.evaluate(() => document.documentElement.scrollWidth);
         check(room <= width, `the scene's page is ${room} pixels wide in a window of ${width}`);
         await picture(shown, `scene_${width}${dark ? '_dark' : ''}`);

@@ -60,6 +60,10 @@ await visit(async ({ open, check }) => {
         const { words, is_green } = await read(page);
         check(is_green && words.startsWith('0 of '), `${when}: the page says "${words}"`);
     };
+    await page.route('**/outdoor.scene', async route => {  // a scene that takes its time
+        await new Promise(resolve => setTimeout(resolve, 1000));
+        await route.continue();
+    });
     await compared('the default scene');
     for (const [what, change] of changes) {
         await change(page);

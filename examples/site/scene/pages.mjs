@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { page } from '../page.mjs';
 
 const ways = [
-    ['proof/', 'Prove it on your GPU', 'Every shader function runs here beside its C++ twin, and the page counts the bits that differ.'],
+    ['proof/', 'Prove it on your GPU', 'Every shader function runs here beside its C++ version, and the page counts the results that differ.'],
     ['snippets/', 'Copy a shader function', 'Search by the name you know. GLSL, HLSL, WGSL and Metal.'],
     ['reference/', 'Read the reference', 'Every function with its units, edge cases, formula and source.'],
     ['museum.html', 'Visit the museum of bugs', 'Public shadow bugs, each beside the formula that passes.'],
@@ -24,8 +24,8 @@ const live = `
 <canvas id="picture" tabindex="0" aria-label="The scene. Arrow keys turn the camera, with Shift the light; plus and minus zoom."></canvas>
 <div id="divided" hidden><span>your GPU</span><span>C++</span></div>
 </div>
+<p class="line"><output id="verdict"></output> <span id="time" class="faint"></span></p>
 <label class="wide">Divider between your GPU and C++ <input id="divider" type="range" min="0" max="1" step="0.001" value="0.5"></label>
-<p class="line"><output id="verdict" class="faint">C++ computes the picture when you stop.</output> <span id="time" class="faint"></span></p>
 <p id="said" role="status" hidden></p>
 </div>
 <div class="panel">
@@ -55,9 +55,11 @@ export async function pages(context) {
     context.copy('.media/hero.png', 'pictures/hero.png');
     const cards = ways.map(([to, name, words]) => `<li class="card"><h2><a href="${to}">${name}</a></h2><p>${words}</p></li>`);
     const body = `
-<h1>Shadows that compute the same in C++ and in your shader</h1>
-<p class="lead">umbrage is a header-only C++20 library of shadow mapping functions. Each has a shader twin, compared bit for bit.</p>
-<p class="bar"><a class="button main" href="proof/">Prove it on this GPU</a> <a class="button" href="snippets/">Copy the shader</a></p>
+<h1 class="front">Shadows that compute the same in C++ and in your shader</h1>
+<p class="lead">Most shader functions of this C++20 library return the same bits as their C++ versions, and the
+rest keep within <a href="tests/">a stated bound</a>.</p>
+<p class="bar"><a class="button main" href="start.html">Start</a> <a class="button" href="proof/">Prove it on this GPU</a>
+<a class="button" href="snippets/">Copy the shader</a></p>
 ${live}
 <img class="instead" src="pictures/hero.png" width="1280" height="560" loading="lazy" alt="A garden in sunlight. A mast's shadow is sharp at its foot and soft on a wall.">
 <ul class="cards">${cards.join('')}</ul>`;
