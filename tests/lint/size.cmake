@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Fails when a C++ file has more than 300 lines or 120 columns: what does not fit is two ideas.
+# Fails when a C++ file has more than 300 lines or 120 columns: what does not fit is two ideas. A header of the library
+# may have 350, sooner than a class is cut against sense.
 cmake_minimum_required(VERSION 3.21)
 string(REPEAT . 121 too_long)
 
@@ -14,8 +15,12 @@ foreach(file IN LISTS files)
     file(READ ${ROOT}/${file} text)
     string(REGEX MATCHALL "\n" lines "${text}")
     list(LENGTH lines lines)
-    if(lines GREATER 300)
-        message(SEND_ERROR "${file} has ${lines} lines, more than 300")
+    set(limit 300)
+    if(file MATCHES "^include/")
+        set(limit 350)
+    endif()
+    if(lines GREATER limit)
+        message(SEND_ERROR "${file} has ${lines} lines, more than ${limit}")
     endif()
     file(STRINGS ${ROOT}/${file} long REGEX "${too_long}")
     foreach(line IN LISTS long)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the program of `make test` goes without, to be built in a third of the time: implementations other than OpenGL and
-// C++, and the arithmetic that bounds what an implementation returns that may reorder sums, which none of these does.
+// What the program of `make test` goes without, to be built sooner: implementations other than OpenGL and C++, and the
+// arithmetic that bounds the results of implementations that may reorder sums.
 #include "expected.hpp"
 
 namespace parity {

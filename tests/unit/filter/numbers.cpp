@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/numbers.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
