@@ -94,7 +94,7 @@ TEST_CASE("box, window and disc: by bounds where these pay") {
     umbrage::filters::disc disc{.points = 16};
     for (const auto& [radius, pays] : {std::pair(2.0f, false), std::pair(8.0f, true), std::pair(16.0f, false)}) {
         disc.radius_texels = radius;
-        CAPTURE(radius);
+        CAPTURE(disc.radius_texels);
         CHECK(by_bounds(disc, map, map) == pays);
     }
     // The bounds are a pass over the map: it is too much work for few receivers.
