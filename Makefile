@@ -3,7 +3,7 @@
 #     make           lists these targets
 #     make demo      makes pictures in build/demo
 #     make test      the rules of the house, every unit test, every snippet against C++, the pages' programs: minutes
-#     make test-all  that and everything else, browsers, emulators and other compilers included: half an hour
+#     make test-all  that and everything else, browsers, emulators, other compilers: up to 45 minutes
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
 #     make lint      the rules of the house that scripts hold
 #     make format    formats all C++ files
