@@ -152,7 +152,7 @@ struct receiver_plane {
     static std::vector<glsl::snippet> snippets() {
         return {glsl::plane_slope, glsl::acne_free_bias, glsl::apply_receiver_plane, glsl::biased};
     }
-    static constexpr bool moves_stored_depths = true;
+    static constexpr bool compares_along_plane = true;
     [[nodiscard]] receiver_bias operator()(const bias_light& l, const bias_point& p) const {
         const glm::vec2 plane = umbrage::plane_slope(l.planes, p.normal, p.world);
         return {.depth = umbrage::acne_free_bias(plane, l.reach < 0.5f ? l.reach : 0.5f, 0.0f), .slope = plane};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -51,7 +52,9 @@ mesh load_mesh(const std::filesystem::path& path) {
         importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
                                              aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices |
                                              aiProcess_ValidateDataStructure);
-    if (!file) throw fail(importer.GetErrorString());
+    const std::string_view error_text = importer.GetErrorString();
+    if (!file && error_text == "No meshes remaining") throw fail("no triangles in it, only points and lines");
+    if (!file) throw fail(std::string(error_text));
 
     mesh out;
     for (const aiMesh* part : std::span(file->mMeshes, file->mNumMeshes)) {
@@ -70,12 +73,17 @@ mesh load_mesh(const std::filesystem::path& path) {
                 out.triangles.emplace_back(base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]);
     }
     if (out.triangles.empty()) throw fail("no triangles in it");
+    std::size_t unbounded = 0;
     std::erase_if(out.triangles, [&](glm::uvec3 t) {
         const glm::dvec3 a = out.positions[t.x], b = out.positions[t.y], c = out.positions[t.z];
-        const double twice_area = glm::length(glm::cross(b - a, c - a));  // NaN where a coordinate is missing
-        return !(twice_area > 0.0 && twice_area < std::numeric_limits<double>::infinity());
+        const double twice_area = glm::length(glm::cross(b - a, c - a));
+        const bool finite = std::isfinite(twice_area);  // NaN where a coordinate is missing
+        unbounded += !finite;
+        return !(finite && twice_area > 0.0);
     });
-    if (out.triangles.empty()) throw fail("none of its triangles has an area");
+    if (out.triangles.empty())
+        throw fail(unbounded ? "its triangles have coordinates that are infinite or no number"
+                             : "none of its triangles has an area");
     return out;
 }
 

@@ -59,12 +59,12 @@ std::string_view usual_bias(std::string_view filter) {
     return hardens(filter) ? biases::receiver_plane::name : biases::acne_free::name;
 }
 
-bool moves_stored_depths(std::string_view bias) {
-    bool moves = false;
+bool compares_along_plane(std::string_view bias) {
+    bool along = false;
     with_bias(bias, [&](const auto& b) {
-        moves = requires { b.moves_stored_depths; };
+        along = requires { b.compares_along_plane; };
     });
-    return moves;
+    return along;
 }
 
 }  // namespace example

@@ -27,7 +27,7 @@ namespace example {
 /// differs from receiver to receiver, acne_free for all others.
 [[nodiscard]] std::string_view usual_bias(std::string_view filter);
 
-/// True when the bias of this name moves stored depths along the receiver's plane.
-[[nodiscard]] bool moves_stored_depths(std::string_view bias);
+/// True when the bias of this name compares along the receiver's plane.
+[[nodiscard]] bool compares_along_plane(std::string_view bias);
 
 }  // namespace example

@@ -47,8 +47,8 @@ struct scene_of_biases {
             const receiver_bias moved = by(s);
             const glm::vec3 p =
                 umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position + moved.offset));
-            return umbrage::hard(umbrage::apply_receiver_plane(fetch, moved.slope, glm::vec2(p)), glm::vec2(p),
-                                 umbrage::biased(p.z, moved.depth + 0x1p-20f));
+            const glm::vec3 at(p.x, p.y, umbrage::biased(p.z, moved.depth + 0x1p-20f));
+            return umbrage::hard(umbrage::apply_receiver_plane(fetch, moved.slope, at), glm::vec2(at), at.z);
         });
     }
 };

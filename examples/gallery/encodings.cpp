@@ -9,7 +9,7 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/light/spot_light.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include "sections.hpp"
 

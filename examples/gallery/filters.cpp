@@ -8,7 +8,7 @@
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/visibility.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include <biases.hpp>
 

@@ -63,7 +63,7 @@ void add_soft(page& page, const scene_of_soft& on, std::string_view name, const 
     const glm::vec3 nothing = umbrage::project_coordinate(glm::vec4(0));
     umbrage::image<float> x(size, nothing.x), y(size, nothing.y), depth(size, nothing.z), visibility(size);
     const std::string_view bias_name = usual_bias(name);
-    const bool in_planes = moves_stored_depths(bias_name);
+    const bool in_planes = compares_along_plane(bias_name);
     umbrage::image<float> slope_x(in_planes ? size : glm::ivec2(0)), slope_y(slope_x.size());
     const bias_light by = make_bias_light(on.light.space, on.light.direction, on.map.size(), on.system.reach,
                                           on.light.w(on.stage.scene.target));

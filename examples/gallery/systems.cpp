@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include <depth_color.hpp>
 

@@ -25,6 +25,7 @@ struct page {
 
 std::vector<page> pages() {
     std::vector<page> all{{"hero", pictures::hero, 1280},
+                          {"two_views", pictures::two_views, 828},
                           {"filters", pictures::filter_strip, 156},
                           {"hardening", pictures::hardening_strip, 200},
                           {"biases", pictures::bias_strip, 156},

@@ -13,6 +13,10 @@ namespace pictures {
 /// @param width  width of the picture, pixels
 [[nodiscard]] picture hero(int width);
 
+/// The default scene as its light and its camera see it, with one point of a shadow marked in both.
+/// @param width  width of the picture, pixels
+[[nodiscard]] picture two_views(int width);
+
 /// One part of the scene under rays and eight filters, each with its best bias, its costs and its error.
 /// @param side  of a part, pixels
 [[nodiscard]] picture filter_strip(int side);

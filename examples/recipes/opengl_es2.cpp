@@ -24,16 +24,17 @@ GLuint made(void (*make)(GLsizei, GLuint*)) {
     return name;
 }
 
-/// @param place   vertex function of clip space: (to_clip, position)
+/// @param place   call of a vertex function, of to_clip, position, and anchor
 GLuint program(const std::string& head, const std::string& place, const std::string& fragment) {
     const std::string vertex = head + R"(
         attribute vec3 position, vertex_normal;
         attribute vec2 vertex_uv;
         uniform mat4 to_clip;
+        uniform vec4 anchor;
         varying highp vec3 world, normal;  varying highp vec2 uv, clip_depth;
         void main() {
             gl_Position = )" + place +
-                               R"((to_clip, position), clip_depth = gl_Position.zw;
+                               R"(, clip_depth = gl_Position.zw;
             world = position, normal = vertex_normal, uv = vertex_uv;
         })";
     const GLuint id = glCreateProgram();
@@ -58,9 +59,9 @@ void draw(GLuint with, const glm::mat4& to_clip, GLsizei vertices) {
 
 /// Draws all maps of a shadow, each into its tile of a texture, which is bound to a texture unit from here on.
 void draw_maps(const auto& shadow, GLuint unit, GLsizei vertices) {
-    const GLuint depth_pass =
-        program(glsl::source(es2, {glsl::bind_vertex_pass(shadow, "map")}), "umbrage_vertex_map",
-                glsl::source(es2, {glsl::bind_depth_pass(shadow, "map")}, precision) + scene::shading + R"(
+    const GLuint depth_pass = program(
+        glsl::source(es2, {glsl::bind_vertex_pass(shadow, "map")}), "umbrage_vertex_map(to_clip, position, anchor)",
+        glsl::source(es2, {glsl::bind_depth_pass(shadow, "map")}, precision) + scene::shading + R"(
         varying vec2 uv, clip_depth;  // in place of gl_FragCoord.z, which is mediump
         void main() {
             if (is_hole(uv)) discard;
@@ -78,13 +79,13 @@ void draw_maps(const auto& shadow, GLuint unit, GLsizei vertices) {
     glBindRenderbuffer(GL_RENDERBUFFER, depths);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, size.x, size.y);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
-
     const glm::vec3 far_plane = glm::vec3(shadow.cleared()) / 255.0f;
     glClearColor(far_plane.r, far_plane.g, far_plane.b, 1), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     int number = 0;
-    for (const auto& light : shadow.set_up().lights()) {
+    for (const auto& view : shadow.depth_views()) {
         glViewport(number % 2 * tile.x, number / 2 * tile.y, tile.x, tile.y), ++number;  // an atlas with two columns
-        draw(depth_pass, glm::mat4(light.projection * light.view), vertices);
+        glUniform4fv(glGetUniformLocation(depth_pass, "anchor"), 1, &view.anchor[0]);
+        draw(depth_pass, view.to_clip, vertices);
     }
 }
 
@@ -104,9 +105,8 @@ int main(int, char** argv) {
     const umbrage::shadow sun(scene::make_cascades(clip), {1024, 1024}, umbrage::filters::tent<3>, umbrage::rgb24{});
     glEnable(GL_DEPTH_TEST), glDisable(GL_DITHER);
     draw_maps(spot, 0, window.vertices()), draw_maps(sun, 1, window.vertices());
-
     const GLuint view =
-        program(glsl::source(es2, {glsl::shadow_coordinate}), "umbrage_shadow_coordinate",
+        program(glsl::source(es2, {glsl::shadow_coordinate}), "umbrage_shadow_coordinate(to_clip, position)",
                 glsl::source(es2, {glsl::bind(spot, "spot"), glsl::bind(sun, "sun")}, precision) + scene::shading + R"(
         varying vec3 world, normal;  varying vec2 uv;
         void main() {

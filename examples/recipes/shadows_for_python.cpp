@@ -38,7 +38,7 @@ const char* shadow_text() {
     return text.c_str();
 }
 
-// Blocks of 40 and 60 floats, one matrix and three. Take what moves as arguments: here nothing does.
+// Blocks of 48 and 64 floats, one matrix and three. Take what moves as arguments: here nothing does.
 void spot_values(float* block, float* to_clip) { give(make_spot(), block, to_clip); }
 void sun_values(float* block, float* to_clip) { give(make_sun(), block, to_clip); }
 

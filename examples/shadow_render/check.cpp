@@ -226,10 +226,13 @@ TEST_CASE("shadow_render: missing, empty and broken meshes") {
     fails(file("words.ply", "once upon a time\n"), 1, "words.ply: ");
     fails(file("words.gltf", "once upon a time\n"), 1, "words.gltf: ");
     fails(file("words.txt", "once upon a time\n"), 1, "words.txt: ");
-    fails(file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), 1, "points.obj: ");
+    fails(file("vertices.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), 1, "vertices.obj: ");
+    fails(file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n"), 1,
+          "points.obj: no triangles in it, only points and lines");
     fails(file("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), 1, "index.obj: ");
-    fails(file("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), 1, "line.obj: ");
-    fails(file("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 1, "nan.obj: ");
+    fails(file("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), 1, "line.obj: none of its triangles has an area");
+    fails(file("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 1,
+          "nan.obj: its triangles have coordinates that are infinite or no number");
     fails(std::string("--output ").append(quoted(folder / "empty.obj" / "below")), 1, "cannot make the folder");
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where
         CHECK((differ > 0) == (bias != "acne_free"));
         CHECK(mask[{120, 65}].r == 0);  // the ball's shadow on the box
         // a plane of its own keeps a receiver lit without any bias
-        CHECK((shadowed_without(bias, 60, 30) > 100) == !example::moves_stored_depths(bias));
+        CHECK((shadowed_without(bias, 60, 30) > 100) == !example::compares_along_plane(bias));
     }
 }
 

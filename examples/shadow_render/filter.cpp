@@ -43,7 +43,7 @@ float reach_of(const options& o) {
 
 bool compares_projected(const options& o) {
     return example::hardens(o.filter) ||
-           (example::moves_stored_depths(bias_of(o)) && !example::filters_ahead(o.filter));
+           (example::compares_along_plane(bias_of(o)) && !example::filters_ahead(o.filter));
 }
 int bytes_read(const options& o) {
     return example::filters_ahead(o.filter) ? example::prefilter_bytes(o.filter) : example::encoding_bytes(o.encoding);

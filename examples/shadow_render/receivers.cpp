@@ -62,7 +62,7 @@ receivers receivers_of(const view& v, const options& o, float reach, float below
         example::make_bias_light(v.lamp.space, v.lamp.direction, map_size, reach, v.lamp.w(v.scene.target));
     receivers out(v.seen.size());
     float error = rounding + below;
-    if (projected && example::moves_stored_depths(bias_of(o))) {
+    if (projected && example::compares_along_plane(bias_of(o))) {
         out.slope_x = out.slope_y = umbrage::image<float>(v.seen.size());
         error *= 2;  // of texels nearer to the light than the receiver z/w has more a world unit
     }

@@ -44,7 +44,7 @@ int main() {
         .overlap = 0.1f,
         .clip = umbrage::opengl_clip_space};
     const auto cascades = umbrage::make_stable_cascades<3>(fit, umbrage::practical_splits<3>(1.0f, 140.0f, 0.8f));
-    const umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
+    const umbrage::shadow sun(cascades, fit.map_size, umbrage::filters::tent<3>);
     umbrage::image<float> map(sun.size(), sun.cleared());
     sun.draw(map, {vertices, triangles});
 

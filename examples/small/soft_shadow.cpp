@@ -29,9 +29,7 @@ int main() {
                                                         .texels_per_unit = 128,
                                                         .clip = umbrage::cpu_clip_space});
     const glm::ivec2 map_size(1024, 1024), size(2048, 2048);
-    const umbrage::filters::pcss filter{
-        .points = 32,
-        .softness = umbrage::make_penumbra_params(umbrage::make_light_units(light, map_size), 0.05f, 1.0f, 24.0f)};
+    const umbrage::filters::pcss filter{.points = 32, .softness = umbrage::make_penumbra_params(0.05f, 1.0f, 24.0f)};
     const umbrage::shadow sun(light, map_size, filter);
     umbrage::image<float> map(sun.size(), sun.cleared());
     sun.draw(map, {vertices, triangles});

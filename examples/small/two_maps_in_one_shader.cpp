@@ -30,7 +30,7 @@ int main() {
         .overlap = 0.1f,
         .clip = umbrage::opengl_clip_space};
     const umbrage::shadow sun(umbrage::make_stable_cascades<3>(fit, umbrage::practical_splits<3>(1.0f, 140.0f, 0.8f)),
-                              {1024, 1024}, umbrage::filters::tent<3>);
+                              fit.map_size, umbrage::filters::tent<3>);
     const umbrage::shadow spot(
         umbrage::make_spot_light(
             {.position = {2, 6, 3}, .direction = {-2, -6, -3}, .clip = umbrage::opengl_clip_space}),

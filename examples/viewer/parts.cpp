@@ -62,14 +62,14 @@ std::string even(const shadow_system& s, const std::string& depth) {
 
 bool compares_projected(const shadow_system& s) {
     return !example::filters_ahead(s.filter) &&
-           (example::moves_stored_depths(s.bias) ||
+           (example::compares_along_plane(s.bias) ||
             (example::hardens(s.filter) && s.depth != example::depth_kind::projected));
 }
 
 bias bias_of(const shadow_system& s) {
     bias out{.uses{}, .statement{}, .ahead{planes}};
     example::with_bias(s.bias, [&](const auto& of) { out.uses = of.snippets(), out.statement = of.statement; });
-    if (example::moves_stored_depths(s.bias)) out.ahead += "vec2 plane, plane_at;\n";
+    if (example::compares_along_plane(s.bias)) out.ahead += "vec2 plane;\nvec3 plane_at;\n";
     return out;
 }
 
@@ -78,7 +78,7 @@ glsl::binding compared_map(const shadow_system& s, glsl::binding map) {
     if (!compares_projected(s)) return map;
     map.depth = projected(s, map.depth.empty() ? "value.x" : map.depth);
     map.needs.insert(map.needs.end(), depth_snippets().begin(), depth_snippets().end());
-    if (!example::moves_stored_depths(s.bias)) return map;
+    if (!example::compares_along_plane(s.bias)) return map;
     map.depth = "umbrage_apply_receiver_plane(" + map.depth + ", plane, plane_at, texel)";
     map.needs.push_back(glsl::apply_receiver_plane);
     return map;
@@ -147,7 +147,7 @@ std::optional<prefilter> prefilter_of(const shadow_system& s) {
 }
 
 filter filter_of(const shadow_system& s) {
-    const bool moved = example::moves_stored_depths(s.bias);
+    const bool moved = example::compares_along_plane(s.bias);
     if (s.test == example::test_kind::exercise && s.filter == "hard" && !moved &&
         s.receiver == example::receiver_kind::plain)
         return {{glsl::compare_exercise, glsl::fetch_depth},

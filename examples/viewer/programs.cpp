@@ -211,15 +211,14 @@ void main() {
 
     // Fetch, decode, compare, filter.
     float biased = umbrage_biased(depth, epsilon);
-)GLSL" + (example::moves_stored_depths(s.bias) ? "    plane_at = p.xy;\n" : "") +
+)GLSL" +
             (projects || ahead ? "    depth = " + compared("depth") + ";\n    biased = " + compared("biased") + ";\n"
                                : std::string()) +
             R"GLSL(
     float receiver = )GLSL" +
-            receiver_of(s) +
-            R"GLSL(;
-    float visibility = )GLSL" +
-            filter.visibility +
+            receiver_of(s) + ";\n" +
+            (example::compares_along_plane(s.bias) ? "    plane_at = vec3(p.xy, receiver);\n" : "") +
+            R"GLSL(    float visibility = )GLSL" + filter.visibility +
             R"GLSL(;
     if (light_position.w > 0.0)
         visibility *= umbrage_spot_cone(light_direction, world - light_position.xyz, cos_outer);

@@ -41,7 +41,7 @@ const program& updated(std::optional<program>& p, stages text) {
 float epsilon_of(const example::shadow_system& s) {
     if (s.receiver != example::receiver_kind::plain) return s.epsilon;
     const float one = s.epsilon + encoding_called(s.encoding).below;
-    return example::moves_stored_depths(s.bias) ? 2 * one : one;
+    return example::compares_along_plane(s.bias) ? 2 * one : one;
 }
 
 umbrage::penumbra_params softness_of(const example::shadow_system& s, const example::light& l, glm::vec2 units) {

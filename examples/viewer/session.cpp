@@ -139,7 +139,7 @@ void session::encode(std::string_view name) {
 /// An original's own receivers go with its own encoding, and with depths that stay as they are stored.
 void session::settle_receiver() {
     const example::shadow_system& original = system_called(system.name);
-    const bool own = system.encoding == original.encoding && !example::moves_stored_depths(system.bias) &&
+    const bool own = system.encoding == original.encoding && !example::compares_along_plane(system.bias) &&
                      !example::hardens(system.filter) && !example::filters_ahead(system.filter);
     system.receiver = own ? original.receiver : example::receiver_kind::plain;
 }

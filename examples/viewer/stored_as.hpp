@@ -29,7 +29,8 @@ namespace glsl = umbrage::glsl;
 /// The target that an encoding needs.
 template <class Target>
 [[nodiscard]] constexpr texels_of texels_for() {
-    if constexpr (std::is_same_v<Target, umbrage::float_target>) return texels_of::depth;
+    if constexpr (Target::to_unorm == nullptr)  // of 16 bits a color's store is that of depth; floats hold 24
+        return std::is_same_v<Target, umbrage::depth_texture<16>> ? texels_of::shorts : texels_of::depth;
     else return Target::bits == 8 ? texels_of::bytes : (Target::bits == 10 ? texels_of::tens : texels_of::shorts);
 }
 

@@ -29,6 +29,8 @@
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/depth/code.hpp>
 #include <umbrage/depth/conversions.hpp>
+#include <umbrage/depth/depth16.hpp>
+#include <umbrage/depth/depth24.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
@@ -52,6 +54,7 @@
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/linear_form.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>

@@ -42,10 +42,10 @@
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>
-#include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
 #include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>

@@ -432,6 +432,10 @@ struct clip_space {
     depth_range range = depth_range::unset;
     depth_direction direction = depth_direction::forward;
     texture_origin origin = texture_origin::bottom;
+    /// Bits of the grid within a texel to which the rasterizer moves vertices, which a shadow's bias covers: 4 is what
+    /// OpenGL, OpenGL ES and Vulkan promise, 8 what Direct3D has. Ask yours for SUBPIXEL_BITS or subPixelPrecisionBits;
+    /// with 8 in place of 4 each bias is 15/128 texel of slope smaller.
+    int subpixel_bits = 4;
 
     friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
 };
@@ -444,7 +448,7 @@ inline constexpr clip_space vulkan_clip_space{.range = depth_range::zero_to_one}
 
 /// Left-handed world as in D3DXMatrixLookAtLH, with z/w in [0, 1] and the first texel at the top.
 inline constexpr clip_space direct3d_clip_space{
-    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top};
+    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top, .subpixel_bits = 8};
 
 /// Right-handed world with z/w in [0, 1] and the first texel at the top. It fits WebGPU in three.js and glTF viewers.
 /// It also fits right-handed worlds under Direct3D. For a left-handed world in WebGPU or Metal use direct3d_clip_space.
@@ -452,7 +456,8 @@ inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one,
 /// Clip space of Metal, the same as that of WebGPU.
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
-/// Left-handed world with y up, reversed depth and the first texel at the top.
+/// Left-handed world with y up, reversed depth and the first texel at the top. It counts on 4 sub-pixel bits, as Unity
+/// draws with Metal and Vulkan too.
 /// Under OpenGL z/w is in [-1, 1], depth is forward, and the first texel is at the bottom.
 inline constexpr clip_space unity_clip_space{.hand = handedness::left,
                                              .range = depth_range::zero_to_one,
@@ -468,7 +473,7 @@ inline constexpr clip_space unreal_clip_space = unity_clip_space;
 inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed};
 
 /// Right-handed world with z/w in [0, 1] and the first texel at the bottom. For maps that no API draws, as on the CPU.
-inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
+inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one, .subpixel_bits = 8};
 
 /// Name and value of each API's and engine's clip space.
 struct named_clip_space {
@@ -862,7 +867,7 @@ inline constexpr snippet clamp_bias{
 // umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
-    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+    return bias < 1.0 ? (bias >= least ? bias : 0.0) : 1.0;
 }
 )GLSL",
 };
@@ -1125,7 +1130,7 @@ concept render_target = requires {
     { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled; missing channels are 0
 };
 
-/// Float target, or a float depth buffer.
+/// Float target, or a float depth texture.
 struct float_target {
     using texel = float;
     static constexpr int channels = 1;
@@ -1133,6 +1138,37 @@ struct float_target {
     static constexpr const glsl::snippet* to_unorm = nullptr;
 
     [[nodiscard]] static glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+};
+
+/// Depth texture of 16 or 24 bits. The GPU converts depths to them, and back where a shader samples or compares.
+///
+/// A texel of 24 bits has the depth in its low bits, as in Vulkan and Direct3D. Its high bits may hold a stencil.
+/// OpenGL's UNSIGNED_INT_24_8 has the depth in the high bits.
+template <int Bits>
+struct depth_texture {
+    static_assert(Bits == 16 || Bits == 24, "depth textures of integers have 16 or 24 bits");
+    using texel = std::conditional_t<Bits == 16, std::uint16_t, std::uint32_t>;
+    static constexpr int bits = Bits, channels = 1;
+    static constexpr std::string_view format = Bits == 16 ? "DEPTH_COMPONENT16" : "DEPTH_COMPONENT24";
+    static constexpr const glsl::snippet* to_unorm = nullptr;
+    static constexpr std::uint32_t most = (std::uint32_t(1) << Bits) - 1;
+
+    /// Texel of a depth.
+    /// @param depth   in [0, 1]
+    /// @param mode    GPUs round to nearest. Vulkan and OpenGL let them truncate
+    [[nodiscard]] static constexpr texel store(float depth, unorm_store mode = {}) {
+        const double scaled = double(depth) * most;  // a double has the product's 48 bits
+        return static_cast<texel>(mode == unorm_store::rounds ? scaled + 0.5 : scaled);
+    }
+    /// Depth that sampling returns: k / (2^Bits - 1), rounded to a float.
+    [[nodiscard]] static constexpr float depth_of(texel t) { return static_cast<float>((t & most) * (1.0 / most)); }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {depth_of(t), 0, 0, 0}; }
+
+    /// Largest error of a sampled depth: half a step where the texture rounds, a step where it truncates, and the
+    /// rounding to a float.
+    [[nodiscard]] static constexpr double error(unorm_store mode) {
+        return (mode == unorm_store::rounds ? 0.5 : 1.0) / most + 0x1p-25;
+    }
 };
 
 namespace detail {
@@ -1204,7 +1240,7 @@ namespace umbrage {
 
 /// Kind of value that a writer's snippet returns.
 enum class store_format {
-    depth,     ///< float, written to a float target as it is
+    depth,     ///< float, written to a float target or a depth texture as it is
     integers,  ///< integer channels; the target's to_unorm turns them into values to write
     values,    ///< values, written to a UNORM target as they are; its rounding is part of the format
 };
@@ -1432,7 +1468,8 @@ void require_filter(std::string_view function, const Filter& filter) {
 }  // namespace umbrage
 
 // ---- umbrage/bias/acne_free.hpp
-// Smallest depth bias without shadow acne, from the receiver's slope, the filter's reach and the map's encoding.
+// Depth bias without shadow acne for a filter's whole kernel, from the receiver's slope, the filter's reach and the
+// map's encoding. It is at most 10 % above the smallest.
 //
 //     umbrage::filters::box filter{.radius = 2};
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // depth per texel
@@ -1455,7 +1492,7 @@ namespace umbrage {
 template <real T, int SubTexelBits = 8>
 inline constexpr T rasterizer_snap = T(2) / T(1 << SubTexelBits);
 
-/// Smallest depth bias without shadow acne, for filters that read whole rows and columns.
+/// Depth bias without shadow acne, for filters that read whole rows and columns: at most 10 % above the smallest.
 ///
 /// @param slope   change of the receiver's depth per texel, in x and y, from plane_slope or receiver_plane_slope
 /// @param reach   filter radius, in texels. Add 2^-12 texel per 4096 texels of map size for coordinates that round. Add
@@ -1475,7 +1512,7 @@ template <real T>
     return clamp_bias(reach * sum + (error + T(0x1p-23)));
 }
 
-/// Smallest depth bias without shadow acne, for filters that read a disc.
+/// Depth bias without shadow acne, for filters that read a disc: at most 10 % above the smallest.
 ///
 /// @param slope          as for acne_free_bias
 /// @param error          as for acne_free_bias
@@ -1492,7 +1529,7 @@ template <real T>
     return clamp_bias(radius * length + (sum * T(0.5078125) + (error + T(0x1p-23))));
 }
 
-/// Smallest depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
+/// Depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
 /// @param slope      change of depth per texel in x and y
 /// @param filter     a filter of filters.hpp, for its reach
 /// @param encoding   an encoding of encodings.hpp, for its error
@@ -1511,7 +1548,7 @@ template <real T>
 /// @param bias           bias of the receiver, in depth
 /// @param caster_slope   change of the caster's depth per texel. It is 0 for a caster that faces the light
 /// @param reach          filter radius, in texels
-/// @return               depth, 0 to 1. Casters at least this far from the receiver shadow it as without bias
+/// @return               depth, 0 to 1. A caster at least this far from the receiver casts its full shadow
 /// @edge                 infinite values or NaN: 1
 /// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|) + 2^-23
 /// @detaches             light leaks in on a floor at the foot of an upright wall, over a width of bias sin(t).
@@ -1527,12 +1564,12 @@ namespace glsl {
 
 inline constexpr snippet acne_free_bias{
     .name = "acne_free_bias",
-    .summary = "smallest bias without acne, from slope, reach and error",
+    .summary = "bias without acne, from slope, reach and error",
     .exactness = tier::b,
     .operations = 4,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
-// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+// umbrage_acne_free_bias: bias in depth without shadow acne, 0.0 to 1.0
 //   slope  change of depth per texel, in x and y
 //   reach  filter radius, in texels
 //   error  largest error of a decoded depth towards the light
@@ -1547,12 +1584,12 @@ UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIG
 
 inline constexpr snippet acne_free_disc_bias{
     .name = "acne_free_disc_bias",
-    .summary = "smallest bias without acne, for filters that read a disc",
+    .summary = "bias without acne, for filters that read a disc",
     .exactness = tier::c,
     .operations = 13,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
-// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+// umbrage_acne_free_disc_bias: bias in depth without shadow acne for a disc, 0.0 to 1.0
 //   slope   change of depth per texel, in x and y
 //   radius  distance to the disc's farthest point, in texels
 //   error   largest error of a decoded depth towards the light
@@ -1779,6 +1816,25 @@ template <real T>
     return m;
 }
 
+/// Refuses a near plane so near that forward depth in float is too coarse at the far plane. There the smallest bias
+/// that covers rounding, 7 units of 2^-24, would span an eighth of z_far or more. Reversed depth keeps its precision.
+template <real T>
+void require_digits(T z_near, T z_far, clip_space clip, const char* function) {
+    const double limit = 56 * 0x1p-24 * double(z_far);
+    if (clip.direction == depth_direction::reversed || !is_finite(z_far) || double(z_near) >= limit) return;
+    refuse(function, "z_near", "at least " + printed(limit) + " (56 2^-24 z_far) with forward depth", z_near,
+           "Take a larger z_near, or reversed depth.");
+}
+
+/// Refuses a spot light's angle that its map cannot hold. Beyond the widest one, texels on the axis are too wide.
+template <real T>
+void require_cone(T outer_angle_radians, const char* function) {
+    constexpr T widest(1.5);
+    require(outer_angle_radians > T(0) && outer_angle_radians <= widest, function, "outer_angle_radians",
+            "above 0 and at most 1.5 (86 degrees)", outer_angle_radians,
+            "Is it in degrees? For a wider light take a point_light.");
+}
+
 /// Body of orthographic. Errors name `function`, and the arguments that give the box and the planes.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
@@ -1849,9 +1905,29 @@ template <real T>
 //     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
 //     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
 //
-// See also: acne_free.hpp for the smallest bias; distance_slope.hpp for dual paraboloid maps.
+// See also: acne_free.hpp for a bias without acne; distance_slope.hpp for dual paraboloid maps.
 
 namespace umbrage {
+
+namespace detail {
+
+/// Body of plane_matrix. Errors name `function` and `argument`.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix, const char* function,
+                                             const char* argument, const char* condition) {
+    using wide = std::common_type_t<T, double>;  // double, but dependent: GLM's matrices cost compile time
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
+    require(all_finite(texture_matrix) && all_finite(m), function, argument, condition, texture_matrix);
+    return m;
+}
+
+/// plane_matrix of a light's map, for a shadow.
+[[nodiscard]] inline glm::dmat4 plane_matrix_of_shadow(const glm::dmat4& texture_matrix) {
+    return plane_matrix(texture_matrix, "shadow", "light and origin",
+                        "such that the map's matrix has a finite inverse");
+}
+
+}  // namespace detail
 
 /// Matrix that transforms planes as a texture matrix transforms points. A plane stays a plane, under a spot light too.
 ///
@@ -1861,11 +1937,7 @@ namespace umbrage {
 /// @formula                transpose(inverse(texture_matrix))
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    using wide = std::common_type_t<T, double>;  // double, but dependent: GLM's matrices cost compile time
-    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
-    detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
-                    "finite, with a finite inverse", texture_matrix);
-    return m;
+    return detail::plane_matrix(texture_matrix, "plane_matrix", "texture_matrix", "finite, with a finite inverse");
 }
 
 /// Slope clamped to the range that matters to a bias.
@@ -1952,7 +2024,7 @@ inline constexpr snippet clamp_slope{
     .source = R"GLSL(
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 )GLSL",
 };
@@ -1970,9 +2042,9 @@ inline constexpr snippet plane_slope{
 //   world         point on the plane
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
-                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 )GLSL",
@@ -1989,7 +2061,7 @@ inline constexpr snippet receiver_slope{
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     return none ? vec2(0.0, 0.0) : slope;
 }
 )GLSL",
@@ -2006,9 +2078,9 @@ inline constexpr snippet cascade_slope{
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
     return none ? vec2(0.0, 0.0) : slope;
 }
@@ -2186,6 +2258,352 @@ UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP
 inline constexpr const snippet* kernel_snippets[]{&kernel_bias};
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/point/cube_map.hpp
+// Cube shadow maps: six square maps around a point light, as the faces of a cube texture or as six tiles of an atlas.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
+//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
+//
+// Also called: omnidirectional shadow maps, shadow cubemap (cube_coordinate). See also: point_light.hpp.
+
+namespace umbrage {
+
+/// View direction and up axis of a face's camera, for an NDC with y = -1 in the first row.
+struct cube_axes {
+    glm::ivec3 forward, up;
+};
+
+/// Faces by index: +x, -x, +y, -y, +z, -z. In a right-handed view of 90 degrees along a face, NDC x is 2 s - 1 and y is
+/// 2 t - 1: see cube_coordinate.
+/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
+inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                  {{-1, 0, 0}, {0, -1, 0}},
+                                                  {{0, 1, 0}, {0, 0, 1}},
+                                                  {{0, -1, 0}, {0, 0, -1}},
+                                                  {{0, 0, 1}, {0, -1, 0}},
+                                                  {{0, 0, -1}, {0, -1, 0}}}};
+
+/// Face that a direction from the cube's center meets.
+/// @param direction   any length. On edges and corners x goes before y, and y before z
+/// @return            0 to 5; 4 or 5 if a NaN leaves no largest component
+/// @exactness         A: comparisons
+template <real T>
+[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
+    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
+    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
+    const T along = direction[static_cast<glm::length_t>(axis)];
+    return 2 * axis + (!is_nan(along) && along < T(0) ? 1 : 0);
+}
+
+/// Distance to a direction's end along its face's axis, the input of per-face depths.
+/// @return            magnitude of the largest component
+/// @exactness         A: selects
+template <real T>
+[[nodiscard]] constexpr T cube_view_z(glm::vec<3, T> direction) {
+    const int face = cube_face(direction);
+    const T m = direction[static_cast<glm::length_t>(face / 2)];
+    return face % 2 ? -m : m;
+}
+
+/// Direction in the axes of its face.
+/// @return            (sc, tc, face): components across the face's axis
+/// @exactness         A: selects
+/// @cite              OpenGL 4.6 specification, table 8.19
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_plane(glm::vec<3, T> direction) {
+    const int face = cube_face(direction), axis = face / 2;
+    const T flip = face % 2 == 0 ? T(1) : T(-1);
+    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
+    return {sc, axis == 1 ? direction.z * flip : -direction.y, T(face)};
+}
+
+/// Point from its coordinates in a face's axes, the inverse of cube_plane.
+/// @param face   0 to 5
+/// @param p      (sc, tc, cube_view_z)
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_point(T face, glm::vec<3, T> p) {
+    if (face < T(0.5)) return {p.z, -p.y, -p.x};
+    if (face < T(1.5)) return {-p.z, -p.y, p.x};
+    if (face < T(2.5)) return {p.x, p.z, p.y};
+    if (face < T(3.5)) return {p.x, -p.z, -p.y};
+    if (face < T(4.5)) return {p.x, -p.y, p.z};
+    return {-p.x, -p.y, -p.z};
+}
+
+/// Point or vector in a face's axes, the inverse of cube_point.
+/// @param face   0 to 5
+/// @param p      point or vector from the cube's center
+/// @return       (sc, tc, distance along the face's axis)
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_face_point(T face, glm::vec<3, T> p) {
+    if (face < T(0.5)) return {-p.z, -p.y, p.x};
+    if (face < T(1.5)) return {p.z, -p.y, -p.x};
+    if (face < T(2.5)) return {p.x, p.z, p.y};
+    if (face < T(3.5)) return {p.x, -p.z, -p.y};
+    if (face < T(4.5)) return {p.x, -p.y, p.z};
+    return {-p.x, -p.y, -p.z};
+}
+
+/// Position on its face where a direction meets the cube.
+/// @param direction   any length. Zero and NaN give NaN coordinates, which every filter takes as lit
+/// @return            (s, t, face): s and t from 0 to 1 over the face; times the face's size, a filter's coordinate
+/// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, with cube_plane's sc and tc and m = cube_view_z
+/// @exactness         C, n = 5: divisions
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
+    const glm::vec<3, T> p = cube_plane(direction);
+    const T m = cube_view_z(direction);
+    return {(p.x + m) / (m + m), (p.y + m) / (m + m), p.z};
+}
+
+/// Direction to a point of a face, the inverse of cube_coordinate.
+/// @param face   0 to 5
+/// @param st     position from 0 to 1 over the face
+/// @return       direction whose largest component is 1 or -1
+/// @exactness    B, n = 2, S = 2 st + 1: 2 s - 1 rounds once
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
+    return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
+}
+
+/// Texel beyond a face's edge: it lies in the first or last row or column of the next face.
+/// @param texel   (s, t, face), integers: inside a face, or beyond one of its edges
+/// @param size    size of a face, in texels, below 2^15
+/// @return        (s, t, face) of a texel inside; face -1 beyond a corner, where there is no texel
+/// @formula       beyond an edge the point (sc, tc, size), in half texels, moves to (sc, tc, size - 1). There |sc| or
+///                |tc| is the largest: it lies along the next face's axis
+/// @exactness     A: integers
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_neighbor(glm::vec<3, T> texel, T size) {
+    const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
+    const bool beyond_u = (u > size) || (u < -size);
+    const bool beyond_v = (v > size) || (v < -size);
+    if (beyond_u && beyond_v) return {T(0), T(0), T(-1)};
+    const T m = beyond_u || beyond_v ? size - T(1) : size;
+    const glm::vec<3, T> p = cube_plane(cube_point(texel.z, glm::vec<3, T>(u, v, m)));
+    return {(p.x + size - T(1)) * T(0.5), (p.y + size - T(1)) * T(0.5), p.z};
+}
+
+/// First texel of a face in an atlas of 3 x 2 tiles, with +x, -x, +y in the first row.
+/// @param face   0 to 5
+/// @param size   size of a tile, in texels
+/// @exactness    A
+[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cube_face{
+    .name = "cube_face",
+    .summary = "face of a cube that a direction meets",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_view_z{
+    .name = "cube_view_z",
+    .summary = "distance along the axis of a direction's face",
+    .exactness = tier::a,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_view_z: magnitude of the largest component, the input of per-face depths
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_plane{
+    .name = "cube_plane",
+    .summary = "direction in the axes of its face",
+    .exactness = tier::a,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_point{
+    .name = "cube_point",
+    .summary = "point from a face's axes",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
+UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_face_point{
+    .name = "cube_face_point",
+    .summary = "point in a face's axes",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face_point: (sc, tc, distance along the axis) in a face, 0.0 to 5.0, of a point from the cube's center
+UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_coordinate{
+    .name = "cube_coordinate",
+    .summary = "face of a direction, and the position on it",
+    .exactness = tier::c,
+    .operations = 5,
+    .needs = list<&cube_view_z, &cube_plane>,
+    .source = R"GLSL(
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
+    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
+    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_direction{
+    .name = "cube_direction",
+    .summary = "direction to a point of a cube's face",
+    .exactness = tier::b,
+    .operations = 2,
+    .needs = list<&cube_point>,
+    .source = R"GLSL(
+// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
+    return umbrage_cube_point(face, vec3(uv, 1.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_neighbor{
+    .name = "cube_neighbor",
+    .summary = "texel beyond an edge of a cube's face",
+    .exactness = tier::a,
+    .needs = list<&cube_plane, &cube_point>,
+    .source = R"GLSL(
+// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), integers
+//   size   size of a face, in texels
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
+    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_tile{
+    .name = "cube_tile",
+    .summary = "first texel of a face in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_z,     &cube_plane,
+                                                    &cube_point,     &cube_face_point, &cube_coordinate,
+                                                    &cube_direction, &cube_neighbor,   &cube_tile};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/point/point_light.hpp
+// Point light: six light spaces, for the faces of a cube texture or the tiles of an atlas.
+//
+//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
+//     glm::vec3 at = umbrage::cube_coordinate(world - p);
+//     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
+//
+// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
+// are enough. Between faces the edge of a shadow moves by at most one texel.
+// Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
+// (distance_depth) itself.
+// Also called: omnidirectional shadows, point light shadows (make_point_light).
+// See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
+
+namespace umbrage {
+
+/// Point light with the six maps of a cube.
+template <real T = float>
+struct point_light {
+    glm::vec<3, T> position{T(0)};
+    T z_near = T(0.1);   ///< near plane along each face's axis, world units, > 0. With forward depth at least
+                         ///< 56 2^-24 z_far (3.4e-6)
+    T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
+    int map_size = 512;  ///< size of a face, in texels, > 2 border
+    int border = 0;      ///< texels beyond each edge of the face, inside map_size
+    clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
+};
+
+/// Light spaces along cube_faces, with perspective projections of 90 degrees plus the border.
+///
+/// The first texel is at (0, 0) of cube_coordinate in every clip space. The projection is a mirror if clip is either
+/// left-handed or has its first row at the top, but not both. Front faces then have the opposite winding.
+/// @throws std::invalid_argument  map_size not above 2 border; planes out of order, or z_near below 56 2^-24 z_far
+///                                with forward depth; clip unset; matrices that would not be finite
+template <real T = float>
+[[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
+    constexpr auto function = "make_point_light";
+    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
+    detail::require(light.map_size / 2 >= light.border && light.map_size > 2 * light.border, function, "map_size",
+                    "above twice the border", light.map_size);
+    const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
+    glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
+    detail::require_digits(light.z_near, light.z_far, light.clip, function);
+    if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];
+    if (light.clip.origin == texture_origin::top) projection[1][1] = -projection[1][1];
+    std::array<light_space<T>, 6> faces;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto view = detail::look_along(light.position, glm::vec<3, T>(cube_faces[i].forward),
+                                             glm::vec<3, T>(cube_faces[i].up), light.clip.hand, function, "position");
+        faces[i] = detail::checked<T>({view, projection, light.clip}, function, "position, z_near and z_far");
+    }
+    return faces;
+}
+
 }  // namespace umbrage
 
 // ---- umbrage/light/texture_matrix.hpp
@@ -2395,10 +2813,10 @@ inline constexpr const snippet* texture_matrix_snippets[]{&shadow_coordinate, &t
 }  // namespace umbrage
 
 // ---- umbrage/bias/light_units.hpp
-// Conversion between texels, world units and depth at a point, for directional and spot lights alike.
+// Conversion between texels, world units and depth at a point, for directional, spot and point lights alike.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light
+//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light; a cube's cube_view_z
 //     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimeters
 //
 // A texel's footprint across the light grows with w, the distance along a spot's axis. Depth per world unit falls with
@@ -2441,6 +2859,15 @@ template <real T>
     detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
                     "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
     return {edge, depth};
+}
+
+/// World size of a texel and depth per world unit, for a point light's cube at w = 1.
+/// @param light   point light. All faces have the same units, and w is cube_view_z, the distance along a face's axis
+/// @return        as for a light_space
+/// @throws std::invalid_argument  a light that make_point_light refuses; units that are not finite and above 0
+template <real T>
+[[nodiscard]] glm::vec<2, T> make_light_units(const point_light<T>& light) {
+    return make_light_units(make_point_light(light)[0], glm::ivec2(light.map_size));
 }
 
 /// Sizes that a bias is measured with, at a point of a map.
@@ -2560,7 +2987,7 @@ inline constexpr const snippet* light_units_snippets[]{&texels_to_world, &world_
 
 namespace umbrage {
 
-/// Offset along the normal under grazing light that keeps planes free of shadow acne.
+/// Length of the normal offset that avoids acne on a plane lit at a grazing angle.
 /// @param reach         filter radius in texels, as for acne_free_bias
 /// @param texel_world   edge of a texel's footprint, world units
 /// @return        world units
@@ -2728,205 +3155,6 @@ namespace detail {
     return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
 }
 
-}  // namespace umbrage
-
-// ---- umbrage/bias/receiver_plane.hpp
-// Receiver plane depth bias: each texel is compared with the depth of the receiver's plane at the texel's center.
-// So a filter of any reach needs no bias. The slope comes from plane_slope or from screen-space derivatives.
-//
-//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
-//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
-//
-// In a shader bind the filter with {.receiver_plane = true}. It then takes slope and coord after the map.
-// Also called: receiver plane bias, RPDB (receiver_plane_slope, apply_receiver_plane).
-// See also: acne_free.hpp, one bias for the whole kernel.
-
-namespace umbrage {
-
-/// Slope of the plane through a receiver and its neighbors on the screen.
-///
-/// @param dx       derivative of (x and y in texels, depth) along the screen's x: dFdx, taken outside of branches
-/// @param dy       the same along the screen's y: dFdy
-/// @return         x, y: change of depth per texel, as from plane_slope. z: largest error of their sum. It is the bias
-///                 that is left to add per texel of reach: acne_free_bias({z, 0}, reach, error)
-/// @edge           NaN, a pixel whose texels are nearly in line, or fewer than 2^-10 texels per pixel: (0, 0, 0). The
-///                 slope is then unknown, and the plane counts as facing the light
-/// @formula        Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096.
-///                 s is the sum of the four magnitudes. s / |determinant| bounds 1 / the smallest number of texels per
-///                 pixel
-/// @exactness      C, n = 31: divisions. S of x = (|dy.y dx.z| + |dx.y dy.z|) d / determinant^2, of y likewise, of z =
-///                 3.3 (2^-25 + (S(x) + S(y)) 2^-13) s d / determinant^2, d = |dx.x dy.y| + |dx.y dy.x|
-/// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {
-    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
-    const T determinant = dx.x * dy.y + dx.y * -dy.x;
-    const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
-    const T a = clamp_slope((dy.y * dx.z + dx.y * -dy.z) / determinant);
-    const T b = clamp_slope((dx.x * dy.z + dy.x * -dx.z) / determinant);
-    const T off = (T(0x1p-25) + (magnitude(a) + magnitude(b)) * T(0x1p-13)) * T(3.3);
-    const T least = sum * T(0x1p-10);
-    const bool known = !is_nan(determinant) && !is_nan(sum) && magnitude(determinant) > least && sum < T(0x1p64);
-    if (!known) return glm::vec<3, T>(0);
-    return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
-}
-
-/// Stored depth, moved along the receiver's plane from its texel to the receiver.
-///
-/// @param stored   depth from the map
-/// @param slope    slope of the receiver's plane, depth per texel, -2 to 2
-/// @param coord    receiver position in the map, in texels
-/// @param texel    index of the stored depth's texel
-/// @param cleared  depth of the far plane: 1, or 0 for reversed depth
-/// @return         depth to compare with the receiver
-/// @edge           stored depth within 2^-64 of cleared: unchanged
-/// @formula        stored - slope . (texel + 1/2 - coord)
-/// @exactness      B, n = 8
-template <real T>
-[[nodiscard]] constexpr T apply_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord,
-                                               glm::vec<2, T> texel, T cleared = T(1)) {
-    const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
-    const T before = stored - cleared;
-    const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
-    return is_cleared ? stored : stored - (slope.x * x + slope.y * y);
-}
-
-/// Fetch callable that applies the receiver's plane to every texel.
-/// @param fetch       ivec2 texel -> stored depth
-/// @param slope       change of depth per texel in x and y, from receiver_plane_slope
-/// @param coord       position that the filter is called with, in texels
-/// @param direction   depth direction of the map, which gives its cleared depth
-template <std::invocable<glm::ivec2> Fetch>
-[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
-                                        depth_direction direction = depth_direction::forward) {
-    return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
-        return apply_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
-    };
-}
-
-namespace glsl {
-
-inline constexpr snippet receiver_plane_slope{
-    .name = "receiver_plane_slope",
-    .summary = "slope of a receiver's plane from derivatives, and its error",
-    .exactness = tier::c,
-    .operations = 31,
-    .needs = list<&clamp_slope>,
-    .source = R"GLSL(
-// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
-//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
-UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
-    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
-    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
-    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
-    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
-    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet apply_receiver_plane{
-    .name = "apply_receiver_plane",
-    .summary = "stored depth moved along the receiver's plane to it",
-    .exactness = tier::b,
-    .operations = 8,
-    .needs = list<&cleared_depth>,
-    .source = R"GLSL(
-// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
-//   stored  depth of the texel
-//   slope   slope of the receiver's plane, per texel
-//   coord   receiver position, in texels
-//   texel   index of the texel
-UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
-                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
-    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
-    return cleared ? stored : depth;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &apply_receiver_plane};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/core/floor_divide.hpp
-// Integer division that rounds down, exact in floats even if the machine's division is inexact.
-//
-//     float mean = umbrage::floor_divide(sum, count);
-//
-// GLSL allows an error of 2.5 ulp in a quotient, and older dialects any error. The floor is then off by one where the
-// true quotient is an integer or close to one. A product reveals the error, because products of integers are exact.
-
-namespace umbrage {
-
-/// Floor of a quotient, from a guess that is off by at most one.
-/// @param q     guess: an integer, floor(a / b) - 1 to floor(a / b) + 1
-/// @param a     dividend: an integer, 0 <= a < 2^24
-/// @param b     divisor: an integer, 1 <= b <= 2^24
-/// @return      floor(a / b)
-/// @formula     q - 1 where q b > a, q + 1 where (q + 1) b <= a, else q
-/// @exactness   A: a product of 2^24 or more exceeds a, even after rounding
-template <real T>
-[[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
-    const T more = q + T(1);
-    return q * b > a ? q - T(1) : (more * b <= a ? more : q);
-}
-
-/// Floor of a quotient of two integers. The quotient must be at most 2^18.
-/// @param a     dividend: an integer, 0 <= a < 2^24
-/// @param b     divisor: an integer, 1 <= b <= 2^24
-/// @return      floor(a / b)
-/// @exactness   A: a quotient up to 2^18 with an error of 8 ulp is off by less than 1, and correct_quotient mends that
-template <real T>
-[[nodiscard]] T floor_divide(T a, T b) {
-    return correct_quotient(std::floor(a / b), a, b);
-}
-
-namespace glsl {
-
-inline constexpr snippet correct_quotient{
-    .name = "correct_quotient",
-    .summary = "floor of a quotient, from a guess off by at most one",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
-//   a   integer, 0 to 2^24 - 1
-//   b   integer, 1 to 2^24
-UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    UMBRAGE_HIGHP float more = q + 1.0;
-    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
-    return q * b > a ? q - 1.0 : known;
-}
-)GLSL",
-};
-
-inline constexpr snippet floor_divide{
-    .name = "floor_divide",
-    .summary = "integer division that rounds down, exact on any GPU",
-    .exactness = tier::a,
-    .needs = list<&correct_quotient>,
-    .source = R"GLSL(
-// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
-//   a   integer, 0 to 2^24 - 1
-//   b   integer, 1 to 2^24
-UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
-    return umbrage_correct_quotient(floor(a / b), a, b);
-}
-)GLSL",
-};
-
-inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floor_divide};
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/core/line_allocator.hpp
@@ -3488,6 +3716,282 @@ inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, 
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/bias/receiver_plane.hpp
+// Receiver plane depth bias: each texel is compared with the receiver, or with its plane at the texel's center where
+// that is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from
+// plane_slope or from screen-space derivatives.
+//
+//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
+//     float receiver = p.z - umbrage::acne_free_bias(slope, 0.5f, error);
+//     glm::vec3 at(coord, receiver);
+//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, at), coord, receiver);
+//
+// The plane alone would darken both sides of a concave edge, where it runs behind the other wall.
+// In a shader bind the filter with {.receiver_plane = true}. It then takes slope and at after the map.
+// Also called: receiver plane bias, RPDB (receiver_plane_slope, apply_receiver_plane).
+// See also: acne_free.hpp, one bias for the whole kernel.
+
+namespace umbrage {
+
+/// Slope of the plane through a receiver and its neighbors on the screen.
+///
+/// @param dx       derivative of (x and y in texels, depth) along the screen's x: dFdx, taken outside of branches
+/// @param dy       the same along the screen's y: dFdy
+/// @return         x, y: change of depth per texel, as from plane_slope. z: largest error of their sum. It is the bias
+///                 that is left to add per texel of reach: acne_free_bias({z, 0}, reach, error)
+/// @edge           NaN, a pixel whose texels are nearly in line, or fewer than 2^-10 texels per pixel: (0, 0, 0). The
+///                 slope is then unknown, and the plane counts as facing the light
+/// @formula        Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096.
+///                 s is the sum of the four magnitudes. s / |determinant| bounds 1 / the smallest number of texels per
+///                 pixel
+/// @exactness      C, n = 31: divisions. S of x = (|dy.y dx.z| + |dx.y dy.z|) d / determinant^2, of y likewise, of z =
+///                 3.3 (2^-25 + (S(x) + S(y)) 2^-13) s d / determinant^2, d = |dx.x dy.y| + |dx.y dy.x|
+/// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> receiver_plane_slope(glm::vec<3, T> dx, glm::vec<3, T> dy) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const T determinant = dx.x * dy.y + dx.y * -dy.x;
+    const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
+    const T a = clamp_slope((dy.y * dx.z + dx.y * -dy.z) / determinant);
+    const T b = clamp_slope((dx.x * dy.z + dy.x * -dx.z) / determinant);
+    const T off = (T(0x1p-25) + (magnitude(a) + magnitude(b)) * T(0x1p-13)) * T(3.3);
+    const T least = sum * T(0x1p-10);
+    const bool known = !is_nan(determinant) && !is_nan(sum) && magnitude(determinant) > least && sum < T(0x1p64);
+    if (!known) return glm::vec<3, T>(0);
+    return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
+}
+
+namespace detail {
+
+/// The one of two depths that is nearer to the light; the receiver's where the plane's is NaN.
+/// @param forward   true where depth grows away from the light
+template <real T>
+[[nodiscard]] constexpr T nearer_to_light(T receiver, T plane, bool forward) {
+    return !is_nan(plane) && (forward ? plane < receiver : plane > receiver) ? plane : receiver;
+}
+
+}  // namespace detail
+
+/// Depth that a texel is compared with: the receiver's, or its plane's at the texel where that is nearer to the light.
+///
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param slope      slope of the receiver's plane, depth per texel, -2 to 2
+/// @param coord      receiver position in the map, in texels
+/// @param texel      index of the texel
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @edge             a NaN in any other argument than receiver: returns receiver. Below 2^-126 hardware may give either
+/// @formula          min(receiver + slope . (texel - (coord - 1/2)), receiver); max for reversed depth
+/// @exactness        B, n = 8
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T plane_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
+                                          Compare is_lit = {}) {
+    const T x = texel.x - (coord.x - T(0.5)), y = texel.y - (coord.y - T(0.5));
+    return detail::nearer_to_light(receiver, (receiver + slope.x * x) + slope.y * y, is_lit(T(0), T(1)));
+}
+
+/// plane_reference in a map whose border is lit: outside, a depth that lies before every stored one.
+/// @param inside     index of the nearest texel in the map
+/// Other parameters as for plane_reference.
+/// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which
+///                   inside is not texel
+/// @exactness        B, n = 8
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T bordered_plane_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> coord,
+                                                   glm::vec<2, T> texel, glm::vec<2, T> inside, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T lights = forward ? T(-0x1p24) : T(0x1p24);
+    const T x = inside.x == texel.x ? slope.x * (texel.x - (coord.x - T(0.5))) : lights;
+    const T y = inside.y == texel.y ? slope.y * (texel.y - (coord.y - T(0.5))) : lights;
+    return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
+}
+
+/// Fetch callable that compares every texel along the receiver's plane: a texel that is lit there has the depth of the
+/// far plane, any other its own. A filter's own comparison then decides alike, and a search finds depths as stored.
+/// @param fetch       ivec2 texel -> stored depth
+/// @param slope       change of depth per texel in x and y, from receiver_plane_slope
+/// @param at          position that the filter is called with, in texels, and the receiver that it gets
+/// @param direction   depth direction of the map, which gives its cleared depth
+/// @exactness         B, n = 8: a comparison with plane_reference
+template <std::invocable<glm::ivec2> Fetch>
+[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec3 at,
+                                        depth_direction direction = depth_direction::forward) {
+    return [=, is_lit = comparison{direction}](glm::ivec2 texel) {
+        const auto stored = static_cast<float>(fetch(texel));
+        const float reference = plane_reference(at.z, slope, glm::vec2(at), glm::vec2(texel), is_lit);
+        return is_lit(reference, stored) ? cleared_depth(direction) : stored;
+    };
+}
+
+namespace glsl {
+
+inline constexpr snippet receiver_plane_slope{
+    .name = "receiver_plane_slope",
+    .summary = "slope of a receiver's plane from derivatives, and its error",
+    .exactness = tier::c,
+    .operations = 31,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
+    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
+    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
+    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet plane_reference{
+    .name = "plane_reference",
+    .summary = "depth that a texel is compared with, by the receiver's plane",
+    .exactness = tier::b,
+    .operations = 8,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
+                                            UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
+}
+)GLSL",
+};
+
+inline constexpr snippet bordered_plane_reference{
+    .name = "bordered_plane_reference",
+    .summary = "plane_reference in a map whose border is lit",
+    .exactness = tier::b,
+    .operations = 8,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
+//   slope, at, texel   as for umbrage_plane_reference
+//   inside             index of the nearest texel in the map
+UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
+                                                     UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
+    UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moves = slope * (texel - (vec2(at.x, at.y) - 0.5));
+    UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
+    UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
+}
+)GLSL",
+};
+
+inline constexpr snippet apply_receiver_plane{
+    .name = "apply_receiver_plane",
+    .summary = "stored depth, or the far plane's if lit along the receiver's plane",
+    .exactness = tier::b,
+    .operations = 8,
+    .needs = list<&cleared_depth, &compare, &plane_reference>,
+    .source = R"GLSL(
+// umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                                 UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float lit = umbrage_compare(umbrage_plane_reference(slope, at, texel), stored);
+    return lit > 0.5 ? umbrage_cleared_depth() : stored;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &plane_reference,
+                                                          &bordered_plane_reference, &apply_receiver_plane};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/core/floor_divide.hpp
+// Integer division that rounds down, exact in floats even if the machine's division is inexact.
+//
+//     float mean = umbrage::floor_divide(sum, count);
+//
+// GLSL allows an error of 2.5 ulp in a quotient, and older dialects any error. The floor is then off by one where the
+// true quotient is an integer or close to one. A product reveals the error, because products of integers are exact.
+
+namespace umbrage {
+
+/// Floor of a quotient, from a guess that is off by at most one.
+/// @param q     guess: an integer, floor(a / b) - 1 to floor(a / b) + 1
+/// @param a     dividend: an integer, 0 <= a < 2^24
+/// @param b     divisor: an integer, 1 <= b <= 2^24
+/// @return      floor(a / b)
+/// @formula     q - 1 where q b > a, q + 1 where (q + 1) b <= a, else q
+/// @exactness   A: a product of 2^24 or more exceeds a, even after rounding
+template <real T>
+[[nodiscard]] constexpr T correct_quotient(T q, T a, T b) {
+    const T more = q + T(1);
+    return q * b > a ? q - T(1) : (more * b <= a ? more : q);
+}
+
+/// Floor of a quotient of two integers. The quotient must be at most 2^18.
+/// @param a     dividend: an integer, 0 <= a < 2^24
+/// @param b     divisor: an integer, 1 <= b <= 2^24
+/// @return      floor(a / b)
+/// @exactness   A: a quotient up to 2^18 with an error of 8 ulp is off by less than 1, and correct_quotient mends that
+template <real T>
+[[nodiscard]] T floor_divide(T a, T b) {
+    return correct_quotient(std::floor(a / b), a, b);
+}
+
+namespace glsl {
+
+inline constexpr snippet correct_quotient{
+    .name = "correct_quotient",
+    .summary = "floor of a quotient, from a guess off by at most one",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float more = q + 1.0;
+    UMBRAGE_HIGHP float known = more * b <= a ? more : q;
+    return q * b > a ? q - 1.0 : known;
+}
+)GLSL",
+};
+
+inline constexpr snippet floor_divide{
+    .name = "floor_divide",
+    .summary = "integer division that rounds down, exact on any GPU",
+    .exactness = tier::a,
+    .needs = list<&correct_quotient>,
+    .source = R"GLSL(
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_correct_quotient(floor(a / b), a, b);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floor_divide};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/depth/code.hpp
 // Quantized depth: a depth as an integer of Bits bits (its code), and back. All encodings of this library build on it.
 //
@@ -3548,7 +4052,7 @@ template <int Bits, real T>
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
 //   radial distance   distance from the light over its range: distance_depth
-//   reversed          1 - depth. Reversed versions keep the digits that 1 - depth would drop
+//   reversed          1 - depth. Reversed versions keep the precision that 1 - depth would lose
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
@@ -3652,7 +4156,7 @@ template <real T>
 /// Distance along the light's axis from orthographic depth, as of a directional light: z_near .. z_far, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
 /// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
-/// @param z_far           far plane, world units. The exchange keeps all digits
+/// @param z_far           far plane, world units. The exchange keeps all precision
 /// @formula               n + depth (f - n)
 /// @exactness             B, n = 3: sums and a product
 template <real T>
@@ -3833,6 +4337,80 @@ inline constexpr const auto& conversions_snippets =
          &orthographic_depth_from_view_z>;
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/depth16.hpp
+// Depth texture of 16 bits, as a GPU's depth pass makes it, with the error of its texels. Comparison samplers read it.
+//
+//     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>, umbrage::depth16{});
+//     umbrage::image<std::uint16_t> map(sun.size(), sun.cleared());
+//
+// depth32f in its place ignores that error, so lit floors shadow themselves in stripes (acne).
+// Also called: D16, D16_UNORM, DEPTH_COMPONENT16, depth16unorm, 16-bit depth texture (depth16).
+// See also: depth24.hpp, and r16.hpp for a color target.
+
+namespace umbrage {
+
+/// Encoding of a 16-bit depth texture, which the GPU itself writes and reads.
+struct depth16 {
+    using target = depth_texture<16>;
+    using texel = target::texel;
+    static constexpr std::string_view name = "depth16";
+    static constexpr std::string_view summary = "A depth texture of 16 bits, as the GPU writes it.";
+    static constexpr const glsl::snippet* writer = &glsl::saturate;
+    static constexpr const glsl::snippet* reader = nullptr;
+    static constexpr store_format writes = store_format::depth;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 16;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] constexpr texel encode(float depth) const {
+        return target::store(saturate(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] constexpr float decode(texel t) const { return target::depth_of(t); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store mode = {}) const {
+        return {target::error(mode), target::error(mode)};
+    }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/depth24.hpp
+// Depth texture of 24 bits, as a GPU's depth pass makes it, with the error of its texels. Comparison samplers read it.
+//
+//     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>, umbrage::depth24{});
+//     umbrage::image<std::uint32_t> map(sun.size(), sun.cleared());  // depth in the low 24 bits
+//
+// WebGPU's depth24plus is this texture or a float one, which a browser may choose. The error of 24 bits covers both.
+// Also called: D24, D24_UNORM_S8_UINT, X8_D24_UNORM_PACK32, DEPTH_COMPONENT24, depth24plus (depth24).
+// See also: depth16.hpp.
+
+namespace umbrage {
+
+/// Encoding of a 24-bit depth texture, which the GPU itself writes and reads.
+struct depth24 {
+    using target = depth_texture<24>;
+    using texel = target::texel;
+    static constexpr std::string_view name = "depth24";
+    static constexpr std::string_view summary = "A depth texture of 24 bits, as the GPU writes it.";
+    static constexpr const glsl::snippet* writer = &glsl::saturate;
+    static constexpr const glsl::snippet* reader = nullptr;
+    static constexpr store_format writes = store_format::depth;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] constexpr texel encode(float depth) const {
+        return target::store(saturate(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] constexpr float decode(texel t) const { return target::depth_of(t); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store mode = {}) const {
+        return {target::error(mode), target::error(mode)};
+    }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/depth32f.hpp
@@ -4881,16 +5459,20 @@ inline constexpr std::array<disc, 3> disc::values{{{.points = 8}, {.points = 16}
 namespace umbrage {
 
 /// Parameters of a penumbra, from the size of the light: integers, or nearly so, which keep the arithmetic exact.
+/// make_penumbra_params makes them for one map, or for a shadow, which computes per_code for each of its maps.
 struct penumbra_params {
     float per_code = 0.0625f;  ///< penumbra radius in 1/16 texel, per code between blocker and receiver; 8 bits
     float min_radius = 16.0f;  ///< filter radius where blockers touch receivers, 1/16 texel, an integer
     float max_radius = 96.0f;  ///< largest radius of filter and search, 1/16 texel, an integer up to 4095
+    float light_size = 0.0f;   ///< for a shadow: size of the light in the world. 0 for a filter by itself
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
 
 template <>
 inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec3";
+template <>
+inline constexpr int detail::width_of_number<penumbra_params> = 3;
 
 namespace detail {
 
@@ -4903,20 +5485,49 @@ inline void require_softness(std::string_view function, const penumbra_params& s
     require(in_order && low == std::floor(low) && high == std::floor(high), function,
             "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
             "They are in 1/16 texel: make_penumbra_params computes them.");
+    require(softness.light_size == 0.0f, function, "filter.softness.light_size", "0 for a filter by itself",
+            softness.light_size, "make_penumbra_params takes the units of its map.");
+}
+
+/// Penumbra radius in 1/16 texel per code, for a light of a size in a map of these units; 8 bits.
+[[nodiscard]] inline float softness_per_code(const glm::dvec2& units, double light_size) {
+    const double exact = light_size / (4096.0 * units.x * units.y);
+    int exponent = 0;
+    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
+    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
+    return counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f;
 }
 
 }  // namespace detail
 
-/// Parameters of the penumbras of a light.
-/// @param units          make_light_units of the light and the map
-/// @param light_size     spot light: its radius in world units. Directional light: tangent of half the angle under
-///                       which it is seen; 0.00465 for the sun
+/// Parameters of penumbras for a shadow, which computes per_code for each of its maps.
+/// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
+///                       under which it is seen; 0.00465 for the sun
 /// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 hides the map's stair steps, 0
 ///                       is a hard edge
 /// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
 ///                       points, noise shows beyond about 16 texels
-/// @return               parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
-/// @edge                 light of no size: per_code is 0, and every radius is min_radius
+/// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not
+///                                0 <= min_radius <= max_radius <= 255.9375
+template <real T>
+[[nodiscard]] penumbra_params make_penumbra_params(T light_size, T min_radius = T(1), T max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
+    detail::require(is_finite(light_size) && light_size > T(0), function, "light_size", "finite and above 0",
+                    light_size);
+    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
+                    "min_radius and max_radius", "in order, from 0 to 255.9375",
+                    glm::vec<2, T>(min_radius, max_radius));
+    return {0.0f, static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius)),
+            static_cast<float>(light_size)};
+}
+
+/// Parameters of the penumbras of a light in one map, for a filter by itself.
+/// @param units        make_light_units of the light and the map
+/// @param light_size   as for a shadow, but it may be 0
+/// @param min_radius   as for a shadow
+/// @param max_radius   as for a shadow
+/// @return             parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
+/// @edge               light of no size: per_code is 0, and every radius is min_radius
 /// @throws std::invalid_argument  units or light_size not finite or below 0; radii that are not
 ///                                0 <= min_radius <= max_radius <= 255.9375
 /// @formula              per_code = 16 light_size / (65536 units.x units.y)
@@ -4928,15 +5539,10 @@ template <real T>
                     light_size);
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
                     "finite and above 0", units);
-    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
-                    "min_radius and max_radius", "in order, from 0 to 255.9375",
-                    glm::vec<2, T>(min_radius, max_radius));
-    const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
-    int exponent = 0;
-    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
-    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
-    return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
-            static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius))};
+    penumbra_params made = make_penumbra_params(T(1), min_radius, max_radius);
+    made.per_code = detail::softness_per_code(glm::dvec2(units), double(light_size));
+    made.light_size = 0.0f;
+    return made;
 }
 
 /// Distance of a depth from the near plane, as a code of 16 bits.
@@ -5096,7 +5702,8 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
-// of pcss. It is softer than pcss where the penumbra is much narrower than the light.
+// of pcss. It is for large casters far from what they shadow. Where the penumbra is much narrower than the disc, it
+// darkens lit walls beside inner corners, and lets light through at contact.
 // Also called: DPCF.
 // See also: pcss.hpp.
 
@@ -5222,7 +5829,7 @@ namespace filters {
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< from make_penumbra_params
+    penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
@@ -5261,17 +5868,17 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}
 // Percentage-closer soft shadows (PCSS): sharp where a caster touches the receiver, softer with distance.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);  // a shadow: no units
 //     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
-// 1. Search a disc as wide as the light appears from the receiver for texels nearer to the light (blockers).
+// 1. Search a disc for texels nearer to the light (blockers). It is as wide as the light appears from the receiver.
 // 2. Their mean distance gives the width of the penumbra.
 // 3. Filter over a disc of that width.
 // Search and filter share points, rotation and bias. A bias without acne at the largest radius has no acne at any
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
-// (receiver_plane.hpp) avoids this: it needs no other bias at any radius.
+// (receiver_plane.hpp) avoids this: half a texel of bias does for any radius.
 // Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 
 namespace umbrage {
@@ -5356,7 +5963,7 @@ namespace filters {
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< from make_penumbra_params
+    penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
@@ -6000,7 +6607,7 @@ inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radi
 
 namespace umbrage {
 
-/// Visibility that every filter of a given reach returns where depth bounds decide it.
+/// Early exit of a filter: 1 or 0 if the depth bounds already decide the result, otherwise -1.
 /// @param bounds     returns the bounds at a texel: glm::vec2(glm::ivec2). They are the smallest and the largest depth
 ///                   of the texels that the filter may read. The smallest is NaN where one of those texels is NaN
 /// @param coord      receiver in texels of the shadow map, as passed to the filter
@@ -6450,420 +7057,6 @@ struct hard {
 }  // namespace filters
 }  // namespace umbrage
 
-// ---- umbrage/light/point/cube_map.hpp
-// Cube shadow maps: six square maps around a point light, as the faces of a cube texture or as six tiles of an atlas.
-//
-//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
-//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
-//
-// Also called: omnidirectional shadow maps, shadow cubemap (cube_coordinate). See also: point_light.hpp.
-
-namespace umbrage {
-
-/// View direction and up axis of a face's camera, for an NDC with y = -1 in the first row.
-struct cube_axes {
-    glm::ivec3 forward, up;
-};
-
-/// Faces by index: +x, -x, +y, -y, +z, -z. In a right-handed view of 90 degrees along a face, NDC x is 2 s - 1 and y is
-/// 2 t - 1: see cube_coordinate.
-/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
-inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
-                                                  {{-1, 0, 0}, {0, -1, 0}},
-                                                  {{0, 1, 0}, {0, 0, 1}},
-                                                  {{0, -1, 0}, {0, 0, -1}},
-                                                  {{0, 0, 1}, {0, -1, 0}},
-                                                  {{0, 0, -1}, {0, -1, 0}}}};
-
-/// Face that a direction from the cube's center meets.
-/// @param direction   any length. On edges and corners x goes before y, and y before z
-/// @return            0 to 5; 4 or 5 if a NaN leaves no largest component
-/// @exactness         A: comparisons
-template <real T>
-[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
-    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
-    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
-    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
-    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
-    const T along = direction[static_cast<glm::length_t>(axis)];
-    return 2 * axis + (!is_nan(along) && along < T(0) ? 1 : 0);
-}
-
-/// Distance to a direction's end along its face's axis, the input of per-face depths.
-/// @return            magnitude of the largest component
-/// @exactness         A: selects
-template <real T>
-[[nodiscard]] constexpr T cube_view_z(glm::vec<3, T> direction) {
-    const int face = cube_face(direction);
-    const T m = direction[static_cast<glm::length_t>(face / 2)];
-    return face % 2 ? -m : m;
-}
-
-/// Direction in the axes of its face.
-/// @return            (sc, tc, face): components across the face's axis
-/// @exactness         A: selects
-/// @cite              OpenGL 4.6 specification, table 8.19
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_plane(glm::vec<3, T> direction) {
-    const int face = cube_face(direction), axis = face / 2;
-    const T flip = face % 2 == 0 ? T(1) : T(-1);
-    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
-    return {sc, axis == 1 ? direction.z * flip : -direction.y, T(face)};
-}
-
-/// Point from its coordinates in a face's axes, the inverse of cube_plane.
-/// @param face   0 to 5
-/// @param p      (sc, tc, cube_view_z)
-/// @exactness    A: selects
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_point(T face, glm::vec<3, T> p) {
-    if (face < T(0.5)) return {p.z, -p.y, -p.x};
-    if (face < T(1.5)) return {-p.z, -p.y, p.x};
-    if (face < T(2.5)) return {p.x, p.z, p.y};
-    if (face < T(3.5)) return {p.x, -p.z, -p.y};
-    if (face < T(4.5)) return {p.x, -p.y, p.z};
-    return {-p.x, -p.y, -p.z};
-}
-
-/// Point or vector in a face's axes, the inverse of cube_point.
-/// @param face   0 to 5
-/// @param p      point or vector from the cube's center
-/// @return       (sc, tc, distance along the face's axis)
-/// @exactness    A: selects
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_face_point(T face, glm::vec<3, T> p) {
-    if (face < T(0.5)) return {-p.z, -p.y, p.x};
-    if (face < T(1.5)) return {p.z, -p.y, -p.x};
-    if (face < T(2.5)) return {p.x, p.z, p.y};
-    if (face < T(3.5)) return {p.x, -p.z, -p.y};
-    if (face < T(4.5)) return {p.x, -p.y, p.z};
-    return {-p.x, -p.y, -p.z};
-}
-
-/// Position on its face where a direction meets the cube.
-/// @param direction   any length. Zero and NaN give NaN coordinates, which every filter takes as lit
-/// @return            (s, t, face): s and t from 0 to 1 over the face; times the face's size, a filter's coordinate
-/// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, with cube_plane's sc and tc and m = cube_view_z
-/// @exactness         C, n = 5: divisions
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
-    const glm::vec<3, T> p = cube_plane(direction);
-    const T m = cube_view_z(direction);
-    return {(p.x + m) / (m + m), (p.y + m) / (m + m), p.z};
-}
-
-/// Direction to a point of a face, the inverse of cube_coordinate.
-/// @param face   0 to 5
-/// @param st     position from 0 to 1 over the face
-/// @return       direction whose largest component is 1 or -1
-/// @exactness    B, n = 2, S = 2 st + 1: 2 s - 1 rounds once
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
-    return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
-}
-
-/// Texel beyond a face's edge: it lies in the first or last row or column of the next face.
-/// @param texel   (s, t, face), integers: inside a face, or beyond one of its edges
-/// @param size    size of a face, in texels, below 2^15
-/// @return        (s, t, face) of a texel inside; face -1 beyond a corner, where there is no texel
-/// @formula       beyond an edge the point (sc, tc, size), in half texels, moves to (sc, tc, size - 1). There |sc| or
-///                |tc| is the largest: it lies along the next face's axis
-/// @exactness     A: integers
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_neighbor(glm::vec<3, T> texel, T size) {
-    const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
-    const bool beyond_u = (u > size) || (u < -size);
-    const bool beyond_v = (v > size) || (v < -size);
-    if (beyond_u && beyond_v) return {T(0), T(0), T(-1)};
-    const T m = beyond_u || beyond_v ? size - T(1) : size;
-    const glm::vec<3, T> p = cube_plane(cube_point(texel.z, glm::vec<3, T>(u, v, m)));
-    return {(p.x + size - T(1)) * T(0.5), (p.y + size - T(1)) * T(0.5), p.z};
-}
-
-/// First texel of a face in an atlas of 3 x 2 tiles, with +x, -x, +y in the first row.
-/// @param face   0 to 5
-/// @param size   size of a tile, in texels
-/// @exactness    A
-[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
-
-namespace glsl {
-
-inline constexpr snippet cube_face{
-    .name = "cube_face",
-    .summary = "face of a cube that a direction meets",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
-UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP vec3 m = abs(direction);
-    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
-    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
-    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_view_z{
-    .name = "cube_view_z",
-    .summary = "distance along the axis of a direction's face",
-    .exactness = tier::a,
-    .needs = list<&cube_face>,
-    .source = R"GLSL(
-// umbrage_cube_view_z: magnitude of the largest component, the input of per-face depths
-UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
-    return abs(face > 3.5 ? direction.z : side);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_plane{
-    .name = "cube_plane",
-    .summary = "direction in the axes of its face",
-    .exactness = tier::a,
-    .needs = list<&cube_face>,
-    .source = R"GLSL(
-// umbrage_cube_plane: (sc, tc, face) of a direction: its components across the axis of its face
-UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
-    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
-    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_point{
-    .name = "cube_point",
-    .summary = "point from a face's axes",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
-UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
-    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
-    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
-    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_face_point{
-    .name = "cube_face_point",
-    .summary = "point in a face's axes",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_face_point: (sc, tc, distance along the axis) in a face, 0.0 to 5.0, of a point from the cube's center
-UMBRAGE_HIGHP vec3 umbrage_cube_face_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
-    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(-p.z, -p.y, p.x) : vec3(p.z, -p.y, -p.x);
-    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
-    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_coordinate{
-    .name = "cube_coordinate",
-    .summary = "face of a direction, and the position on it",
-    .exactness = tier::c,
-    .operations = 5,
-    .needs = list<&cube_view_z, &cube_plane>,
-    .source = R"GLSL(
-// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
-UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
-    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
-    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_direction{
-    .name = "cube_direction",
-    .summary = "direction to a point of a cube's face",
-    .exactness = tier::b,
-    .operations = 2,
-    .needs = list<&cube_point>,
-    .source = R"GLSL(
-// umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
-UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // the product is exact: fused or not, it rounds once
-    return umbrage_cube_point(face, vec3(uv, 1.0));
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_neighbor{
-    .name = "cube_neighbor",
-    .summary = "texel beyond an edge of a cube's face",
-    .exactness = tier::a,
-    .needs = list<&cube_plane, &cube_point>,
-    .source = R"GLSL(
-// umbrage_cube_neighbor: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
-//   texel  (s, t, face), integers
-//   size   size of a face, in texels
-UMBRAGE_HIGHP vec3 umbrage_cube_neighbor(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
-    bool beyond_u = abs(uv.x) > size;
-    bool beyond_v = abs(uv.y) > size;
-    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
-    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
-    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
-    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_tile{
-    .name = "cube_tile",
-    .summary = "first texel of a face in an atlas",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
-    return vec2((face - row * 3.0) * size, row * size);
-}
-)GLSL",
-};
-
-inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_z,     &cube_plane,
-                                                    &cube_point,     &cube_face_point, &cube_coordinate,
-                                                    &cube_direction, &cube_neighbor,   &cube_tile};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/filter/pcf/pcf_2x2_cube.hpp
-// Bilinear percentage-closer filtering (PCF) over 2 x 2 texels of a cube map stored as tiles of an atlas. Taps cross
-// the edges of faces, so no seam shows.
-//
-//     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
-//     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
-//
-// In a shader, bind it to an atlas without options, or to a cube texture:
-//
-//     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
-//                                        bind(glsl::pcf_2x2_cube, "point_light", {.texture = texture::cube_faces})});
-//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
-//
-// Depths must not depend on the face: store distances from the light, as distance_depth computes them.
-// Also called: seamless point light shadows, samplerCubeShadow, TextureCube SampleCmp.
-
-namespace umbrage {
-
-/// Visibility from one comparison with a texel of a cube map. The texel may lie beyond an edge of its face.
-/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles lie as from cube_tile
-/// @param size       edge of a face, in texels
-/// @param texel      (s, t, face), integers
-/// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           (1 when lit or 0 in shadow, 1)
-/// @edge             beyond a corner, where there is no texel: (0, 0)
-/// @exactness        A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
-    const glm::vec<3, T> n = cube_neighbor(texel, size);
-    if (n.z < T(0)) return {T(0), T(0)};
-    const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
-    return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
-}
-
-/// Fraction of the light that reaches a receiver, from the four nearest texels on any face.
-///
-/// Each texel is compared, then weighted. A corner has only three texels, whose weights are scaled to sum to 1.
-/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places
-///                   them. Called up to 4 times
-/// @param size       edge of a face, in texels
-/// @param at         (s, t, face): s and t in texels, from 0 to size
-/// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           visibility in [0, 1], the same on both sides of an edge
-/// @edge             NaN in at: 1. Receiver beyond the far plane: 1. NaN receiver: 0
-/// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
-///                   to the nearest step, which is the same one from both sides
-/// @exactness        C, n = 33: a division, by 1 except at corners. S is at most 81 / (sum of w_i)^2
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
-    const glm::vec<2, T> coord(at);
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
-    const auto tap = [&](T i, T j) {
-        return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
-    };
-    glm::vec<2, T> sum = tap(T(0), T(0)) * (lo.x * lo.y);
-    sum += tap(T(1), T(0)) * (hi.x * lo.y);
-    sum += tap(T(0), T(1)) * (lo.x * hi.y);
-    sum += tap(T(1), T(1)) * (hi.x * hi.y);
-    return sum.y > T(0) ? sum.x / sum.y : T(1);
-}
-
-namespace glsl {
-
-inline constexpr snippet cube_lit{
-    .name = "cube_lit",
-    .summary = "one comparison with a texel of a cube map",
-    .exactness = tier::a,
-    .needs = list<&cube_neighbor, &cube_tile, &lit>,
-    .source = R"GLSL(
-// umbrage_cube_lit: one comparison with a texel of a cube map
-// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
-//   map, size   atlas of 3 x 2 faces and its size in texels
-//   texel       (s, t, face), integers
-//   receiver    distance from the light, bias applied
-UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
-                                    UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float side = size.y * 0.5;
-    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
-    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
-    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
-    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet pcf_2x2_cube{
-    .name = "pcf_2x2_cube",
-    .summary = "bilinear 2x2 PCF of a cube map, across its edges",
-    .exactness = tier::c,
-    .operations = 33,
-    .needs = list<&in_filter_domain, &cube_lit>,
-    .source = R"GLSL(
-// umbrage_pcf_2x2_cube: bilinear 2x2 PCF across the edges of a cube map. Returns visibility, 1.0 = lit
-//   map, size   atlas of 3 x 2 faces and its size in texels
-//   at          (s, t, face): s and t in texels of the face, from 0.0 on
-//   receiver    distance from the light, bias applied
-UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
-                                         UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
-    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
-    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
-    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
-    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
-    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
-    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/pcf/window.hpp
 // Percentage-closer filtering (PCF) under a kernel of weights that slides over the map in steps of 1/256 texel. Shadow
 // edges move as smoothly as the receivers do.
@@ -7117,8 +7310,8 @@ namespace umbrage {
 
 /// Weighted fraction of lit texels under a kernel that slides over the map, with unrounded weights.
 ///
-/// The two texels of a fetch share its weight. A sampler whose fractions are off by up to e moves at most e of that
-/// weight from one to the other. The error is e of all weights for one axis, and 2 e for both.
+/// The two texels of a fetch share its weight. An error e of the sampler's fractions moves at most e of that weight
+/// from one to the other. The error is e of all weights for one axis, and 2 e for both.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
 ///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)
@@ -7503,6 +7696,172 @@ inline constexpr std::array<window, 9> window::values{
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/filter/pcf/linear_form.hpp
+// Forms of filters for comparison samplers that filter linearly: one fetch compares and weights four texels.
+//
+//     const umbrage::glsl::linear_form form = umbrage::glsl::linear_form_of(umbrage::filters::tent<3>);
+//     // form.what is glsl::window_hardware<3>, form.weights are ", 1.0, 2.0"
+//
+// A shadow that is bound with `.linear = true` calls them (in_shader.hpp).
+// See also: pcf_2x2_hardware.hpp, window_hardware.hpp, disc_hardware.hpp.
+
+namespace umbrage::glsl {
+
+/// Form of a filter for a linear comparison sampler.
+struct linear_form {
+    const snippet* what = nullptr;  ///< the same filter by the sampler; none where there is no such form
+    std::string weights{};          ///< numbers that its function takes after the receiver: ", 1.0, 2.0"
+};
+
+/// Form of a filter that has none.
+[[nodiscard]] inline linear_form linear_form_of(const auto&) { return {}; }
+
+[[nodiscard]] inline linear_form linear_form_of(const filters::pcf_2x2&) { return {&pcf_2x2_hardware}; }
+
+[[nodiscard]] inline linear_form linear_form_of(const filters::disc& filter) {
+    return {filter.points == 8 ? &disc_hardware<8> : filter.points == 16 ? &disc_hardware<16> : &disc_hardware<32>};
+}
+
+/// Kernels of 3, 5 and 7 weights have one, if no weight is 0.
+[[nodiscard]] inline linear_form linear_form_of(const filters::window& filter) {
+    const window_row& row = filter.row;
+    if (row.quadratic || (row.size != 3 && row.size != 5 && row.size != 7)) return {};
+    linear_form form{row.size == 3 ? &window_hardware<3> : row.size == 5 ? &window_hardware<5> : &window_hardware<7>};
+    for (int i = 0; i <= row.size / 2; ++i) {
+        if (!(row.weight(i) > 0.0f)) return {};
+        std::string weight = std::to_string(row.weight(i));
+        while (weight.back() == '0' && weight[weight.size() - 2] != '.') weight.pop_back();
+        form.weights += ", " + weight;
+    }
+    return form;
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/filter/pcf/pcf_2x2_cube.hpp
+// Bilinear percentage-closer filtering (PCF) over 2 x 2 texels of a cube map stored as tiles of an atlas. Taps cross
+// the edges of faces, so no seam shows.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
+//     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
+//
+// In a shader, bind it to an atlas without options, or to a cube texture:
+//
+//     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
+//                                        bind(glsl::pcf_2x2_cube, "point_light", {.texture = texture::cube_faces})});
+//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
+//
+// Depths must not depend on the face: store distances from the light, as distance_depth computes them.
+// Also called: seamless point light shadows, samplerCubeShadow, TextureCube SampleCmp.
+
+namespace umbrage {
+
+/// Visibility from one comparison with a texel of a cube map. The texel may lie beyond an edge of its face.
+/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles lie as from cube_tile
+/// @param size       edge of a face, in texels
+/// @param texel      (s, t, face), integers
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           (1 when lit or 0 in shadow, 1)
+/// @edge             beyond a corner, where there is no texel: (0, 0)
+/// @exactness        A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
+    const glm::vec<3, T> n = cube_neighbor(texel, size);
+    if (n.z < T(0)) return {T(0), T(0)};
+    const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
+    return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
+}
+
+/// Fraction of the light that reaches a receiver, from the four nearest texels on any face.
+///
+/// Each texel is compared, then weighted. A corner has only three texels, whose weights are scaled to sum to 1.
+/// @param fetch      returns the stored depth of a texel of the atlas: float(glm::ivec2). Tiles as cube_tile places
+///                   them. Called up to 4 times
+/// @param size       edge of a face, in texels
+/// @param at         (s, t, face): s and t in texels, from 0 to size
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1], the same on both sides of an edge
+/// @edge             NaN in at: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
+///                   to the nearest step, which is the same one from both sides
+/// @exactness        C, n = 33: a division, by 1 except at corners. S is at most 81 / (sum of w_i)^2
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
+    const glm::vec<2, T> coord(at);
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = glm::clamp(x * T(1.0 / 256.0) - texel, T(0), T(1)), lo = T(1) - hi;
+    const auto tap = [&](T i, T j) {
+        return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
+    };
+    glm::vec<2, T> sum = tap(T(0), T(0)) * (lo.x * lo.y);
+    sum += tap(T(1), T(0)) * (hi.x * lo.y);
+    sum += tap(T(0), T(1)) * (lo.x * hi.y);
+    sum += tap(T(1), T(1)) * (hi.x * hi.y);
+    return sum.y > T(0) ? sum.x / sum.y : T(1);
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_lit{
+    .name = "cube_lit",
+    .summary = "one comparison with a texel of a cube map",
+    .exactness = tier::a,
+    .needs = list<&cube_neighbor, &cube_tile, &lit>,
+    .source = R"GLSL(
+// umbrage_cube_lit: one comparison with a texel of a cube map
+// Returns (visibility, 1.0), or (0.0, 0.0) beyond a corner
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   texel       (s, t, face), integers
+//   receiver    distance from the light, bias applied
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbor(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcf_2x2_cube{
+    .name = "pcf_2x2_cube",
+    .summary = "bilinear 2x2 PCF of a cube map, across its edges",
+    .exactness = tier::c,
+    .operations = 33,
+    .needs = list<&in_filter_domain, &cube_lit>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_cube: bilinear 2x2 PCF across the edges of a cube map. Returns visibility, 1.0 = lit
+//   map, size   atlas of 3 x 2 faces and its size in texels
+//   at          (s, t, face): s and t in texels of the face, from 0.0 on
+//   receiver    distance from the light, bias applied
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    // weights are in [0, 1) already. The clamp keeps compilers from regrouping sums across it
+    UMBRAGE_HIGHP vec2 hi = clamp(x * (1.0 / 256.0) - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 lo = 1.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* pcf_2x2_cube_snippets[]{&cube_lit, &pcf_2x2_cube};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/prefiltered/exp2.hpp
 // Powers of two with the same bits on every machine, with which exponential shadow maps warp depth. No language
 // guarantees that for its built-in exp2.
@@ -7570,7 +7929,7 @@ template <real T>
 
 /// Power of two in steps of 12 bits.
 /// @param y       exponent; clamped to [-64, 63], NaN is -64
-/// @return        2^y in steps: an integer below 2^12 times a power of two. Monotonic, exact at integers
+/// @return        2^y in steps: an integer below 2^12 times a power of two. It is monotonic, and exact for integers
 /// @formula       m 2^(n - 11), x = floor(2048 y), n = floor(x / 2048), f = x - 2048 n, g = floor(f (2048 - f) / 256),
 ///                r = 1251 + floor(314 f / 2048), m = 2048 + f - floor((g r + 2^14) / 2^15)
 /// @exactness     A;  off by at most 3.1e-4 of the power at the steps, over all of them. Between two steps it keeps the
@@ -8233,7 +8592,7 @@ template <real T>
     return {held.x, held.x * held.x + half * half};
 }
 
-/// Two moments of depth from four 8-bit channels, which hold mean and deviation as encode_rg<16> writes them.
+/// Two moments of depth from four 8-bit channels. These hold mean and deviation, both written by encode_rg<16>.
 /// @param c         as sampled, k / 255
 /// @return          mean of the depths, mean of their squares. Both channels decode to the upper end of the
 ///                  quantization step, so nothing gets darker by being stored
@@ -9907,8 +10266,7 @@ inline constexpr snippet cascade_weight{
     .source = R"GLSL(
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
-    return steps * (1.0 / 256.0);
+    return v > 0.0 ? min(floor(v * 256.0), 256.0) * (1.0 / 256.0) : 0.0;
 }
 )GLSL",
 };
@@ -10418,11 +10776,10 @@ struct member_check {
     }
 };
 
-/// Reports an invalid frustum: see its members.
-template <real T>
-void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
-    const member_check must{function, argument};
-    constexpr T widest(0x1p20);  // beyond, the sides' corners are too far away for digits of the scene between them
+/// Calls must(met, member, condition, value) for each condition of a frustum: see its members.
+template <real T, class Must>
+void check(const frustum<T>& f, Must&& must) {
+    constexpr T widest(0x1p20);  // beyond, double is too coarse for a scene between corners so far away
     const auto opens = [](T tangent, T size) {
         return is_finite(tangent) && tangent <= widest && (tangent > T(0) || (tangent == T(0) && size > T(0)));
     };
@@ -10440,6 +10797,12 @@ void require_frustum(const frustum<T>& f, const char* function, const char* argu
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);
     must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
+}
+
+/// Reports an invalid frustum.
+template <real T>
+void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
+    check(f, member_check{function, argument});
 }
 
 template <real T>
@@ -10878,60 +11241,6 @@ inline constexpr const snippet* dual_paraboloid_snippets[]{&dual_paraboloid_coor
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/point/point_light.hpp
-// Point light: six light spaces, for the faces of a cube texture or the tiles of an atlas.
-//
-//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2, .clip = clip});
-//     glm::vec3 at = umbrage::cube_coordinate(world - p);
-//     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
-//
-// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
-// are enough. Between faces the edge of a shadow moves by at most one texel.
-// Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
-// (distance_depth) itself.
-// Also called: omnidirectional shadows, point light shadows (make_point_light).
-// See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
-
-namespace umbrage {
-
-/// Point light with the six maps of a cube.
-template <real T = float>
-struct point_light {
-    glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);   ///< near plane along each face's axis, world units, > 0
-    T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
-    int map_size = 512;  ///< size of a face, in texels, > 2 border
-    int border = 0;      ///< texels beyond each edge of the face, inside map_size
-    clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
-};
-
-/// Light spaces along cube_faces, with perspective projections of 90 degrees plus the border.
-///
-/// The first texel is at (0, 0) of cube_coordinate in every clip space. The projection is a mirror if clip is either
-/// left-handed or has its first row at the top, but not both. Front faces then have the opposite winding.
-/// @throws std::invalid_argument  map_size not above 2 border; planes out of order; clip unset; matrices that would not
-///                                be finite
-template <real T = float>
-[[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
-    constexpr auto function = "make_point_light";
-    detail::require(light.border >= 0, function, "border", "0 or more", light.border);
-    detail::require(light.map_size / 2 >= light.border && light.map_size > 2 * light.border, function, "map_size",
-                    "above twice the border", light.map_size);
-    const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
-    glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
-    if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];
-    if (light.clip.origin == texture_origin::top) projection[1][1] = -projection[1][1];
-    std::array<light_space<T>, 6> faces;
-    for (std::size_t i = 0; i < 6; ++i) {
-        const auto view = detail::look_along(light.position, glm::vec<3, T>(cube_faces[i].forward),
-                                             glm::vec<3, T>(cube_faces[i].up), light.clip.hand, function, "position");
-        faces[i] = detail::checked<T>({view, projection, light.clip}, function, "position, z_near and z_far");
-    }
-    return faces;
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/light/point/tetrahedron.hpp
 // Tetrahedron shadow map: four triangular maps around a point light, which fill a square cut by its diagonals.
 // The functions give a direction's face, and the position on it. Straight edges stay straight.
@@ -11216,7 +11525,8 @@ namespace umbrage {
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);    ///< near plane along each face's normal, world units, > 0: three times as far at corners
+    T z_near = T(0.1);    ///< near plane along each face's normal, world units, > 0: three times as far at corners.
+                          ///< With forward depth at least 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);     ///< far plane, > z_near; infinite: no far plane
     int map_size = 1024;  ///< size of the square, in texels, > 6 border
     int border = 0;       ///< texels along each side of a triangle, inside it
@@ -11259,8 +11569,9 @@ template <real T>
 /// its first row at the top, but not both.
 /// @param light   position, range and map size
 /// @param tiles   any four triangles, in texels. For lookups use the texture_matrix of faces[tetrahedron_face(...)]
-/// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order; clip unset; matrices
-///                                that would not be finite
+/// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order,
+///                                or z_near below 56 2^-24 z_far with forward depth; clip
+///                                unset; matrices that would not be finite
 /// @formula       a direction p is at sum of b_j T_j / sum of b_j, b_j = 3/4 (n_i - n_j) . p
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light,
@@ -11269,6 +11580,7 @@ template <real T = float>
     detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     const glm::mat<4, 4, T> depths = detail::perspective(T(1), T(1), light.z_near, light.z_far, light.clip, function);
+    detail::require_digits(light.z_near, light.z_far, light.clip, function);
     std::array<light_space<T>, 4> faces;
     for (int i = 0; i < 4; ++i) {
         const tetrahedron_tile<T>& whole = tiles[static_cast<std::size_t>(i)];
@@ -11321,22 +11633,23 @@ struct spot_light {
     glm::vec<3, T> position{T(0)};
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint for the map's up axis; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, below pi / 2
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, at most 1.5
     T aspect = T(1);                                    ///< width / height of the map, > 0: makes texels square
-    T z_near = T(0.1);                                  ///< distance of the near plane, > 0, world units
+    T z_near = T(0.1);                                  ///< near plane, world units, > 0. With forward depth at
+                                                        ///< least 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);                                   ///< distance of the far plane, > z_near; infinite: no far plane
     clip_space clip{};  ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
 /// Light space of a spot light. The map holds the whole cone, which touches the map's shorter sides.
-/// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); aspect not above 0; planes
-///                                out of order; clip unset; matrices that would not be finite
+/// @throws std::invalid_argument  zero or non-finite direction; angle out of range; aspect not above 0; planes out
+///                                of order, or z_near below 56 2^-24 z_far with forward depth; clip unset; matrices
+///                                that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     constexpr auto function = "make_spot_light";
     const T angle = light.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
+    detail::require_cone(angle, function);
     const T extent = static_cast<T>(std::tan(static_cast<double>(angle)));  // a float's depends on optimization
     detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians",
                     "large enough for a finite cotangent", angle);
@@ -11345,10 +11658,11 @@ template <real T = float>
     const T wide = extent * detail::greater(light.aspect, T(1)), high = extent / detail::lesser(light.aspect, T(1));
     const bool fits = detail::is_normal(T(1) / wide) && detail::is_normal(T(1) / high);
     detail::require(fits, function, "aspect", "such that the tangents of the map's sides are finite", light.aspect);
-    return detail::checked<T>(
-        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
-         detail::perspective(wide, high, light.z_near, light.z_far, light.clip, function), light.clip},
-        function, "position, outer_angle_radians, z_near and z_far");
+    const light_space<T> space{
+        detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
+        detail::perspective(wide, high, light.z_near, light.z_far, light.clip, function), light.clip};
+    detail::require_digits(light.z_near, light.z_far, light.clip, function);
+    return detail::checked(space, function, "position, outer_angle_radians, z_near and z_far");
 }
 
 }  // namespace umbrage
@@ -11581,11 +11895,12 @@ template <real T>
 /// @param bias        bias of the receiver, in depth
 /// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
 /// @param direction   depth direction of the map
-/// @return            RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
+/// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
+///                    next seven, again gray in map 8.
 ///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
 ///                    Cyan: beyond the far plane. Blue: in front of the near plane.
 ///                    Red: bias at its limit of 1, which removes all shadows
-/// @formula           bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
 /// @exactness         A
 template <real T>
 [[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
@@ -11600,7 +11915,7 @@ template <real T>
     if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
     const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
     const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
-    const auto level = [&](T bit) { return (is_odd(std::floor((number + T(1)) * bit)) ? T(0.875) : T(0.375)) * shade; };
+    const auto level = [&](T bit) { return (is_odd(std::floor(number * bit)) ? T(0.875) : T(0.375)) * shade; };
     return {level(T(1)), level(T(0.5)), level(T(0.25))};
 }
 
@@ -11642,7 +11957,7 @@ inline constexpr snippet probe_color{
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
@@ -11655,7 +11970,7 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
     UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
-    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
     color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
@@ -12007,17 +12322,20 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
-/// Mask of depths that apply_receiver_plane takes for the far plane: closer to it than 2^-64.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t cleared_mask(float depth, float cleared) {
-    const std::int32_t apart = detail::bit_cast<std::int32_t>(depth - cleared) & 0x7FFFFFFF;
-    return -std::int32_t(apart < detail::bit_cast<std::int32_t>(0x1p-64f));
-}
-
 /// less_equal as 0 or 1. NaN gives 0 under any compiler flag.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
         return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
     else return std::int32_t(receiver <= stored);
+}
+
+/// apply_receiver_plane of one texel.
+/// @param plane   depth of the plane at the texel
+template <bool Forward>
+[[nodiscard]] UMBRAGE_INLINE inline float lit_on_plane(float receiver, float plane, float stored) {
+    const float reference = (Forward ? plane < receiver : plane > receiver) ? plane : receiver;
+    const std::int32_t lit = Forward ? is_lit(reference, stored) : is_lit(stored, reference);
+    return select(-lit, Forward ? 1.0f : 0.0f, stored);
 }
 
 /// floor(v), for |v| < 2^31.
@@ -12158,14 +12476,15 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 
 /// apply_receiver_plane of a row of texels from column `first` on.
 /// @param slope      slope of the receiver, along the row
-/// @param x          position of the receiver, along the row
+/// @param x          position of the receiver less half a texel, along the row
 /// @param beside     depth that the row's distance from the receiver adds to the plane
-template <int Count>
-inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
-                          plain_lanes<float, Count>& texels) {
+/// @param receiver   depth of the receiver; not NaN
+template <int Count, bool Forward>
+inline void compare_on_plane(float slope, float first, float x, float beside, float receiver,
+                             plain_lanes<float, Count>& texels) {
     for (int i = 0; i < Count; ++i) {
-        const float along = slope * (static_cast<float>(i) + first + 0.5f - x);
-        texels[i] = select(cleared_mask(texels[i], cleared), texels[i], texels[i] - (along + beside));
+        const float plane = (receiver + slope * (static_cast<float>(i) + first - x)) + beside;
+        texels[i] = lit_on_plane<Forward>(receiver, plane, texels[i]);
     }
 }
 
@@ -12283,16 +12602,19 @@ UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask,
     v = reinterpret_cast<lanes_of<float, Count>>(mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(v));
 }
 
-template <int Count>
-UMBRAGE_INLINE inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
-                                         lanes_of<float, Count>& texels) {
+template <int Count, bool Forward>
+UMBRAGE_INLINE inline void compare_on_plane(float slope, float first, float x, float beside, float receiver,
+                                            lanes_of<float, Count>& texels) {
     using bits = lanes_of<std::int32_t, Count>;
     lanes_of<float, Count> column;
     count_lanes<float, Count>(column);
-    const lanes_of<float, Count> along = slope * (column + first + 0.5f - x);
-    const lanes_of<float, Count> before = texels - cleared, at = texels - (along + beside);
-    const bits is_cleared = (reinterpret_cast<bits>(before) & 0x7FFFFFFF) < detail::bit_cast<std::int32_t>(0x1p-64f);
-    texels = is_cleared ? texels : at;
+    const lanes_of<float, Count> zero{}, all = zero + receiver;
+    const lanes_of<float, Count> plane = (all + slope * (column + first - x)) + beside;
+    bits lit;
+    if constexpr (Forward) lit = (plane < all ? plane : all) <= texels;
+    else lit = (plane > all ? plane : all) >= texels;
+    if constexpr (finite_math_only) lit &= (reinterpret_cast<bits>(texels) & 0x7FFFFFFF) <= 0x7F800000;
+    texels = lit ? zero + (Forward ? 1.0f : 0.0f) : texels;
 }
 
 template <int Count>
@@ -12864,21 +13186,132 @@ template <real T>
 // Meshes for the depth pass: triangles, drawn once or as instances, each with its matrix.
 //
 //     umbrage::mesh_view mesh{positions, triangles};
+//     umbrage::mesh_view same{{&vertices[0].position.x, vertices.size(), sizeof(vertex)}, indices};  // interleaved
 //
-// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane).
+// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane); negative scale, mirrored instances, flipped
+// winding, glFrontFace (is_mirrored); interleaved vertices, byteStride (position_view); 16-bit indices, index buffer,
+// UNSIGNED_SHORT (triangle_view).
 //
 
 UMBRAGE_STRICT_MATH
 namespace umbrage {
+namespace detail {
+
+/// Element of a view by its index, for loops over all.
+template <class View>
+struct element_of {
+    const View* view;
+    std::size_t i;
+
+    [[nodiscard]] auto operator*() const { return (*view)[i]; }
+    element_of& operator++() { return ++i, *this; }
+    [[nodiscard]] bool operator==(const element_of&) const = default;
+};
+
+}  // namespace detail
+
+/// Positions of a mesh: packed, or a part of larger vertices, as in interleaved buffers. The view does not own them.
+class position_view {
+public:
+    position_view() = default;
+
+    /// @param all   glm::vec3 one after the other: a span, a vector, an array
+    template <std::convertible_to<std::span<const glm::vec3>> All>
+    position_view(const All& all) {
+        const std::span<const glm::vec3> packed(all);
+        first_ = reinterpret_cast<const float*>(packed.data()), count_ = packed.size();
+    }
+
+    /// @param first    x of the first position; y and z follow it
+    /// @param count    number of positions
+    /// @param stride   bytes from one position to the next, at least 12 and a multiple of 4: the size of a vertex, or
+    ///                 glTF's byteStride. Packed positions without one have 12
+    /// @throws std::invalid_argument  another stride; no first position of some
+    position_view(const float* first, std::size_t count, std::size_t stride)
+        : first_(first), count_(count), stride_(stride / sizeof(float)) {
+        constexpr auto function = "position_view";
+        detail::require(stride >= 3 * sizeof(float) && stride % sizeof(float) == 0, function, "stride",
+                        "a multiple of 4 bytes, 12 or more", stride);
+        detail::require(first || count == 0, function, "count", "0 where first is null", count);
+    }
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator[](std::size_t i) const {
+        const float* const p = first_ + i * stride_;
+        return {p[0], p[1], p[2]};
+    }
+    [[nodiscard]] detail::element_of<position_view> begin() const { return {this, 0}; }
+    [[nodiscard]] detail::element_of<position_view> end() const { return {this, count_}; }
+
+private:
+    const float* first_ = nullptr;
+    std::size_t count_ = 0, stride_ = sizeof(glm::vec3) / sizeof(float);  // floats
+};
+
+/// Triangles of a mesh: three indices each, of 32 or 16 bits. The view does not own them.
+class triangle_view {
+public:
+    triangle_view() = default;
+
+    /// @param all   glm::uvec3 for each triangle: a span, a vector, an array
+    template <std::convertible_to<std::span<const glm::uvec3>> All>
+    triangle_view(const All& all) : step_(sizeof(glm::uvec3) / sizeof(std::uint32_t)) {
+        const std::span<const glm::uvec3> triangles(all);
+        words_ = reinterpret_cast<const std::uint32_t*>(triangles.data()), count_ = triangles.size();
+    }
+
+    /// @param all   three indices for each triangle
+    /// @throws std::invalid_argument  a number of indices that is no multiple of 3
+    template <std::convertible_to<std::span<const std::uint32_t>> All>
+    triangle_view(const All& all) {
+        const std::span<const std::uint32_t> indices(all);
+        words_ = indices.data(), count_ = triangles_of(indices.size());
+    }
+    template <std::convertible_to<std::span<const std::uint16_t>> All>
+    triangle_view(const All& all) {
+        const std::span<const std::uint16_t> indices(all);
+        shorts_ = indices.data(), count_ = triangles_of(indices.size());
+    }
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    [[nodiscard]] UMBRAGE_INLINE std::uint32_t index(std::size_t triangle, glm::length_t corner) const {
+        const std::size_t i = triangle * step_ + std::size_t(corner);
+        return shorts_ ? shorts_[i] : words_[i];
+    }
+    [[nodiscard]] glm::uvec3 operator[](std::size_t i) const { return {index(i, 0), index(i, 1), index(i, 2)}; }
+    [[nodiscard]] detail::element_of<triangle_view> begin() const { return {this, 0}; }
+    [[nodiscard]] detail::element_of<triangle_view> end() const { return {this, count_}; }
+
+    /// Calls use(indices, step) with the indices from a triangle on, as they are in memory. `step` is the number from
+    /// one triangle to the next: 3, or 4 for a glm::uvec3 that is aligned as four.
+    template <class Use>
+    UMBRAGE_INLINE void stored_from(std::size_t triangle, const Use& use) const {
+        if (shorts_) use(shorts_ + triangle * step_, step_);
+        else use(words_ + triangle * step_, step_);
+    }
+
+private:
+    [[nodiscard]] static std::size_t triangles_of(std::size_t indices) {
+        detail::require(indices % 3 == 0, "triangle_view", "indices.size()", "a multiple of 3", indices);
+        return indices / 3;
+    }
+
+    const std::uint32_t* words_ = nullptr;   // these
+    const std::uint16_t* shorts_ = nullptr;  // or those
+    std::size_t count_ = 0, step_ = 3;       // indices from one triangle to the next
+};
 
 /// Triangles with three indices into the positions each. The view does not own them.
 struct mesh_view {
-    std::span<const glm::vec3> positions;
-    std::span<const glm::uvec3> triangles;
+    position_view positions;
+    triangle_view triangles;
 };
 
 /// Faces to leave out. Front faces are counter-clockwise in NDC with x to the right and y up, as in most right-handed
-/// worlds. In most left-handed worlds they are clockwise: exchange front and back there.
+/// worlds. In most left-handed worlds they are clockwise: exchange front and back there. An instance that mirrors its
+/// mesh keeps its faces: front faces are those of the mesh.
 enum class cull_mode { none, front, back };
 
 /// Treatment of casters in front of the near plane: clipped, or clamped to the near plane (pancaking).
@@ -12892,11 +13325,32 @@ enum class near_plane { clips, clamps };
 /// @param world_to_clip   projection * view
 /// @param model           model to world
 /// @exactness             the product in double, rounded once. Far from the world's origin a float product would lose
-///                        the digits that remain after the camera's or the light's position is subtracted
+///                        the precision that remains after the camera's or the light's position is subtracted
 template <class = detail::on_use>
 [[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
 }
+
+/// True when an instance mirrors its mesh, as a negative scale along one or three axes does. Such an instance turns
+/// front faces clockwise, so a GPU needs the other glFrontFace for it. The depth pass of instances takes care of it.
+/// @param model   model to world
+/// @formula       determinant of the upper left 3 x 3 < 0
+/// @edge          a model that is flat or not finite: false, or as its rounded determinant has it
+template <class = detail::on_use>
+[[nodiscard]] bool is_mirrored(const glm::mat4& model) {
+    const glm::dmat4 m(model);
+    return glm::dot(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])), glm::dvec3(m[2])) < 0.0;
+}
+
+namespace detail {
+
+/// Faces to leave out of a mesh whose matrix mirrors it.
+[[nodiscard]] constexpr cull_mode mirrored(cull_mode cull) {
+    if (cull == cull_mode::none) return cull;
+    return cull == cull_mode::front ? cull_mode::back : cull_mode::front;
+}
+
+}  // namespace detail
 
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
@@ -12924,7 +13378,7 @@ inline constexpr int guard_band = 1 << 14;
 /// Vertex on the grid. Its order makes results independent of the order in which a mesh lists vertices.
 struct snapped_vertex {
     std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
+    double depth;       ///< z/w moved to [0, 1]. Only points beyond the far plane are outside
 
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
@@ -12948,7 +13402,7 @@ inline void require_drawable(glm::ivec2 size, clip_space clip, const char* funct
 }
 
 /// Projection to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]), and from there to the grid.
-/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+/// Products of a float matrix' elements are exact in double, so contraction to FMA changes no bit of it.
 class projection {
 public:
     static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
@@ -12956,7 +13410,7 @@ public:
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  as require_drawable
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
+    projection(const glm::dmat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
         require_drawable(size, clip, function);
     }
@@ -13148,9 +13602,9 @@ private:
                      clip_space clip, unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
           down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
-        const detail::projection project(world_to_clip, clip, size, function);
+        const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
         detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
-        const glm::uvec3& t = mesh.triangles[triangle];
+        const glm::uvec3 t = mesh.triangles[triangle];
         detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
                         "indices of positions", t);
         for (glm::length_t i = 0; i < 3; ++i)
@@ -13405,7 +13859,7 @@ private:
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
         constexpr bits tiny = bit_cast<bits>(0x1p-200);
         const auto power_of_two = [](double a, double b, double c)
-                                      UMBRAGE_INLINE {  // the largest number's, rounded down
+                                      UMBRAGE_INLINE {  // of the largest number, rounded down
                                           const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
                                           const bits r = bit_cast<bits>(c) & exponent;
                                           const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
@@ -13424,7 +13878,7 @@ private:
             const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
             const double per_area = 1.0 / area_[i];
 
-            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            // Depths with so few bits that the products with x1 .. y2 and their differences need no rounding.
             double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(double(side_[i]), exponent) * 0x1p-49;
             double units = one_over(unit);
             const double z0 = truncate(z_[0][i] * units) * unit;
@@ -13433,7 +13887,7 @@ private:
             const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
             const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
 
-            // Slopes with so few digits that every sample needs no rounding. Here for the products.
+            // Slopes with so few bits that every sample needs no rounding. Here for the products.
             const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
                                  masked(slope_y, magnitude & short_digits) * double(height_[i]);
             unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
@@ -13893,7 +14347,7 @@ private:
                     first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
                     if (first >= last) continue;  // no step to a first row far beyond the tile
                 }
-                // At the image's borders as many other texels are drawn, which get the same bits again.
+                // A tile at the image's border is moved inside. Its other texels get the same bits again.
                 const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
                 ints f0 = e0, f1 = e1, f2 = e2;
                 const double z = corner + dy * (y + first - first_y);
@@ -14221,21 +14675,26 @@ struct index_range {
     [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
+/// Range of the indices of triangles first <= t < last.
 template <class = on_use>
-[[nodiscard]] index_range indices_of(const glm::uvec3* first, const glm::uvec3* last) {
+[[nodiscard]] index_range indices_of(const triangle_view& triangles, std::size_t first, std::size_t last) {
     index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
-        const glm::uvec3 *t = first, *const end = last;
-        unsigned low = ~0u, high = 0;
-        for (; end - t >= block; t += block)
-            for (int i = 0; i < block; ++i)
-                for (glm::length_t k = 0; k < 3; ++k) {
-                    low = low < t[i][k] ? low : t[i][k];
-                    high = high < t[i][k] ? t[i][k] : high;
-                }
-        for (; t < end; ++t)
-            for (glm::length_t k = 0; k < 3; ++k) low = lesser(low, (*t)[k]), high = greater(high, (*t)[k]);
-        range = {low, high};
+        triangles.stored_from(first, [&](const auto* indices, std::size_t step) UMBRAGE_INLINE {
+            unsigned low = ~0u, high = 0;
+            const auto include = [&](unsigned index) UMBRAGE_INLINE {
+                low = low < index ? low : index;
+                high = high < index ? index : high;
+            };
+            const std::size_t count = step * (last - first);
+            std::size_t i = 0;
+            if (step == 3)  // no gaps
+                for (; count - i >= block; i += block)
+                    for (std::size_t k = 0; k < block; ++k) include(indices[i + k]);
+            for (; i < count; ++i)
+                if (i % step < 3) include(indices[i]);
+            range = {low, high};
+        });
     });
     return range;
 }
@@ -14295,20 +14754,20 @@ public:
 
     [[nodiscard]] UMBRAGE_INLINE const snapped_vertex& vertex(const drawn_triangle& at, glm::length_t corner) const {
         const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
-                                              : std::size_t(mesh_.triangles[at.triangle][corner] - lowest_);
+                                              : std::size_t(mesh_.triangles.index(at.triangle, corner) - lowest_);
         return vertices_[at.instance * stride_ + vertex];
     }
 
     /// Corner before it was snapped.
     [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
-        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles[at.triangle][corner]]);
+        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles.index(at.triangle, corner)]);
     }
     [[nodiscard]] const projection& projection_of(const drawn_triangle& at) const { return instances_[at.instance]; }
 
 private:
-    [[nodiscard]] const glm::vec3& position(std::size_t i) const {
+    [[nodiscard]] glm::vec3 position(std::size_t i) const {
         if (!by_corner_) return mesh_.positions[lowest_ + i];
-        return mesh_.positions[mesh_.triangles[first_ + i / 3][glm::length_t(i % 3)]];
+        return mesh_.positions[mesh_.triangles.index(first_ + i / 3, glm::length_t(i % 3))];
     }
 
     mesh_view mesh_;
@@ -14343,7 +14802,7 @@ public:
     /// @param to_clip   one matrix per instance; those that are not finite draw nothing
     /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above guard_band
     template <class ParallelFor>
-    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
+    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::dmat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
         require_drawable(size, clip, function);
@@ -14351,15 +14810,14 @@ public:
         const std::size_t count = mesh.triangles.size();
         indices_.resize((count + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
-            const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] = indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, count));
+                indices_[i] = indices_of(mesh.triangles, i * piece, lesser((i + 1) * piece, count));
         });
         const std::size_t highest = indices_from(0, count).highest;
         require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
         instances_.reserve(to_clip.size());
-        for (const glm::mat4& matrix : to_clip)
+        for (const glm::dmat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
     snapped_mesh(const snapped_mesh&) = delete;
@@ -14430,7 +14888,7 @@ private:
         return all;
     }
 
-    /// True when pieces span more of the mesh's vertices than they have corners, and several pieces together do not.
+    /// True if each piece alone touches more vertices than it has corners, but several pieces together do not.
     [[nodiscard]] bool shares_vertices() const {
         const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
         return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
@@ -14561,7 +15019,10 @@ private:
     /// Prefetches the triangles after the k-th of a list, which can be anywhere. Inlined: see prefetch_line().
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
+        if (k + later < list.size())
+            mesh_.triangles.stored_from(chunk_.place_of(list[k + later]).triangle,
+                                        [](const auto* indices, std::size_t)
+                                            UMBRAGE_INLINE { prefetch_line(indices); });
         if (k + soon >= list.size()) return;
         const drawn_triangle at = chunk_.place_of(list[k + soon]);
         for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&chunk_.vertex(at, corner));
@@ -14606,7 +15067,7 @@ namespace umbrage {
 namespace detail {
 
 template <class ParallelFor>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::dmat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
     snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
     if (clip.origin == texture_origin::top && !depth.empty())
@@ -14615,6 +15076,22 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
         if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
         else snapped.for_each_batch(parallel, depth_target<false>(depth));
     });
+}
+
+/// @param to_clip_of   (model) -> its matrix to clip space, in double
+template <class ToClip, class ParallelFor>
+void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                         const ToClip& to_clip_of, clip_space clip, cull_mode cull, ParallelFor&& parallel,
+                         near_plane at_near) {
+    std::vector<glm::dmat4> to_clip, turned;  // no instance is in both
+    to_clip.reserve(instances.size());
+    for (const glm::mat4& model : instances) {
+        const bool turns = cull != cull_mode::none && is_mirrored(model);
+        (turns ? turned : to_clip).push_back(to_clip_of(model));
+    }
+    rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
+    if (!turned.empty())
+        rasterize_depth(depth, mesh, {turned.data(), turned.size()}, clip, mirrored(cull), parallel, at_near);
 }
 
 }  // namespace detail
@@ -14638,21 +15115,40 @@ template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
                      near_plane at_near = near_plane::clips) {
+    rasterize_depth(depth, mesh, glm::dmat4(world_to_clip), clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+/// @exactness   coverage and depth B: products in double
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::dmat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
     detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
 }
 
 /// Renders many instances of a mesh, whose vertices are not copied.
 ///
 /// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
-/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order
+/// @param cull        faces of the mesh to leave out, also where an instance mirrors it
+/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order.
+///                    Passes of mirrored instances cull the other faces (is_mirrored)
 /// Other parameters as for the pass of a single mesh.
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
                      const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
                      ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
-    std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
-    for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
-    detail::rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
+    const auto to_clip = [&](const glm::mat4& model) { return glm::dmat4(model_to_clip(world_to_clip, model)); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::dmat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    const auto to_clip = [&](const glm::mat4& model) { return world_to_clip * glm::dmat4(model); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
 }
 
 /// Calls a function for each covered sample between the near and the far plane, triangle by triangle.
@@ -14665,7 +15161,8 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
+    const glm::dmat4 to_clip(world_to_clip);
+    detail::snapped_mesh snapped(size, mesh, {&to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {
@@ -14722,8 +15219,8 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }
-    rasterize_depth(depth, {{placed.data(), placed.size()}, {drawn.data(), drawn.size()}}, glm::mat4(1), light.clip,
-                    cull_mode::none, std::forward<ParallelFor>(parallel));
+    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
+                    std::forward<ParallelFor>(parallel));
 }
 
 }  // namespace umbrage
@@ -15228,14 +15725,19 @@ namespace detail {
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
-/// Reports a box that is not finite, or whose low is above its high.
-template <real T>
-void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
-    const member_check must{function, argument};
+/// Calls must(met, member, condition, value) for each condition of a box.
+template <real T, class Must>
+void check(const bounding_box<T>& box, Must&& must) {
     must(all_finite(box.low), "low", "finite", box.low);
     must(all_finite(box.high), "high", "finite", box.high);
     must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
          glm::mat<2, 3, T>(box.low, box.high));
+}
+
+/// Reports a box that is not finite, or whose low is above its high.
+template <real T>
+void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
+    check(box, member_check{function, argument});
 }
 
 /// Reports a box that was not given, or that require_box reports.
@@ -15296,7 +15798,7 @@ template <real T>
 namespace detail {
 
 /// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
-/// keep its digits if the other is far away.
+/// keep its precision if the other is far away.
 [[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
     return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
                                            : p + (q - p) * (at_p / (at_p - at_q));
@@ -15397,11 +15899,22 @@ template <class Use = detail::on_use>
 
 namespace detail {
 
+/// First unmet condition of the bounds that a hull was made of. The fit that takes the hull reports it.
+struct first_fault {
+    std::string member, condition, got;  ///< empty without a fault
+
+    template <class Value>
+    void operator()(bool met, std::string_view checked, std::string_view wanted, const Value& value) {
+        if (!met && condition.empty()) member = checked, condition = wanted, got = printed(value);
+    }
+};
+
 /// Implementation of hull.
 template <class Use = on_use>
 struct rounded_hull {
     std::vector<glm::dvec3> points;
     double radius = 0.0;  ///< radius of the ball around each point, world units
+    first_fault fault;    ///< of an invalid box or frustum, which gives no points
 
     rounded_hull() = default;
     template <real T>
@@ -15411,18 +15924,31 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
     template <real T>
-    rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
+    rounded_hull(const bounding_box<T>& box) {
+        add_corners(box);
+    }
     template <real T>
-    rounded_hull(const frustum<T>& f) : rounded_hull(corners_for("hull", f)) {}
+    rounded_hull(const frustum<T>& f) {
+        add_corners(f);
+    }
     rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
     rounded_hull(const convex_body<Use>& p) {
         for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+
+private:
+    void add_corners(const auto& bounds) {
+        check(bounds, fault);
+        if (!fault.condition.empty()) return;
+        const eight_corners c = corners_for("hull", bounds);
+        points.assign(c.begin(), c.end());
     }
 };
 
 }  // namespace detail
 
 /// Convex hull of points with a ball around each: the shape that a directional light is fitted to.
+/// A fit refuses the hull of an invalid box or frustum.
 using hull = detail::rounded_hull<>;
 
 }  // namespace umbrage
@@ -15571,7 +16097,7 @@ template <real T>
 template <real T>
 [[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
     const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares: no difference loses digits
+    // t +- 2 det as sums of squares: no difference loses precision
     return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
 }
 
@@ -16261,7 +16787,7 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 // above each other. The second step also gets the tile. finish(tile, set) is called after its last block, before
 // results are taken. hierarchical.hpp does so.
 //
-// Tests: unit/images/blocks/form and form/coherent compare each form with its filter, bit by bit.
+// Tests: proof/blocks/every_path and coherent compare each form with its filter, bit by bit.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> : without_tables {
@@ -16493,7 +17019,7 @@ UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int
 // ---- umbrage/images/blocks/form_map.hpp
 // Maps as the forms of filters read them.
 //
-//     if (!form_takes<Form>(map, reads_stored<Form, Encoding>, receivers)) return false;
+//     if (!form_takes<Form>(map, reads_stored<Form, Encoding>, count)) return {};
 //     const form_map<Encoding, reads_stored<Form, Encoding>> of(map, encoding, parallel);
 //     const auto tables = Form::tables(of.texels, filter, parallel);
 //
@@ -16535,13 +17061,15 @@ struct form_map<Encoding, false> {
     }
 };
 
+/// Number of pixels of an image.
+[[nodiscard]] inline double area_of(glm::ivec2 size) { return static_cast<double>(size.x) * size.y; }
+
 /// True when a form can read a map. Decoding a map must pay off for that number of receivers.
 template <class Form, class Texel>
-[[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
-    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+[[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, double receivers) {
     if (map.size.x < Form::least || map.size.y < Form::least) return false;
     if (stored) return texel_bytes<const Texel>::fits(map.size, map.stride);
-    return area(map.size) < 16.0 * area(receivers) &&
+    return area_of(map.size) < 16.0 * receivers &&
            texel_bytes<const float>::fits(map.size, map.size.x * std::ptrdiff_t(sizeof(float)));
 }
 
@@ -16601,6 +17129,12 @@ struct receiver_planes {
     image_view<const float> x, y, depth;
 };
 
+/// Receivers with their planes, as five images of one size.
+struct sloped_receivers {
+    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding only
+    image_view<const float> slope_x, slope_y;  ///< change of depth per texel: plane_slope
+};
+
 /// Receivers as a camera's depth image.
 struct depth_receivers {
     image_view<const float> depth;  ///< from the camera's depth pass, in [0, 1]
@@ -16658,6 +17192,12 @@ namespace detail {
     require_size(receivers.y.size, receivers.depth.size, function, "receivers.y.size", "the depths' size");
     return receivers.depth.size;
 }
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, const char* function) {
+    const glm::ivec2 size = size_of(receivers.at, function);
+    require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
+    require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
+    return size;
+}
 
 }  // namespace detail
 }  // namespace umbrage
@@ -16685,6 +17225,13 @@ struct receiver_rows {
     [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
     [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// Block of receivers with their planes.
+struct sloped_rows : receiver_rows {
+    const float *first_slope_x, *first_slope_y;
+    [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
 };
 
 /// Block of receivers in its own memory.
@@ -16789,6 +17336,12 @@ template <isa Set>
             whole_block(from.y.row(at.y) + at.x, at.count(), room.rows[1]),
             whole_block(from.depth.row(at.y) + at.x, at.count(), room.rows[2])};
 }
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline sloped_rows block_at(const sloped_receivers& from, const block_walk& at,
+                                                         receiver_room& room, isa_constant<Set> set) {
+    return {block_at(from.at, at, room, set), whole_block(from.slope_x.row(at.y) + at.x, at.count(), room.rows[3]),
+            whole_block(from.slope_y.row(at.y) + at.x, at.count(), room.rows[4])};
+}
 
 /// receiver_at for a block.
 template <class = on_use>
@@ -16828,6 +17381,10 @@ UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block
 }
 UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
     for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
+    prefetch(from.at, at);
+    for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
 }
 UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
 
@@ -17053,33 +17610,33 @@ struct every_texel_form<filters::box> : without_tables {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/blocks/planes.hpp
-// Blocks of receivers that are compared along their own planes: each loaded texel is moved as in apply_receiver_plane.
-// A form that takes planes uses rows_on_planes() to move the registers that it loads, or move_texels() to move one
-// texel per receiver. For receivers without planes both compile to nothing.
+// Blocks of receivers that are compared along their own planes: each loaded texel is taken as by apply_receiver_plane.
+// A form that takes planes uses rows_on_planes() for the registers that it loads, or texels_on_planes() for one texel
+// per receiver. For receivers without planes both compile to nothing.
 
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
-/// Planes of a block: position and slope of each receiver.
+/// Planes of a block: position less half a texel, depth and slope of each receiver.
 struct plane_block {
-    alignas(64) float x[block], y[block], slope_x[block], slope_y[block];
-    float cleared;  ///< depth of the far plane
+    alignas(64) float x[block], y[block], depth[block], slope_x[block], slope_y[block];
 
     template <class Receivers>
-    UMBRAGE_INLINE void copy(const Receivers& from, float far_plane) {
-        cleared = far_plane;
+    UMBRAGE_INLINE void copy(const Receivers& from) {
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            x[i] = from.x(i);
-            y[i] = from.y(i);
+            x[i] = from.x(i) - 0.5f;
+            y[i] = from.y(i) - 0.5f;
+            depth[i] = from.z(i);
             slope_x[i] = from.slope_x(i);
             slope_y[i] = from.slope_y(i);
         }
     }
     /// apply_receiver_plane of a texel in column `across` and row `up`.
-    [[nodiscard]] UMBRAGE_INLINE float moved(int i, float stored, float across, float up) const {
-        const float along = slope_x[i] * (across + 0.5f - x[i]), beside = slope_y[i] * (up + 0.5f - y[i]);
-        return select(cleared_mask(stored, cleared), stored, stored - (along + beside));
+    template <bool Forward>
+    [[nodiscard]] UMBRAGE_INLINE float compared(int i, float stored, float across, float up) const {
+        const float along = slope_x[i] * (across - x[i]), beside = slope_y[i] * (up - y[i]);
+        return lit_on_plane<Forward>(depth[i], (depth[i] + along) + beside, stored);
     }
 };
 
@@ -17087,29 +17644,31 @@ struct plane_block {
 template <int Lanes>
 struct plane_rows {
     static constexpr int chunk = Lanes;
-    float slope, x, first, cleared;
+    float slope, x, first, receiver;
     alignas(32) float beside[24];  ///< per row: depth that its distance from the receiver adds to the plane
 
     /// @param column        column of the first texel
     /// @param row           row of the first texel
     /// @param rows          number of rows of texels, at most 24
     UMBRAGE_INLINE plane_rows(const plane_block& planes, int i, int column, int row, int rows)
-        : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), cleared(planes.cleared) {
+        : slope(planes.slope_x[i]), x(planes.x[i]), first(static_cast<float>(column)), receiver(planes.depth[i]) {
         const float y = planes.y[i], slope_y = planes.slope_y[i];
         for (int j = 0; j < rows; j += chunk)
-            for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) + 0.5f - y);
+            for (int k = 0; k < chunk; ++k) beside[j + k] = slope_y * (static_cast<float>(row + j + k) - y);
     }
-    /// Moves a register of texels along the plane.
+    /// Compares a register of texels along the plane.
     /// @param moved   columns from the first one
     /// @param row     row from the first one
-    UMBRAGE_INLINE void move(int moved, int row, lanes_of<float, Lanes>& texels) const {
-        move_to_plane<Lanes>(slope, first + static_cast<float>(moved), x, beside[row], cleared, texels);
+    template <bool Forward>
+    UMBRAGE_INLINE void compare(int moved, int row, lanes_of<float, Lanes>& texels) const {
+        compare_on_plane<Lanes, Forward>(slope, first + static_cast<float>(moved), x, beside[row], receiver, texels);
     }
 };
 /// Rows of texels around a receiver without a plane.
 template <int Lanes>
 struct rows_as_stored {
-    UMBRAGE_INLINE void move(int, int, lanes_of<float, Lanes>&) const {}
+    template <bool Forward>
+    UMBRAGE_INLINE void compare(int, int, lanes_of<float, Lanes>&) const {}
 };
 template <int Lanes, class Placed>
 [[nodiscard]] UMBRAGE_INLINE inline auto rows_on_planes([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
@@ -17119,24 +17678,24 @@ template <int Lanes, class Placed>
     else return rows_as_stored<Lanes>{};
 }
 
-/// Texel of receiver i, moved along its plane.
-template <class Placed>
-[[nodiscard]] UMBRAGE_INLINE inline float moved_texel([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
-                                                      float stored, [[maybe_unused]] int column,
-                                                      [[maybe_unused]] int row) {
+/// Texel of receiver i, along its plane.
+template <bool Forward, class Placed>
+[[nodiscard]] UMBRAGE_INLINE inline float texel_on_plane([[maybe_unused]] const Placed& at, [[maybe_unused]] int i,
+                                                         float stored, [[maybe_unused]] int column,
+                                                         [[maybe_unused]] int row) {
     if constexpr (requires { at.planes; })
-        return at.planes.moved(i, stored, static_cast<float>(column), static_cast<float>(row));
+        return at.planes.template compared<Forward>(i, stored, static_cast<float>(column), static_cast<float>(row));
     else return stored;
 }
 
-/// Moves one texel of each receiver of a block.
+/// One texel of each receiver of a block, along its plane.
 /// @param column        returns the column of the texel of receiver i, inside or outside the map
 /// @param row           returns its row
-template <class Placed, class Column, class Row>
-UMBRAGE_INLINE inline void move_texels(const Placed& at, const Column& column, const Row& row, float* texels) {
+template <bool Forward, class Placed, class Column, class Row>
+UMBRAGE_INLINE inline void texels_on_planes(const Placed& at, const Column& column, const Row& row, float* texels) {
     if constexpr (requires { at.planes; }) {
         UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) texels[i] = moved_texel(at, i, texels[i], column(i), row(i));
+        for (int i = 0; i < block; ++i) texels[i] = texel_on_plane<Forward>(at, i, texels[i], column(i), row(i));
     }
 }
 
@@ -17294,7 +17853,7 @@ private:
 #pragma GCC unroll 7
         for (int y = 0; y < near_rows; ++y, from += memory.stride) {
             load_lanes(from, texels);
-            on_planes.move(0, y, texels);
+            on_planes.template compare<test::forward>(0, y, texels);
             lit_lanes<near_columns, test::forward>(at.z[i], texels, lit[y]);
         }
         upper = mask_bits(lit);
@@ -17315,7 +17874,7 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
             texels.load_one(memory, offsets);
-            move_texels(
+            texels_on_planes<test::forward>(
                 at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
                 [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
             for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
@@ -17573,8 +18132,8 @@ private:
         const auto keep_lit = [&](int j, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
             load_lanes(texels + j * stride, upper);
             load_lanes(texels + (j + 1) * stride, lower);
-            on_planes.move(0, j, upper);
-            on_planes.move(0, j + 1, lower);
+            on_planes.template compare<test::forward>(0, j, upper);
+            on_planes.template compare<test::forward>(0, j + 1, lower);
             shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
             lit_lanes<8, test::forward>(at.z[i], two_rows, mask);
             keep_where<8>(mask, weight);
@@ -17609,7 +18168,7 @@ private:
                 lanes_of<std::int32_t, Lanes> mask;
                 for (int j = 0; j < touched; ++j) {
                     load_lanes(from, texels);
-                    on_planes.move(r * Lanes, j, texels);
+                    on_planes.template compare<test::forward>(r * Lanes, j, texels);
                     lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
@@ -17637,7 +18196,7 @@ private:
             const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
             for (int k = 0; k < row.touched(); ++k) {
                 const float stored = texels[clamp_int(at.x[i] + k, map.size.x - 1)];
-                if (test::lit(at.z[i], moved_texel(at, i, stored, at.x[i] + k, at.y[i] + j)))
+                if (test::lit(at.z[i], texel_on_plane<test::forward>(at, i, stored, at.x[i] + k, at.y[i] + j)))
                     sum += rows[j] * columns[k];
             }
         }
@@ -17868,12 +18427,11 @@ struct hierarchical_disc_blocks {
 // 1.2, 0.9; 3: 1.4, 1.1; 4: 4.4, 3.5; 8: 1.7, 4.0. castano<5>: 2.0, 1.5; castano<7>: 2.4, 1.7. disc<16> of radius 4:
 // 4.3, 3.8; 8: 1.2, 2.9; 16: 1.3, 0.8. At 2.5 texels per receiver, box of radius 3: 1.2, 1.0; at 16, radius 4: 1.4,
 // 1.3.
-[[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, glm::ivec2 receivers) {
+[[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, double receivers) {
     if (map.x < block) return false;            // bounds come in full blocks and would outgrow the map
     if (width < 6 || width > 17) return false;  // narrower: no gain. Wider: their texels mostly differ
-    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
     // From 9 texels on, bounds are of squares of 4 x 4, not 2 x 2, and take 0.9 ms to make, not 2.1 ms.
-    return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
+    return area_of(map) <= (width < 9 ? 2.5 : 16.0) * receivers;
 }
 
 /// Bounds of a map, and tables of the blocks that read every texel.
@@ -18039,7 +18597,7 @@ private:
             offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
                                        clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
         texels.load_one(memory, offsets);
-        move_texels(
+        texels_on_planes<test::forward>(
             at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
             [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
     }
@@ -18124,22 +18682,15 @@ struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
 //
 
 
-// ---- umbrage/images/visibility.hpp
-// Visibility of a whole image of receivers from a shadow map, with any filter and any encoding.
+// ---- umbrage/images/blocks/row_filter.hpp
+// A filter over one map, made ready once for receivers that come in pieces: its texels are decoded and its tables made
+// where that pays. It has the bits of the filter for each receiver alone.
 //
-//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
+//     const auto rows = make_row_filter<Receivers>(map, encoding, filter, count, parallel, outside);
+//     parallel(out.size.y, [&](int first, int last) { rows(receivers, out, first, last); });
 //
-// Straight from a camera's depth image, without an image of receivers:
-//
-//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
-//     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
-//
-// Results have the same bits as the filter for each receiver alone over bordered(map): everything outside is lit.
-// Also called: shadow factor, ShadowCalculation, shadow mask, screen-space shadows (visibility).
 
-namespace umbrage {
-
-namespace detail {
+namespace umbrage::detail {
 
 /// Visibility of a receiver, by a filter that may also take its pixel.
 template <class Filter, class Fetch>
@@ -18253,28 +18804,17 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
     if (large) finish_streaming();
 }
 
-/// Filters one receiver after the other.
+/// Filters the receivers of some rows one after the other.
 /// @param alone   (coord, receiver, pixel) -> visibility
-template <class Receivers, class ParallelFor, class Alone>
-void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Alone& alone) {
-    parallel(out.size.y, [&](int first, int last) {
-        receiver_room room;
-        for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-            const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
-            float* const to = out.row(at.y) + at.x;
-            for (int i = 0; i < at.count(); ++i)
-                to[i] = alone(glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
-        }
-    });
-}
-
-/// Filters receiver by receiver, with any filter.
-template <class Receivers, class Filter, class Fetch, class ParallelFor>
-void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
-                 ParallelFor&& parallel) {
-    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-        return filtered(filter, fetch, coord, receiver, pixel);
-    });
+template <class Receivers, class Alone>
+void filter_each(const Receivers& receivers, image_view<float> out, int first, int last, const Alone& alone) {
+    receiver_room room;
+    for (block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+        const auto r = block_at(receivers, at, room, isa_constant<isa::base>{});
+        float* const to = out.row(at.y) + at.x;
+        for (int i = 0; i < at.count(); ++i)
+            to[i] = alone(glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
+    }
 }
 
 /// Depth direction of a map: its encoding's, or the filter's if the encoding has none.
@@ -18295,36 +18835,181 @@ template <class Filter>
     } else return filter;
 }
 
-/// Filters all rows by a filter's blocks.
-template <class Receivers, class Blocks, class Edge, class ParallelFor>
-void filter_pieces(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out,
-                   ParallelFor&& parallel) {
-    parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, edge, out, first, last); });
+/// Fast form of a filter for a kind of receivers. plane_visibility.hpp has that of receivers with planes.
+template <class Receivers, class Filter>
+struct form_for {
+    static constexpr bool known = has_block_form<Filter>;
+    static constexpr bool clamps = true;  ///< its blocks are right at the border of a clamped map
+    using type = block_form<Filter>;
+
+    /// Texels as a receiver compares them.
+    template <class Fetch>
+    [[nodiscard]] static const Fetch& texels(const Receivers&, const Fetch& fetch, glm::vec2, glm::ivec2,
+                                             depth_direction) {
+        return fetch;
+    }
+};
+
+/// A filter over a map, receiver by receiver.
+template <class Encoding, class Filter>
+struct map_filter {
+    image_view<const typename Encoding::texel> map;
+    Encoding encoding;
+    Filter filter;
+    outside_map outside;
+    depth_direction direction;
+
+    template <class Receivers>
+    [[nodiscard]] float operator()(const Receivers& receivers, glm::vec2 coord, float receiver,
+                                   glm::ivec2 pixel) const {
+        const auto over = [&](const auto& fetch) {
+            using form = form_for<Receivers, Filter>;
+            return filtered(filter, form::texels(receivers, fetch, coord, pixel, direction), coord, receiver, pixel);
+        };
+        const auto seldom = [&](const auto& fetch) {
+            if constexpr (has_block_form<Filter>) return over(erase(fetch));
+            else return over(fetch);
+        };
+        if (outside == outside_map::clamped) return seldom(decoded(clamped(map), encoding));
+        return seldom(decoded_map<typename Encoding::texel, Encoding>{map, encoding, cleared_depth(direction)});
+    }
+};
+
+/// A form over a map, with what its blocks read.
+template <class Form, depth_direction Direction, class Encoding, class Filter>
+struct form_over_map {
+    map_filter<Encoding, Filter> each;  ///< blocks keep references to its filter
+    form_map<Encoding, reads_stored<Form, Encoding>> of;
+    decltype(Form::tables(of.texels, std::declval<const Filter&>(), serial())) tables;
+    decltype(Form::template blocks<Direction>(of.texels, std::declval<const Filter&>(), tables)) blocks;
+
+    template <class ParallelFor>
+    form_over_map(const map_filter<Encoding, Filter>& m, ParallelFor&& parallel)
+        : each(m),
+          of(m.map, m.encoding, parallel),
+          tables(Form::tables(of.texels, each.filter, parallel)),
+          blocks(Form::template blocks<Direction>(of.texels, each.filter, tables)) {}
+};
+
+/// Filters rows of receivers: (receivers, out, first, last). It owns any callable of these. std::function and what
+/// holds one alone reach <functional> and <ostream>, which cost users of the header too much.
+template <class Receivers>
+class row_filter {
+public:
+    row_filter() = default;
+    template <class Run>
+    requires(!std::same_as<std::remove_cvref_t<Run>, row_filter>) row_filter(Run&& run)
+        : rows_(new rows_of<std::remove_cvref_t<Run>>(std::forward<Run>(run))) {}
+    row_filter(row_filter&& o) noexcept : rows_(std::exchange(o.rows_, nullptr)) {}
+    row_filter& operator=(row_filter&& o) noexcept {
+        std::swap(rows_, o.rows_);
+        return *this;
+    }
+    ~row_filter() { delete rows_; }
+
+    /// Makes the callable in its place, for those that refer to themselves.
+    template <class Run, class... Arguments>
+    [[nodiscard]] static row_filter made(Arguments&&... arguments) {
+        row_filter all;
+        all.rows_ = new rows_of<Run>(std::forward<Arguments>(arguments)...);
+        return all;
+    }
+
+    [[nodiscard]] explicit operator bool() const { return rows_ != nullptr; }
+    void operator()(const Receivers& receivers, image_view<float> out, int first, int last) const {
+        rows_->filter(receivers, out, first, last);
+    }
+
+private:
+    struct rows {
+        virtual ~rows() = default;
+        virtual void filter(const Receivers& receivers, image_view<float> out, int first, int last) const = 0;
+    };
+    template <class Run>
+    struct rows_of final : rows {
+        Run run;
+        template <class... Arguments>
+        explicit rows_of(Arguments&&... arguments) : run(std::forward<Arguments>(arguments)...) {}
+        void filter(const Receivers& receivers, image_view<float> out, int first, int last) const override {
+            run(receivers, out, first, last);
+        }
+    };
+
+    const rows* rows_ = nullptr;
+};
+
+/// Rows by a form over a map.
+template <class Receivers, class Over, class Filter>
+struct form_rows {
+    Over over;
+
+    template <class MapFilter, class ParallelFor>
+    form_rows(const MapFilter& m, ParallelFor&& parallel) : over(m, parallel) {}
+    void operator()(const Receivers& receivers, image_view<float> out, int first, int last) const {
+        const auto& each = over.each;
+        const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+            return each(receivers, coord, receiver, pixel);
+        };
+        const bool has_border = each.outside == outside_map::bordered;
+        const bool blocks_err = has_border || !form_for<Receivers, Filter>::clamps;
+        const map_edge edge(alone, each.filter.reach(), each.map.size, blocks_err, has_border);
+        filter_rows(receivers, over.blocks, edge, out, first, last);
+    }
+};
+
+/// Makes a row filter by a form.
+/// @return   empty if the form does not support the map, or does not pay
+template <class Receivers, class Form, class Encoding, class Filter, class ParallelFor>
+[[nodiscard]] row_filter<Receivers> row_filter_by(const map_filter<Encoding, Filter>& m, double count,
+                                                  ParallelFor&& parallel) {
+    if (!form_takes<Form>(m.map, reads_stored<Form, Encoding>, count)) return {};
+    if constexpr (requires { typename Form::by_bounds; })
+        if (bounds_pay(width_of(m.filter), m.map.size, count))
+            return row_filter_by<Receivers, typename Form::by_bounds>(m, count, parallel);
+    const auto make = [&]<depth_direction Direction>() {
+        using over = form_over_map<Form, Direction, Encoding, Filter>;
+        return row_filter<Receivers>::template made<form_rows<Receivers, over, Filter>>(m, parallel);
+    };
+    return m.direction == depth_direction::forward ? make.template operator()<depth_direction::forward>()
+                                                   : make.template operator()<depth_direction::reversed>();
 }
 
-/// Filters by the filter's fast form.
-/// @return   false if the form does not support the map. Nothing is done then
-template <class Form, class Encoding, class Receivers, class Filter, class Edge, class ParallelFor>
-bool filter_by_form(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                    const Receivers& receivers, const Filter& filter, depth_direction direction, const Edge& edge,
-                    image_view<float> out, ParallelFor&& parallel) {
-    constexpr bool stored = reads_stored<Form, Encoding>;
-    if (!form_takes<Form>(map, stored, out.size)) return false;
-    if constexpr (requires { typename Form::by_bounds; })
-        if (bounds_pay(width_of(filter), map.size, out.size))
-            return filter_by_form<typename Form::by_bounds>(map, encoding, receivers, filter, direction, edge, out,
-                                                            parallel);
-    const form_map<Encoding, stored> of(map, encoding, parallel);
-    const auto tables = Form::tables(of.texels, filter, parallel);
-    if (direction == depth_direction::forward) {
-        const auto blocks = Form::template blocks<depth_direction::forward>(of.texels, filter, tables);
-        filter_pieces(receivers, blocks, edge, out, parallel);
-    } else {
-        const auto blocks = Form::template blocks<depth_direction::reversed>(of.texels, filter, tables);
-        filter_pieces(receivers, blocks, edge, out, parallel);
-    }
-    return true;
+/// Makes a filter ready for a map.
+/// @param count   number of receivers to come. Decoding the map, and tables of it, must pay for so many
+template <class Receivers, class Encoding, class Filter, class ParallelFor>
+[[nodiscard]] row_filter<Receivers> make_row_filter(image_view<const typename Encoding::texel> map,
+                                                    const Encoding& encoding, const Filter& filter, double count,
+                                                    ParallelFor&& parallel, outside_map outside) {
+    const depth_direction direction = direction_of(encoding, filter);
+    const map_filter<Encoding, Filter> m{map, encoding, in_direction(filter, direction), outside, direction};
+    using form = form_for<Receivers, Filter>;
+    if constexpr (form::known)
+        if (auto rows = row_filter_by<Receivers, typename form::type>(m, count, parallel)) return rows;
+    return [m](const Receivers& receivers, image_view<float> out, int first, int last) {
+        filter_each(receivers, out, first, last, [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+            return m(receivers, coord, receiver, pixel);
+        });
+    };
 }
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/visibility.hpp
+// Visibility of a whole image of receivers from a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
+//
+// Straight from a camera's depth image, without an image of receivers:
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
+//
+// Results have the same bits as the filter for each receiver alone over bordered(map): everything outside is lit.
+// Also called: shadow factor, ShadowCalculation, shadow mask, screen-space shadows (visibility).
+
+namespace umbrage {
+
+namespace detail {
 
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
@@ -18334,25 +19019,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     require(!map.empty(), "visibility", "map.size", "above 0", map.size);
     require_filter("visibility", filter);
     if (out.empty()) return;
-    const depth_direction direction = direction_of(encoding, filter);
-    const auto& directed = in_direction(filter, direction);
-    const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
-    if constexpr (has_block_form<Filter>) {
-        const erased_fetch bordered = erase(bordered_map);
-        const bool has_border = outside == outside_map::bordered;
-        const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-            return filtered(directed, bordered, coord, receiver, pixel);
-        };
-        const map_edge edge(alone, filter.reach(), map.size, has_border, has_border);
-        const bool done =
-            filter_by_form<block_form<Filter>>(map, encoding, receivers, directed, direction, edge, out, parallel);
-        if (!done) filter_each(receivers, directed, has_border ? bordered : erase(clamped_map), out, parallel);
-    } else if (outside == outside_map::bordered) {
-        filter_each(receivers, directed, bordered_map, out, parallel);
-    } else {
-        filter_each(receivers, directed, clamped_map, out, parallel);
-    }
+    const row_filter<Receivers> rows =
+        make_row_filter<Receivers>(map, encoding, filter, area_of(out.size), parallel, outside);
+    parallel(out.size.y, [&](int first, int last) { rows(receivers, out, first, last); });
 }
 
 }  // namespace detail
@@ -18681,6 +19350,10 @@ namespace detail {
 template <class Use = on_use>
 [[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
     require(receivers.has_value(), function, "receivers", "given", "none");
+    const first_fault& fault = receivers->fault;
+    if (!fault.condition.empty())
+        refuse(function, "receivers." + fault.member, fault.condition, fault.got.c_str(),
+               fault.condition == "nowhere above high" ? "A mesh without finite positions has such an empty box." : "");
     require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
             "of a finite radius, 0 or more", receivers->radius);
     for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);
@@ -18867,8 +19540,8 @@ struct page_size {
 
 /// Light space of the whole root.
 /// @throws std::invalid_argument  zero or non-finite direction; center or scene missing or not finite; a side not above
-///                                0, or too small for T's digits at the farthest coordinate of center and scene; clip
-///                                unset; matrices that would not be finite
+///                                0, or too small for T's precision at the farthest coordinate of center and scene;
+///                                clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";
@@ -19036,11 +19709,12 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
     const auto& directed = in_direction(filter, direction_of(encoding, filter));
-    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float depth, glm::ivec2 pixel) {
+    const auto alone = [&](glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
         return filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
-    });
+    };
+    parallel(out.size.y, [&](int first, int last) { filter_each(receivers, out, first, last, alone); });
 }
 
 }  // namespace detail
@@ -19094,13 +19768,12 @@ struct plane_blocks {
         plane_block planes;
     };
     Blocks of;
-    float cleared;  ///< depth of the far plane
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
         if constexpr (requires { of.place(receivers, at, pixel_y); }) of.place(receivers, at, pixel_y);
         else of.place(receivers, at);
-        at.planes.copy(receivers, cleared);
+        at.planes.copy(receivers);
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
@@ -19168,7 +19841,7 @@ private:
             for (int row = y; row < y + side(); ++row)
                 for (int column = x; column < x + side(); ++column) {
                     const float stored = *texel_at(map, column, row);
-                    lit += test::lit(at.z[i], moved_texel(at, i, stored, column, row));
+                    lit += test::lit(at.z[i], texel_on_plane<test::forward>(at, i, stored, column, row));
                 }
             return lit;
         }
@@ -19179,7 +19852,7 @@ private:
             for (int row = y; row < y + side(); ++row) {
                 lanes_of<float, lanes> texels;
                 load_lanes(texel_at(map, x + r * lanes, row), texels);
-                on_planes.move(r * lanes, row - y, texels);
+                on_planes.template compare<test::forward>(r * lanes, row - y, texels);
                 lit_lanes<lanes, test::forward>(at.z[i], texels, mask);
                 lit -= mask & kept;
             }
@@ -19204,7 +19877,7 @@ struct on_planes : Form {
     template <depth_direction Direction, class Filter, class Tables>
     [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
         using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
-        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables), cleared_depth(Direction)};
+        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables)};
     }
 };
 
@@ -19254,50 +19927,35 @@ struct plane_form<filters::box> : on_planes<plane_box_form> {};
 
 // ---- umbrage/images/plane_visibility.hpp
 // Receiver plane depth bias over whole images: each receiver is compared along its own plane, so no filter radius needs
-// another bias. Use it for contact hardening (PCSS, DPCF), whose radius differs from receiver to receiver.
+// another bias.
 //
 //     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
 //
-// Results have the same bits as the filter for each receiver alone over apply_receiver_plane(fetch, slope, coord).
+// Results have the same bits as the filter for each receiver alone over apply_receiver_plane(fetch, slope, at).
 
 namespace umbrage {
 
-/// Receivers with their planes, as five images of one size.
-struct sloped_receivers {
-    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding only
-    image_view<const float> slope_x, slope_y;  ///< change of depth per texel: plane_slope
-};
-
 namespace detail {
 
-[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, const char* function) {
-    const glm::ivec2 size = size_of(receivers.at, function);
-    require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
-    require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
-    return size;
-}
+/// Receivers with planes: each compares texels along its own.
+template <class Filter>
+struct form_for<sloped_receivers, Filter> {
+    static constexpr bool known = has_plane_form<Filter>;
+    static constexpr bool clamps = false;  // a clamped texel keeps its own place on the plane
+    using type = plane_form<Filter>;
 
-/// Block of receivers with their planes.
-struct sloped_rows : receiver_rows {
-    const float *first_slope_x, *first_slope_y;
-    [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
+    template <class Fetch>
+    [[nodiscard]] static auto texels(const sloped_receivers& receivers, const Fetch& fetch, glm::vec2 coord,
+                                     glm::ivec2 pixel, depth_direction direction) {
+        const glm::vec3 at(coord, receivers.at.depth[pixel]);
+        return apply_receiver_plane(fetch, {receivers.slope_x[pixel], receivers.slope_y[pixel]}, at, direction);
+    }
 };
-template <isa Set>
-[[nodiscard]] UMBRAGE_INLINE inline sloped_rows block_at(const sloped_receivers& from, const block_walk& at,
-                                                         receiver_room& room, isa_constant<Set> set) {
-    return {block_at(from.at, at, room, set), whole_block(from.slope_x.row(at.y) + at.x, at.count(), room.rows[3]),
-            whole_block(from.slope_y.row(at.y) + at.x, at.count(), room.rows[4])};
-}
-UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
-    prefetch(from.at, at);
-    for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
-}
 
 }  // namespace detail
 
-/// Visibility of receivers along their planes, with the filter over apply_receiver_plane(fetch, slope, coord) for each.
+/// Visibility of receivers along their planes, with the filter over apply_receiver_plane(fetch, slope, at) for each.
 ///
 /// @param map         shadow map, texels of the encoding. For a spot light z/w, in which a plane stays a plane
 /// @param encoding    encoding of the map's texels, with the depth direction
@@ -19312,30 +19970,7 @@ template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const sloped_receivers& receivers, const Filter& filter, image_view<float> out,
                 ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    static_assert(detail::is_encoding<Encoding>() && detail::is_filter<Filter>());
-    detail::require_size(out.size, detail::size_of(receivers, "visibility"), "visibility", "out.size",
-                         "the receivers' size");
-    detail::require(!map.empty(), "visibility", "map.size", "above 0", map.size);
-    detail::require_filter("visibility", filter);
-    if (out.empty()) return;
-    const depth_direction direction = detail::direction_of(encoding, filter);
-    const auto& directed = detail::in_direction(filter, direction);
-    const bool has_border = outside == outside_map::bordered;
-    const auto clamped_map = decoded(clamped(map), encoding);
-    const decoded_map<typename Encoding::texel, Encoding> bordered_map{map, encoding, cleared_depth(direction)};
-    const detail::erased_fetch fetch = has_border ? detail::erase(bordered_map) : detail::erase(clamped_map);
-    const auto alone = [&](glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-        const glm::vec2 slope(receivers.slope_x[pixel], receivers.slope_y[pixel]);
-        return detail::filtered(directed, apply_receiver_plane(fetch, slope, coord, direction), coord, receiver, pixel);
-    };
-    bool done = false;
-    if constexpr (detail::has_plane_form<Filter>) {
-        // a clamped texel keeps its own place on the plane
-        const detail::map_edge edge(alone, filter.reach(), map.size, true, has_border);
-        done = detail::filter_by_form<detail::plane_form<Filter>>(map, encoding, receivers, directed, direction, edge,
-                                                                  out, parallel);
-    }
-    if (!done) detail::for_each_receiver(receivers, out, parallel, alone);
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 }  // namespace umbrage
@@ -19352,7 +19987,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 namespace umbrage {
 
 /// Value that encodes depths as texels, and decodes visibility from a mean of texels. Functions over images need no
-/// more. If it has check(std::string_view function), they call that as they call a filter's.
+/// more. They call the member check(std::string_view function) of a prefilter that has it, as of a filter.
 template <class Prefilter>
 concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
     typename Prefilter::texel;
@@ -19863,8 +20498,9 @@ private:
         return {0, sag > sag_ ? sag : 0};
     }
 
-    /// An edge from its nearer end, and the share of it up to where the angle's bisector meets it. The share is at most
-    /// 1/2, and has digits however far the other end is. Both are the same for both orders of the ends.
+    /// An edge, ordered from near to far, and the fraction of its length at which the bisector of the viewing angle
+    /// cuts it. The fraction is at most 1/2 and stays accurate for a very distant end. Swapping the ends changes
+    /// nothing.
     struct divided_edge {
         glm::dvec3 close, distant;
         double share;
@@ -19975,6 +20611,7 @@ template <class = detail::on_use>
 // Depth pass of a tetrahedron shadow map on the CPU.
 //
 //     umbrage::rasterize_tetrahedron(map.view(), mesh, umbrage::make_tetrahedron_light(light));
+//     umbrage::rasterize_tetrahedron(map.view(), tree, model_matrices, umbrage::make_tetrahedron_light(light));
 //
 
 namespace umbrage {
@@ -19982,25 +20619,36 @@ namespace umbrage {
 /// Renders each face's depths into its triangle of the map, as tetrahedron_face_of places it, and nowhere else.
 ///
 /// @param depth      light.map_size^2 texels, cleared or from an earlier pass
+/// @param instances  model to world, one matrix each
 /// @param faces      from make_tetrahedron_light, each on its own triangle
 /// @throws std::invalid_argument  as rasterize_depth; depth not square
-/// @exactness        the bits of rasterize_depth
+/// @exactness        the bits of rasterize_depth, with the product of projection and view in double
 /// Other parameters as for rasterize_depth.
-template <class ParallelFor = serial>
-void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
-                           const std::array<light_space<float>, 4>& faces, cull_mode cull = cull_mode::none,
+template <real T, class ParallelFor = serial>
+void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                           const std::array<light_space<T>, 4>& faces, cull_mode cull = cull_mode::none,
                            ParallelFor&& parallel = {}) {
     detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth.size", "square", depth.size);
     const auto side = static_cast<float>(depth.size.x);
     image<float> drawn(depth.size);
     for (int i = 0; i < 4; ++i) {
-        const light_space<float>& face = faces[static_cast<std::size_t>(i)];
+        const light_space<T>& face = faces[static_cast<std::size_t>(i)];
         for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
-        rasterize_depth(drawn.view(), mesh, face.projection * face.view, face.clip, cull, parallel);
+        rasterize_depth(drawn.view(), mesh, instances, glm::dmat4(face.projection) * glm::dmat4(face.view), face.clip,
+                        cull, parallel);
         for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
             for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
                 if (tetrahedron_face_of(glm::vec2(texel), side) == i) depth[texel] = drawn[texel];
     }
+}
+
+/// Renders a mesh whose positions are in the world.
+/// Parameters as for the pass of instances.
+template <real T, class ParallelFor = serial>
+void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, const std::array<light_space<T>, 4>& faces,
+                           cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const glm::mat4 in_place(1);
+    rasterize_tetrahedron(depth, mesh, std::span(&in_place, 1), faces, cull, parallel);
 }
 
 }  // namespace umbrage
@@ -20111,6 +20759,76 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
     });
 }
 
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/scene_depths.hpp
+// Range of depths that the maps of a directional light need for a scene, equal for all of them. For stable cascades.
+//
+// The light's axes are X, Y, and Z along its rays. The scene has sides s_i along the axes i of the world. Inside a map
+// of sides w and h, its depths have a range of at most (s_i + |X_i| w + |Y_i| h) / |Z_i|, wherever the map lies. So a
+// wide ground needs no more depth than a map's part of it. The smallest of these ranges serves all maps.
+//
+
+namespace umbrage {
+namespace detail {
+
+/// Depths along a directional light that maps see of a scene. Their range is equal for all maps, wherever they lie.
+class scene_depths {
+public:
+    /// @param side   sides of the largest map, world units
+    template <real T>
+    scene_depths(const bounding_box<T>& scene, const light_space<double>& light, glm::dvec2 side, const char* function)
+        : low_(scene.low), high_(scene.high), frame_(light_frame(light.view, light.clip.hand)) {
+        const extent box = extent_of(seen(glm::dmat4(frame_), hull(scene).points));
+        const glm::dvec2 across = lesser(glm::dvec2(box.high - box.low), side);
+        nearest_ = box.low.z;
+        double longest = box.high.z - box.low.z;
+        for (glm::length_t i = 0; i < 3; ++i) {
+            // std::abs, as glm::abs keeps -0
+            const double within = (high_[i] - low_[i] + across_of(i, side)) / std::abs(frame_[i].z);
+            if (within < longest) longest = within, axis_ = static_cast<int>(i);
+        }
+        beyond_ = glm::length(glm::dvec3(across, longest)) * 0x1p-8;  // flat scenes need some depth too
+        range_ = (longest + 2.0 * beyond_) * (steps / (steps - 1.0));
+        require(is_normal(range_) && is_normal(1.0 / range_), function, "low and high of scene",
+                "neither too far apart nor too close together", glm::dmat2x3(low_, high_));
+    }
+
+    /// Light with these depths in its map. They start a whole number of steps from the world's origin.
+    [[nodiscard]] light_space<double> of(light_space<double> light) const {
+        const glm::dvec2 half(1.0 / light.projection[0][0], 1.0 / light.projection[1][1]);
+        const glm::dvec2 middle = -glm::dvec2(light.projection[3]) * half;
+        const double start = std::floor((nearest_to(middle, 2.0 * half) - beyond_) / range_ * steps) / steps;
+        const auto [at_near, at_far] = ends<double>(light.clip);
+        const double towards = light.clip.hand == handedness::right ? -1.0 : 1.0;
+        light.projection[2][2] = towards * (at_far - at_near) / range_;
+        light.projection[3][2] = at_near - (at_far - at_near) * start;
+        return light;
+    }
+
+private:
+    static constexpr double steps = 8.0;  ///< a power of two: whole steps keep the bits of depths
+
+    /// Length of a map's sides along an axis of the world.
+    [[nodiscard]] double across_of(glm::length_t i, glm::dvec2 side) const {
+        return glm::abs(frame_[i].x) * side.x + glm::abs(frame_[i].y) * side.y;
+    }
+    /// Smallest depth that the scene can have in a map.
+    [[nodiscard]] double nearest_to(glm::dvec2 middle, glm::dvec2 side) const {
+        if (axis_ < 0) return nearest_;
+        const auto number = static_cast<glm::length_t>(axis_);
+        const glm::dvec3 axis = frame_[number];
+        const double from = (axis.z > 0.0 ? low_ : high_)[number] - axis.x * middle.x - axis.y * middle.y;
+        return from / axis.z - across_of(number, side) / (2.0 * std::abs(axis.z));
+    }
+
+    glm::dvec3 low_, high_;
+    glm::dmat3 frame_;  ///< columns: axes of the world as the light sees them
+    int axis_ = -1;     ///< axis of the world whose sides bound the depths; -1: the whole box bounds them
+    double nearest_, beyond_, range_;
+};
+
+}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/light/directional_fit.hpp
@@ -20250,6 +20968,7 @@ struct cascade {
     light_space<T> light;                      ///< light for the depth pass; all cascades share its view, a rotation
     glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w is 0
     T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
+    glm::ivec2 map_size{0};                    ///< size of its map, texels: that of the fit
 };
 
 /// Camera, light and scene that cascades are fitted to.
@@ -20258,8 +20977,8 @@ struct cascade_fit {
     frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the maps; keep it constant, maps rotate with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers
-    glm::ivec2 map_size{1024};                     ///< size of each map, texels
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers. Without the sky
+    glm::ivec2 map_size{1024};                     ///< size of each map, texels; the shadow's too
     T margin = T(2);                               ///< border around the slice, texels: the filter's reach
     T overlap = T(0);                              ///< fraction of a cascade that the next one also covers, 0 to 1
     clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
@@ -20275,8 +20994,10 @@ template <real T>
     const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
     const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
-    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
-                       glm::vec<4, T>(offset)};
+    const cascade<T> c{.light = checked(cast, function, "camera, splits and scene"),
+                       .scale = glm::vec<4, T>(scale),
+                       .offset = glm::vec<4, T>(offset),
+                       .map_size = map_size};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
             "such that a cascade is neither too large nor too small", c.scale);
@@ -20316,33 +21037,20 @@ template <class = on_use>
     return seen.points.empty() || extent_of(seen.points).diagonal() <= rounding ? slice : seen;
 }
 
-/// Directional light with the depth range of a whole scene, and a little beyond.
-template <real T>
-[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
-                                                 const char* function) {
-    const extent box = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = box.diagonal() * 0x1p-8;  // flat scenes need some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), box.low.z - beyond, box.high.z + beyond,
-                                           light.clip, function, "", "low and high of scene");
-    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
-    return light;
-}
-
 /// Margin in texels as a fraction of the map's size inside the margin.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
     return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
 }
 
-/// One cascade per slice, from light(frustum) in double.
-template <std::size_t Count, real T, class Light>
+/// One cascade per slice, from its light.
+template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
                                                           const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
-    const auto parts = camera_parts<Count>(fit, splits, function);
+                                                          const std::array<light_space<double>, Count>& lights) {
     std::array<cascade<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {
-        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
+        all[i] = as_cascade<T>(lights[i], fit.map_size, function);
         all[i].begin = splits[i];
         all[i].end = splits[i + 1];
     }
@@ -20354,10 +21062,17 @@ template <std::size_t Count, real T, class Light>
 /// Cascades that do not shimmer while the camera moves or rotates. Texels are square, sized by the map's shorter side.
 ///
 /// Each map covers the sphere around its slice, whose size does not depend on the view, and moves by integer texels.
-/// Depth spans the scene and is scaled alike in all cascades, so a constant bias is equal in world units. In the depth
-/// pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100 texel.
+/// In the depth pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100
+/// texel.
+///
+/// Depth spans what a map holds of the scene. It has one scale in all cascades, so a constant bias is equal in world
+/// units. The scale depends on the sizes of the scene and of the largest map, and on the light's direction: a wide
+/// ground costs no precision, a tall scene does. While the camera moves, a cascade's depths move by multiples of 1/8.
 /// @param fit      camera, light and scene
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
+/// @formula        1 / scale.z = 8/7 (L + D/128). L = min of (s_i + |X_i| w + |Y_i| h) / |Z_i| for each axis i of the
+///                 world, and of the sum of s_i |Z_i|. s: sides of the scene; w, h: sides of the largest map, world
+///                 units; X, Y, Z: the light's axes. D: diagonal of L and the smaller of map and scene across
 /// @accuracy       offsets are integers up to 2^23 texels from the world's origin. A world point keeps its place in its
 ///                 texel, exactly if it is farther from the origin than the map is wide. Else its coordinate rounds, in
 ///                 float by 2^-14 texel (6e-5) on maps of 1024, which may change a filter's weights by 1/256
@@ -20367,18 +21082,25 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
     constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
-    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const double around = double(fit.margin);
-        const auto light =
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    const double around = double(fit.margin);
+    std::array<light_space<double>, Count> lights;
+    glm::dvec2 side(0);
+    for (std::size_t i = 0; i < Count; ++i) {
+        lights[i] =
             detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
                                              .up = glm::dvec3(fit.up),
-                                             .receivers = sphere_around(part),
+                                             .receivers = sphere_around(parts[i]),
                                              .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
                                              .snap_texels = fit.map_size,
                                              .clip = fit.clip},
                                             function, sides, depths);
-        return detail::with_depths_of(light, fit.scene, function);
-    });
+        const glm::dmat4& p = lights[i].projection;
+        side = detail::greater(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
+    }
+    const detail::scene_depths seen(fit.scene, lights[0], side, function);
+    for (light_space<double>& light : lights) light = seen.of(light);
+    auto all = detail::make_cascades<Count>(fit, splits, function, lights);
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
     return all;
@@ -20392,16 +21114,18 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
     constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
-    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
-        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                .up = glm::dvec3(fit.up),
-                                                .receivers = detail::receivers_of(part, scene),
-                                                .casters = scene,
-                                                .margin = detail::margin_share(fit),
-                                                .clip = fit.clip},
-                                               function, sides, depths);
-    });
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
+    std::array<light_space<double>, Count> lights;
+    for (std::size_t i = 0; i < Count; ++i)
+        lights[i] = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                     .up = glm::dvec3(fit.up),
+                                                     .receivers = detail::receivers_of(parts[i], scene),
+                                                     .casters = scene,
+                                                     .margin = detail::margin_share(fit),
+                                                     .clip = fit.clip},
+                                                    function, sides, depths);
+    return detail::make_cascades<Count>(fit, splits, function, lights);
 }
 
 /// Cascades for points relative to an origin near the camera. It may change from frame to frame: see texture_matrix.
@@ -20414,7 +21138,7 @@ template <std::size_t Count>
         const cascade<double>& c = cascades[i];
         const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
         detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
-        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
+        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end), c.map_size};
     }
     return all;
 }
@@ -20531,11 +21255,11 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 //
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
-// 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
+// 1/28 texel at the corners of that view. Camera-relative coordinates lose the least precision.
 //
-// Farther from the origin the digits of a number type end. If rounding, in whatever order, may move receivers out of
-// the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If that map may lose them
-// too, the fit refuses them.
+// Far from the origin, float (and finally double) runs out of precision. If rounding, in any order, may move receivers
+// out of the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If rounding could lose
+// receivers there as well, the fit throws.
 
 namespace umbrage {
 
@@ -20567,7 +21291,7 @@ template <real T>
 [[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
     require_given(fit.clip, function);
     if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
-    // beyond 1000 float has no digits left for the receivers, and the matrix' rows become multiples of the row of w
+    // beyond 1000 float is too coarse for the receivers, and the matrix' rows become multiples of the row of w
     require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin", "from 0 to 1000",
             fit.margin);
     if (fit.casters) require_box(*fit.casters, function, "casters");
@@ -20616,7 +21340,7 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map. Sums may be rounded in any
+/// True if a light's matrices, with the precision of T, hold points to 1/16 of the map. Sums may be rounded in any
 /// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
 [[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
@@ -20850,10 +21574,10 @@ struct spot_fit {
     glm::vec<3, T> position{T(0)};
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint for the map's up axis; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, below pi / 2
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, at most 1.5
     T z_near = T(0.1);                         ///< smallest distance of the near plane, > 0: the light's own size
     std::optional<hull> receivers{};           ///< required: a box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};  ///< if missing: near plane at the receivers, for near_plane::clamps
+    std::optional<bounding_box<T>> casters{};  ///< if missing: the near plane stays at z_near, and no caster is lost
     T margin = T(0.01);         ///< border on every side, as a fraction of the map and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
     clip_space clip{};          ///< required: clip space of your API or engine, see clip_space.hpp
@@ -20900,17 +21624,17 @@ template <class = on_use>
 /// A sphere counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost
 /// grows with the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
-/// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); receivers missing or not
-///                                finite; an invalid box of casters; clip unset; matrices that would not be finite; a
-///                                light so far from the receivers or the origin that T has no digits for its map
+/// @throws std::invalid_argument  zero or non-finite direction; angle out of range; receivers missing or not finite;
+///                                an invalid box of casters; clip unset; matrices that would not be finite; a light so
+///                                far from the receivers or the origin that T is too coarse for its map; a near plane
+///                                below 56 2^-24 of the far plane's distance with forward depth
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
     detail::require_given(fit.clip, function);
     const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
+    detail::require_cone(angle, function);
     detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
                     "above 0, finite and no denormal", fit.z_near);
     detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "from 0 to 1/2", fit.margin);
@@ -20930,9 +21654,9 @@ template <real T = float>
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
     const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
-    double z_near = low.z;
+    double z_near = closest;
     if (fit.casters)
-        z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+        z_near = detail::lesser(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
     z_near = detail::greater(z_near * (1.0 - share), closest);
     const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
     const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
@@ -20946,6 +21670,7 @@ template <real T = float>
                     "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
+    if (fit.has_far_plane) detail::require_digits(z_near, z_far, fit.clip, function);
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)
@@ -21189,7 +21914,7 @@ enum class light_image {
     source,    ///< light in front of the camera: rays leave a point
     sink,      ///< light behind the camera: rays end in a point
     parallel,  ///< light beside the camera: rays stay parallel, or nearly
-    none       ///< image among the receivers or too close to them, no perspective, or no digits: another map
+    none       ///< image among the receivers or too close to them, no perspective, or T too coarse: another map
 };
 
 /// Perspective shadow map (PSM), and how the camera sees its light.
@@ -21369,7 +22094,7 @@ template <real T, class Instead>
 ///                receivers replaces larger values: hardly a warp is left there
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
 ///                degrees or more around the light, or around the point opposite
-/// @edge          T has no digits for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
+/// @edge          T is too coarse for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
 ///                for receivers at the camera is such a case
 /// @throws std::invalid_argument  as fit_light_space_perspective; slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
@@ -21512,7 +22237,7 @@ template <real T>
 /// @param fit     camera, light and casters. The plane replaces its receivers
 /// @param plane   dot(plane, (p, 1)) = 0, with a normal of any length > 0. The light may come from either side
 /// @return        warped light. Nothing if the camera does not see the plane, or if camera or light lie in it (1e-6).
-///                Nothing too where the digits of T end far from the origin: rounding must not move the visible part
+///                Nothing too where T is too coarse, far from the origin: rounding must not move the visible part
 ///                of the plane out of the map by more than 1/16 of its half size.
 ///                The map is of no use for light that barely reaches the plane. Depth is the height over the plane
 ///                divided by w, and hardly grows along such light
@@ -21588,2356 +22313,6 @@ template <real T = float>
 }
 
 }  // namespace umbrage
-
-// ---- umbrage/shader/binding.hpp
-// Description of a shadow map for shaders: its texture type, the conversion of texels to depths, and the comparison.
-//
-//     using namespace umbrage::glsl;
-//     const binding cascades{.texture = texture::array};
-//     const binding packed = stored_as(umbrage::rg<11>{});
-//
-
-namespace umbrage::glsl {
-
-/// Texture type of a map. It decides the first parameters of functions that take the map, given here in GLSL:
-///   texture_2d             sampler2D map: depths, or values that `depth` converts to depths
-///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller passes
-///   array                  sampler2DArray map, float layer
-///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
-///   cube_faces             samplerCube map: its faces as tiles of an atlas, for pcf_2x2_cube. The size is then that of
-///                          the atlas, (3, 2) times a face's
-///   integer                usampler2D map: the depth is the integer, exact up to 2^24
-///   depth, depth_array     depth textures that are read without comparison. In GLSL the same as texture_2d and array
-///   shadow, shadow_array   comparison samplers, sampler2DShadow map. Set the direction of comparison on the sampler. A
-///                          filter that needs depths cannot be bound to them
-///
-/// Samplers must clamp to the edge and read the nearest texel, except for pcf_2x2_hardware and window_hardware. A float
-/// depth texture gives the same bits as the plain form. With integer depths, a sampler clamps the receiver to [0, 1]
-/// before it compares. Filters give the same bits even then, since they light receivers beyond the far plane. lit()
-/// alone does not.
-enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
-
-/// Shadow map for shaders: its texels, and how they compare. Texts in it are in the shader's language.
-struct binding {
-    glsl::texture texture = glsl::texture::texture_2d;
-    depth_direction direction = depth_direction::forward;
-    std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
-    bool gather = false;    ///< reads 2x2 texels at once, and depths at points, with a sampler. It must clamp to the
-                            ///< edge, except for regions
-    std::string depth{};    ///< depth from vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x.
-                            ///< Without gather it may use vec2 `texel`, the index of the texel
-    int channels = 1;       ///< number of channels of `value` that `depth` reads
-    std::string compare{};  ///< "exp(40.0 * (stored - receiver))", for example: 1.0 is lit. Empty: by
-                            ///< direction. With an own comparison no receiver is beyond the far plane
-    bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane). Functions
-                                   ///< take two vec2 after the map: the plane's slope and the receiver's coordinate.
-                                   ///< Not with gather or a comparison sampler
-    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
-    std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
-    std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,
-    std::string arguments{};       ///< its arguments in calls,
-    std::string texel{};           ///< and a vec4 expression that reads the texture at `at`, a vec2 of integers
-    std::vector<snippet> needs{};  ///< snippets that these texts call
-
-    friend bool operator==(const binding&, const binding&) = default;
-};
-
-/// Binding of a map in an encoding: replaces `map`'s depth and direction.
-template <known_encoding Encoding>
-[[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
-    map.direction = encoding.direction;
-    if constexpr (Encoding::writes != store_format::depth) {
-        map.channels = Encoding::target::channels;
-        map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
-                    std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
-        if constexpr (has_edge<Encoding>) {
-            std::string edge = std::to_string(encoding.edge);
-            while (edge.back() == '0' && edge[edge.size() - 2] != '.') edge.pop_back();
-            map.depth += ", " + edge;
-        }
-        map.depth += ')';
-        map.needs.push_back(*Encoding::reader);
-    }
-    return map;
-}
-
-}  // namespace umbrage::glsl
-
-// ---- umbrage/shader/texel_hooks.hpp
-// Hooks for each kind of map, part 1: those that interpret depths, and those that read texels without a filter.
-// See also: hooks.hpp, which explains the words.
-//
-
-namespace umbrage::glsl::hooks {
-
-inline constexpr snippet reversed_cleared_depth{
-    .name = "cleared_depth", .summary = "cleared_depth, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_cleared_depth: depth of the far plane
-UMBRAGE_HIGHP float umbrage_cleared_depth() {
-    return 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet clamped_covers{
-    .name = "map_covers", .summary = "map_covers, clamped", .role = hook::chosen, .source = R"GLSL(
-// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
-bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
-    return true;
-}
-)GLSL"};
-
-inline constexpr snippet reversed_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver < 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet no_beyond_far_plane{
-    .name = "beyond_far_plane", .summary = "beyond_far_plane, without", .role = hook::chosen, .source = R"GLSL(
-// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
-// lights
-bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
-    return false;
-}
-)GLSL"};
-
-inline constexpr snippet any_within_far_plane{
-    .name = "within_far_plane", .summary = "within_far_plane, without", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
-bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    // a sum of choices: compilers take an or of the comparisons for true
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return number > 0.5;
-}
-)GLSL"};
-
-inline constexpr snippet reversed_within_far_plane{
-    .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
-bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
-    return receiver >= 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet reversed_compare{
-    .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
-UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return receiver >= stored ? 1.0 : 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet own_compare{
-    .name = "compare", .summary = "compare, own", .role = hook::chosen, .source = R"GLSL(
-// umbrage_compare: visibility of one comparison, by the map's own comparison
-UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return UMBRAGE_COMPARE;
-}
-)GLSL"};
-
-inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
-// umbrage_decode: depth of a value that the sampler returned
-UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
-    return UMBRAGE_DEPTH;
-}
-)GLSL"};
-
-inline constexpr snippet clamped_depth{.name = "fetch_depth",
-                                       .summary = "fetch_depth, clamped",
-                                       .needs = list<&fetch_clamped>,
-                                       .role = hook::chosen,
-                                       .source = R"GLSL(
-// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
-UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return UMBRAGE_DEPTH;
-}
-)GLSL"};
-
-inline constexpr snippet lit_texel{.name = "lit_texel", .summary = "lit_texel", .role = hook::chosen, .source = R"GLSL(
-// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
-UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
-    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-}
-)GLSL"};
-
-inline constexpr snippet clamped_lit{
-    .name = "lit", .summary = "lit, clamped", .needs = list<&lit_texel>, .role = hook::chosen, .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
-UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                UMBRAGE_HIGHP float receiver) {
-    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
-}
-)GLSL"};
-
-inline constexpr snippet bordered_lit{.name = "lit",
-                                      .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &compare>,
-                                      .role = hook::chosen,
-                                      .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel, with the far plane when outside the map
-UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
-}
-)GLSL"};
-
-// Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
-
-inline constexpr snippet gather_compared{
-    .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
-}
-)GLSL"};
-
-inline constexpr snippet gather_one_channel{.name = "gather_lit",
-                                            .summary = "gather_lit, one channel",
-                                            .needs = list<&decode, &compare>,
-                                            .role = hook::chosen,
-                                            .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-inline constexpr snippet gather_two_channels{.name = "gather_lit",
-                                             .summary = "gather_lit, two channels",
-                                             .needs = list<&decode, &compare>,
-                                             .role = hook::chosen,
-                                             .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
-    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-}  // namespace umbrage::glsl::hooks
-
-// ---- umbrage/shader/hooks.hpp
-// Hooks for each kind of map, part 2. bind() puts one of these functions in place of a hook's own text, which is that
-// of a plain map. The map fills in these words:
-//   UMBRAGE_MAP map   its parameters
-//   UMBRAGE_ORIGIN    its first texel in the texture
-//   UMBRAGE_DEPTH     the depth of a `value`
-//   UMBRAGE_BORDER    the depth outside
-//   UMBRAGE_COMPARE   a user's own comparison
-//   UMBRAGE_UV        texture coordinates for `at`
-// and words that read the texture at `at` or `uv`. See also: texel_hooks.hpp.
-
-namespace umbrage::glsl::hooks {
-
-inline constexpr snippet gathered{.name = "lit_2x2",
-                                  .summary = "lit_2x2, gathered",
-                                  .needs = list<&gather_compared>,
-                                  .role = hook::chosen,
-                                  .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_gather_lit(map, size, texel, receiver);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_region{.name = "lit_2x2",
-                                         .summary = "lit_2x2, gathered in a region",
-                                         .needs = list<&gather_compared>,
-                                         .role = hook::chosen,
-                                         .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
-// row and column
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
-    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
-    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    return vec4(bottom.x, bottom.y, top.x, top.y);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_bordered{.name = "lit_2x2",
-                                           .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare>,
-                                           .role = hook::chosen,
-                                           .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the far plane is compared. The sampler's border color does not matter
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
-    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
-    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
-    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
-                                                  .summary = "lit_2x2, gathered in a bordered region",
-                                                  .needs = list<&gather_compared, &inside_map, &compare>,
-                                                  .role = hook::chosen,
-                                                  .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the far plane is compared. The gather stays inside
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
-    UMBRAGE_HIGHP vec2 low = texel - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
-    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
-    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
-    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
-    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-// The sampler weights texels. Coordinates stay half a texel inside, so that texels outside the map have no weight.
-
-inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
-                                              .summary = "lit_filtered, clamped",
-                                              .exactness = tier::c,
-                                              .within = 1.0f / 128.0f,
-                                              .needs = list<&within_far_plane>,
-                                              .role = hook::chosen,
-                                              .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
-//   coord   in texels, no NaN
-UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                         UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    return umbrage_within_far_plane(receiver) ? lit : 0.0;
-}
-)GLSL"};
-
-inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
-                                               .summary = "lit_filtered, bordered",
-                                               .exactness = tier::c,
-                                               .within = 1.0f / 128.0f,
-                                               .needs = list<&within_far_plane, &compare>,
-                                               .role = hook::chosen,
-                                               .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
-// Outside the map the far plane is compared
-//   coord   in texels, no NaN
-UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                         UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
-}
-)GLSL"};
-
-// A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
-
-inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
-                                              .summary = "lit_at, sampled and bordered",
-                                              .exactness = tier::c,
-                                              .within = 1.0f / 128.0f,
-                                              .needs = list<&compare>,
-                                              .role = hook::chosen,
-                                              .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
-}
-)GLSL"};
-
-inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
-                                                .summary = "depth_at, sampled and bordered",
-                                                .exactness = tier::c,
-                                                .operations = 4,
-                                                .needs = list<&decode>,
-                                                .role = hook::chosen,
-                                                .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
-    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
-}
-)GLSL"};
-
-inline constexpr snippet sampled_lit{.name = "lit_at",
-                                     .summary = "lit_at, sampled",
-                                     .exactness = tier::c,
-                                     .within = 1.0f / 128.0f,
-                                     .role = hook::chosen,
-                                     .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    return UMBRAGE_LIT_FILTERED;
-}
-)GLSL"};
-
-inline constexpr snippet sampled_depth{.name = "depth_at",
-                                       .summary = "depth_at, sampled",
-                                       .exactness = tier::c,
-                                       .operations = 4,
-                                       .needs = list<&decode>,
-                                       .role = hook::chosen,
-                                       .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point, by the sampler
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    return umbrage_decode(UMBRAGE_SAMPLED);
-}
-)GLSL"};
-
-/// List of all hooks, for printers and packages.
-inline constexpr const auto& all =
-    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
-         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
-         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
-
-}  // namespace umbrage::glsl::hooks
-
-// ---- umbrage/shader/chosen.hpp
-// Choice of the function that a map has for each hook.
-//
-
-namespace umbrage::glsl::detail {
-
-[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
-[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
-/// True when texels outside the map count as the far plane.
-[[nodiscard]] inline bool is_bordered(const binding& b) {
-    const bool tile = has_region(b) || is_cube(b.texture);
-    return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
-}
-/// True when the map's depths have their own scale, on which 1 is not the far plane.
-[[nodiscard]] inline bool is_scaled(const binding& b) {
-    for (const snippet& need : b.needs)
-        if (need.scaled) return true;
-    return false;
-}
-[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
-[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
-
-/// True when receivers can be beyond the map's far plane. A user's own comparison handles them itself.
-[[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
-
-/// Function that a map has instead of a hook's own text. Returns other snippets unchanged.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
-    const bool forward = b.direction == depth_direction::forward;
-    switch (s.role) {
-        case hook::none:
-        case hook::chosen:
-        case hook::texel: return s;
-        case hook::cleared_depth: return forward ? s : hooks::reversed_cleared_depth;
-        case hook::map_covers: return is_bordered(b) ? s : hooks::clamped_covers;
-        case hook::beyond_far_plane:
-            return !has_far_plane(b) ? hooks::no_beyond_far_plane : forward ? s : hooks::reversed_beyond_far_plane;
-        case hook::within_far_plane:
-            return !has_far_plane(b) ? hooks::any_within_far_plane : forward ? s : hooks::reversed_within_far_plane;
-        case hook::compare:
-            if (!b.compare.empty()) return hooks::own_compare;
-            return forward ? s : hooks::reversed_compare;
-        case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
-        case hook::lit:
-            if (!compares(b.texture)) return s;
-            return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
-        case hook::lit_2x2:
-            if (!b.gather) return s;
-            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
-            return has_region(b) ? hooks::gathered_region : hooks::gathered;
-        case hook::gather_lit:
-            if (compares(b.texture)) return hooks::gather_compared;
-            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
-        case hook::lit_filtered:
-            if (!compares(b.texture)) return s;
-            return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at:
-            if (!compares(b.texture) || has_region(b)) return s;
-            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
-        case hook::depth_at:
-            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
-            return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
-    }
-    return s;
-}
-
-/// True when a snippet is a hook of these roles, or calls one.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool calls(const snippet& s, hook first, hook last) {
-    for (const snippet* need : s.needs)
-        if (calls(*need, first, last)) return true;
-    return first <= s.role && s.role <= last;
-}
-
-/// True when a snippet's functions belong to a map.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool is_of_map(const snippet& s) {
-    return calls(s, hook::map_covers, hook::chosen);
-}
-
-/// True when a snippet reads its map.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool reads_map(const snippet& s) {
-    return calls(s, hook::texel, hook::depth_at);
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/translate/layout.hpp
-// Line breaks of translated text, whose words have other lengths.
-//
-
-namespace umbrage::glsl::detail {
-
-/// One statement, or a function's head, in lines of at most 120 columns. Lines break after a comma or an operator, as
-/// far out of brackets as possible. The next line is indented to its bracket, or by four columns.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string broken(std::string statement) {
-    const std::size_t margin = statement.find_first_not_of(' ');
-    std::string out;
-    std::vector<std::size_t> brackets;  // columns after the brackets that are open at the start of the line
-    for (std::size_t begin = margin; statement.size() > 120;) {
-        std::vector<std::size_t> open = brackets, open_at_end;
-        std::size_t end = 0;
-        for (std::size_t i = begin; i <= 120; ++i) {
-            const char c = statement[i];
-            if (c == '(' || c == '[') open.push_back(i + 1);
-            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
-            const bool can_end =
-                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
-            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
-            end = i;
-            open_at_end = open;
-        }
-        if (end == 0) break;
-        brackets = open_at_end;
-        begin = brackets.empty() ? margin + 4 : brackets.back();
-        out += statement.substr(0, end) + '\n';
-        statement.replace(0, end + 1, begin, ' ');
-    }
-    return out + statement;
-}
-
-/// Text with the lines of each statement joined and broken again. Comments and directives stay as they are.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string laid_out(std::string_view text) {
-    const auto next_line = [&] {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
-        return line;
-    };
-    const auto is_code = [](std::string_view line) {
-        const std::size_t begin = line.find_first_not_of(' ');
-        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
-    };
-    const auto ends_statement = [](std::string_view line) {
-        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
-    };
-    std::string out;
-    while (!text.empty()) {
-        std::string_view line = next_line();
-        if (is_code(line)) {
-            std::string statement(line.substr(0, line.find("//")));
-            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
-                line = next_line();
-                std::string_view code = line.substr(0, line.find("//"));
-                code.remove_prefix(code.find_first_not_of(' '));
-                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
-            }
-            out += broken(std::move(statement));
-            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
-        } else {
-            out += line;
-        }
-        out += '\n';
-    }
-    return out;
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/interface.hpp
-// Declarations of a shadow in a shader: its uniform block, its map, and a function of world position and normal.
-//
-// A block consists of mat4 and vec4, whose layout is the same in std140, cbuffers, WGSL and Metal. GLSL 100 to 130 has
-// no blocks. There it is an array of vec4, and glUniform4fv takes the same bytes.
-
-namespace umbrage {
-
-/// Member of a uniform block: one mat4, or one vec4.
-struct uniform_field {
-    std::string_view name;
-    bool matrix = true;
-
-    [[nodiscard]] constexpr std::size_t vectors() const { return matrix ? 4 : 1; }
-};
-
-namespace glsl {
-
-/// Binding numbers of an API. Each language uses those it has:
-///   OpenGL   bindings of the block and the texture, in GLSL 430 and 310 es or later
-///   Vulkan   bindings of the block and the texture, and the set
-///   WGSL     bindings of the block, the texture and the sampler, and the group
-///   HLSL     registers b, t and s, and the space
-///   Metal    none: the function takes arguments instead
-struct shader_slots {
-    int block = 0, texture = 1, sampler = 2, set = 0;
-};
-
-/// Shader function for one shadow. It passes its arguments on, after the map and the block.
-struct interface_function {
-    struct argument {
-        std::string_view name;
-        int components = 3;
-    };
-    std::string_view name{};                     ///< umbrage_<name>_<shadow>; empty: umbrage_<shadow>
-    std::string_view calls;                      ///< umbrage_<calls>_<shadow>
-    std::string_view says;                       ///< description of its result, for a comment
-    int components = 1;                          ///< number of components of its result
-    bool reads_map = true, reads_fields = true;  ///< without reads_fields only the last two: shadow_terms
-    std::vector<argument> arguments{};
-};
-
-/// Declarations of a text for one shadow.
-struct shader_interface {
-    std::string name;
-    std::vector<uniform_field> fields{};  ///< fields of the block
-    shader_slots slots{};
-    std::vector<interface_function> functions{};
-
-    [[nodiscard]] std::string prefix() const { return "umbrage_" + name; }
-};
-
-namespace detail {
-
-/// Parameters that stand for the map, without those that choose one of several: sampler2D map.
-struct map_parameter {
-    std::string map, sampler;  ///< sampler: empty where there is none
-};
-
-/// Call of a function with all its arguments: `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
-template <class Member>
-[[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
-                                         const std::string& sampler, const Member& member) {
-    std::string all;
-    if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
-    for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
-    for (const auto& a : f.arguments) all.append(", ").append(a.name);
-    return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
-}
-
-/// Declarations of a function's arguments: "float3 world, float3 normal".
-/// @param type   returns the language's word for a number of components
-template <class Type>
-[[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
-    std::string all;
-    for (const auto& a : f.arguments) {
-        const std::string name(a.name);
-        all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
-    }
-    return all;
-}
-
-/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows
-/// of a text differ in all of them.
-struct declaration {
-    std::string text;
-    std::vector<std::string> names, slots{};
-};
-
-[[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
-    return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
-}
-
-/// Word for a float vector in HLSL and MSL.
-[[nodiscard]] inline std::string float_type(int components) {
-    return components == 1 ? "float " : "float" + std::to_string(components) + " ";
-}
-
-/// Declaration of a parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
-[[nodiscard]] inline std::string renamed(std::string declaration, std::string_view from, const std::string& to) {
-    const auto at = declaration.find(declaration.find(std::string(from) + ":") == 0 ? std::string(from) + ":"
-                                                                                    : " " + std::string(from));
-    return declaration.replace(at + (declaration[at] == ' ' ? 1 : 0), from.size(), to);
-}
-
-[[nodiscard]] inline std::string with_head(const std::string& name, const interface_function& f,
-                                           const std::string& declaration, const std::string& call) {
-    return "\n// " + name + ": " + std::string(f.says) + "\n" +
-           laid_out(declaration + " {\n    return " + call + ";\n}\n");
-}
-
-[[nodiscard]] inline declaration glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
-    const bool vulkan = v == version::vulkan, es = directive(v).ends_with("es") || v == version::v100;
-    const bool blocks = v >= version::v150;
-    const bool binds = vulkan || v == version::v430 || v == version::v450 || v == version::v460 ||
-                       v == version::v310_es || v == version::v320_es;
-    const auto slot = [&](int number) {
-        return (vulkan ? "set = " + std::to_string(i.slots.set) + ", " : "") + "binding = " + std::to_string(number);
-    };
-    const std::string block = i.prefix() + "_block", high = es ? "highp " : "";
-    std::string out = "\n";
-    declaration all{{}, {block, i.prefix() + "_map"}};
-    if (binds) {
-        const std::string set = " of set " + std::to_string(i.slots.set);
-        all.slots = {"binding " + std::to_string(i.slots.block) + (vulkan ? set : " of uniform blocks"),
-                     "binding " + std::to_string(i.slots.texture) + (vulkan ? set : " of textures")};
-    }
-    std::size_t vectors = 0;
-    std::vector<std::size_t> first;
-    for (const uniform_field& f : i.fields) first.push_back(vectors), vectors += f.vectors();
-    if (blocks) {
-        out += "layout(std140" + (binds ? ", " + slot(i.slots.block) : "") + ") uniform " + block + " {\n";
-        for (const uniform_field& f : i.fields) {
-            all.names.push_back(i.prefix() + "_" + std::string(f.name));
-            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + all.names.back() + ";\n";
-        }
-        out += "};\n";
-    } else {
-        out += "uniform " + high + "vec4 " + block + "[" + std::to_string(vectors) + "];\n";
-    }
-    out += (binds ? "layout(" + slot(i.slots.texture) + ") " : "") + "uniform " +
-           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
-    const auto member = [&](std::size_t f) {
-        if (blocks) return i.prefix() + "_" + std::string(i.fields[f].name);
-        const auto vector = [&](std::size_t n) { return block + "[" + std::to_string(first[f] + n) + "]"; };
-        if (!i.fields[f].matrix) return vector(0);
-        return "mat4(" + vector(0) + ", " + vector(1) + ", " + vector(2) + ", " + vector(3) + ")";
-    };
-    const auto type = [&](int components) {
-        return high + (components == 1 ? "float " : "vec" + std::to_string(components) + " ");
-    };
-    for (const interface_function& f : i.functions)
-        out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
-                         interface_call(i, f, i.prefix() + "_map", "", member));
-    all.text = std::move(out);
-    return all;
-}
-
-[[nodiscard]] inline declaration hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
-    const auto slot = [&](char kind, int number) {
-        return " : register(" + (kind + std::to_string(number)) +
-               (i.slots.set > 0 ? ", space" + std::to_string(i.slots.set) : "") + ")";
-    };
-    const auto taken = [&](char kind, int number) {
-        return "register " + (kind + std::to_string(number)) + " of space " + std::to_string(i.slots.set);
-    };
-    declaration all{
-        {}, {i.prefix() + "_block", i.prefix() + "_map"}, {taken('b', i.slots.block), taken('t', i.slots.texture)}};
-    std::string out = "\ncbuffer " + all.names[0] + slot('b', i.slots.block) + " {\n";
-    for (const uniform_field& f : i.fields) {
-        all.names.push_back(i.prefix() + "_" + std::string(f.name));
-        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + all.names.back() + ";\n";
-    }
-    out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
-    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) {
-        out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
-        all.names.push_back(sampler), all.slots.push_back(taken('s', i.slots.sampler));
-    }
-    for (const interface_function& f : i.functions)
-        out += with_head(
-            name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
-            interface_call(i, f, i.prefix() + "_map", sampler,
-                           [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
-    all.text = std::move(out);
-    return all;
-}
-
-[[nodiscard]] inline declaration wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
-    const auto slot = [&](int number) {
-        return "@group(" + std::to_string(i.slots.set) + ") @binding(" + std::to_string(number) + ") var";
-    };
-    const auto taken = [&](int number) {
-        return "binding " + std::to_string(number) + " of group " + std::to_string(i.slots.set);
-    };
-    const std::string block = i.prefix() + "_block", uniforms = i.prefix() + "_uniforms";
-    declaration all{{}, {block, uniforms, i.prefix() + "_map"}, {taken(i.slots.block), taken(i.slots.texture)}};
-    std::string out = "\nstruct " + block + " {\n";
-    for (const uniform_field& f : i.fields)
-        out += "    " + std::string(f.name) + (f.matrix ? ": mat4x4f,\n" : ": vec4f,\n");
-    out += "}\n" + slot(i.slots.block) + "<uniform> " + uniforms + ": " + block + ";\n" + slot(i.slots.texture) + " " +
-           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
-    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
-    if (!sampler.empty()) {
-        out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
-        all.names.push_back(sampler), all.slots.push_back(taken(i.slots.sampler));
-    }
-    const auto type = [](int components) {
-        return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
-    };
-    for (const interface_function& f : i.functions)
-        out += with_head(name_of(i, f), f,
-                         "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
-                         interface_call(i, f, i.prefix() + "_map", sampler,
-                                        [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
-    all.text = std::move(out);
-    return all;
-}
-
-[[nodiscard]] inline declaration msl_interface(const shader_interface& i, const map_parameter& map, version) {
-    const std::string block = i.prefix() + "_block";
-    std::string out = "\nstruct " + block + " {\n";
-    for (const uniform_field& f : i.fields)
-        out += std::string("    ") + (f.matrix ? "metal::float4x4 " : "float4 ") + std::string(f.name) + ";\n";
-    out += "};\n";
-    const std::string map_and_sampler = map.map + (map.sampler.empty() ? "" : ", " + map.sampler) + ", ";
-    for (const interface_function& f : i.functions)
-        out += with_head(name_of(i, f), f,
-                         "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
-                             (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
-                         interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
-                                        [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
-    return {std::move(out), {block}};
-}
-
-}  // namespace detail
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/shader/bind.hpp
-// Snippets bound to maps, so that one shader can sample several kinds of map. Each map's functions have its own suffix.
-//
-//     using namespace umbrage::glsl;
-//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
-//                                                 bind(box, "spot", stored_as(umbrage::rg<11>{}))});
-//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_spot(sampler2D map, ...)
-//
-// Also called: textureGather, GatherCmp, gather4 (bind).
-//
-
-namespace umbrage::glsl {
-
-namespace detail {
-
-[[nodiscard]] constexpr bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-/// Text with each word replaced by replacement(word, in_comment).
-template <class Replacement>
-[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
-    std::string out;
-    bool comment = false;
-    for (std::size_t i = 0; i < text.size();) {
-        std::size_t end = i;
-        while (end < text.size() && is_word(text[end])) ++end;
-        if (end > i) {
-            out += replacement(text.substr(i, end - i), comment);
-            i = end;
-            continue;
-        }
-        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
-        out += text[i++];
-    }
-    return out;
-}
-
-/// Words of a text, without those in comments.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
-    std::vector<std::string_view> all;
-    (void)replace_words(text, [&](std::string_view word, bool comment) {
-        if (!comment) all.push_back(word);
-        return std::string();
-    });
-    return all;
-}
-
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
-    for (const std::string_view one : all)
-        if (one == word) return true;
-    return false;
-}
-
-/// True for a part of an identifier: letters, digits, single underscores between them.
-[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
-    char before = '_';
-    for (const char c : name) {
-        if (!is_word(c) || (c == '_' && before == '_')) return false;
-        before = c;
-    }
-    return name.empty() || before != '_';
-}
-
-/// True for a text that can stand in an expression: one line, brackets in pairs, no comment, directive or statement.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool is_expression(std::string_view text) {
-    std::string closing;
-    bool blank = true;
-    for (const char c : text) {
-        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
-        blank = blank && c == ' ';
-        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
-        if (c != ')' && c != ']' && c != '}') continue;
-        if (closing.empty() || closing.back() != c) return false;
-        closing.pop_back();
-    }
-    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
-}
-
-/// Members of a list separated by commas. Commas in brackets do not count.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
-    std::vector<std::string_view> all;
-    int open = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        const char c = i < list.size() ? list[i] : ',';
-        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
-        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
-        if (c != ',' || (open > 0 && i < list.size())) continue;
-        all.push_back(list.substr(begin, i - begin));
-        begin = i + 1;
-    }
-    return all;
-}
-
-/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bool is_one_expression(std::string_view text) {
-    for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {
-        const bool compares = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
-        if (!compares && text.substr(i + 1, 1) != "=") return false;
-    }
-    return is_expression(text) && members(text).size() == 1;
-}
-
-/// Expression as an operand: in parentheses, unless it is a name, a number, a call or in brackets already.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string as_operand(const std::string& text) {
-    int open = 0;
-    bool simple = true;
-    for (const char c : text) {
-        if (c == '(' || c == '[' || c == '{') ++open;
-        simple = simple && (open > 0 || is_word(c) || c == '.');
-        if (c == ')' || c == ']' || c == '}') --open;
-    }
-    return simple ? text : "(" + text + ")";
-}
-
-/// Checks that the map supports every hook that the snippet calls.
-template <class = umbrage::detail::on_use>
-void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
-    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
-    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
-                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
-                             "false where texels of cubes or whole numbers are gathered", map.gather);
-    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
-                             "1 or 2 where texels are gathered", map.channels);
-    umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
-                             "map.depth", "of value alone where texels are gathered", map.depth);
-    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
-}
-
-/// Checks a binding for errors that would not compile in any language.
-/// @throws std::invalid_argument   a name, map or snippet that do not fit together
-template <class = umbrage::detail::on_use>
-void check(const snippet& what, std::string_view name, const binding& map) {
-    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
-                             "letters, digits and single underscores between them", name);
-    const bool one_channel =
-        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
-    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
-                             map.channels);
-    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
-                             map.channels);
-    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
-                             "empty for a comparison sampler", map.depth);
-    const auto expression = [](const std::string& own, const char* argument) {
-        umbrage::detail::require(own.empty() || is_one_expression(own), "glsl::bind", argument,
-                                 "one expression on one line", own);
-    };
-    const auto expressions = [](const std::string& own, const char* argument, const char* condition) {
-        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
-    };
-    umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
-                             "empty for a comparison sampler", map.compare);
-    expression(map.depth, "map.depth");
-    expression(map.compare, "map.compare");
-    expression(map.origin, "map.origin");
-    expression(map.texture_size, "map.texture_size");
-    expression(map.texel, "map.texel");
-    expressions(map.parameters, "map.parameters", "parameters on one line");
-    expressions(map.arguments, "map.arguments", "expressions on one line");
-    for (const snippet& need : map.needs)
-        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
-    umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",
-                             "map.receiver_plane", "false where texels are gathered or compared by the sampler",
-                             map.receiver_plane);
-    check_hooks(what, what, map);
-}
-
-}  // namespace detail
-
-/// Text made for one binding, and the snippets it calls.
-struct own_text {
-    std::string name, source;
-    std::vector<const snippet*> needs{};
-};
-
-namespace detail {
-
-/// Own texts as snippets. Each may call those before it. They are valid as long as the texts and this object.
-class own_snippets {
-public:
-    template <class = umbrage::detail::on_use>
-    explicit own_snippets(const std::vector<own_text>& texts) : needs_(texts.size()) {
-        all_.reserve(texts.size());  // reserved: the elements are pointed to
-        for (std::size_t i = 0; i < texts.size(); ++i) {
-            needs_[i] = texts[i].needs;
-            for (const snippet& before : all_) needs_[i].push_back(&before);
-            all_.push_back({.name = texts[i].name, .needs = needs_[i], .source = texts[i].source.c_str()});
-        }
-    }
-    own_snippets(const own_snippets&) = delete;
-
-    [[nodiscard]] auto begin() const { return all_.begin(); }
-    [[nodiscard]] auto end() const { return all_.end(); }
-
-private:
-    std::vector<std::vector<const snippet*>> needs_;
-    std::vector<snippet> all_;
-};
-
-}  // namespace detail
-
-/// Snippet and the map that it is bound to. A snippet without a binding is bind(snippet, "", {}): a 2D depth texture.
-struct bound {
-    snippet what;
-    std::string suffix{};
-    binding map{};
-    std::optional<shader_interface> declared{};  ///< for a shadow: declarations of the text,
-    std::vector<own_text> texts{};               ///< and its functions. `what` then only names it
-
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s) : what(s) {}
-    template <class = umbrage::detail::on_use>
-    bound(const snippet& s, std::string_view name, binding b)
-        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {
-        if (map.receiver_plane) map.needs.push_back(apply_receiver_plane);
-    }
-};
-
-/// Snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
-/// @param what   snippet to bind
-/// @param name   letters, digits, single underscores between them; may be empty
-/// @param map    map that it reads
-/// @throws std::invalid_argument   another name; a map that does not support what the snippet needs
-template <class = umbrage::detail::on_use>
-[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
-    detail::check(what, name, map);
-    return {what, name, std::move(map)};
-}
-
-}  // namespace umbrage::glsl
-
-// ---- umbrage/shader/fill.hpp
-// Text of a snippet, in any language, with the words that a map fills in.
-//
-
-namespace umbrage::glsl::detail {
-
-/// Words of a language for a texture type. Expressions read it at `at`, a vec2 of integers, or at `uv`, a vec2 from 0
-/// to 1.
-struct texture_words {
-    std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # replace the statement
-    std::string_view sampled{};                     ///< vec4 at `uv`
-    std::string_view lit{};                         ///< comparison of the sampler with `receiver`: float
-    std::string_view gather_red{}, gather_green{};  ///< vec4
-    std::string_view gather_lit{};                  ///< comparisons of the sampler with `receiver`: vec4
-    std::string_view lit_filtered{};                ///< comparisons around `uv`, weighted by the sampler: float
-    std::string_view size{};                        ///< size of the texture: vec2
-    std::string_view sampler{},
-        sampler_argument{};                   ///< sampler parameter after the first one, for gathers: ", sampler s"
-    std::span<const snippet* const> needs{};  ///< snippets that these words call
-};
-
-/// Name of a text's map parameter: `map`, or `table`.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string name_of_map(std::string_view text) {
-    const std::string_view type = "UMBRAGE_MAP ";
-    const auto at = text.find(type);
-    if (at == text.npos) return "map";
-    text.remove_prefix(at + type.size());
-    return std::string(text.substr(0, text.find_first_of(",)")));
-}
-
-/// Names that parameters declare: `map` for "sampler2D map", "map: texture_2d<f32>" and "sampler2D map[4]".
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
-    std::vector<std::string_view> names;
-    for (const std::string_view parameter : members(parameters)) {
-        std::size_t end = 0;  // end of the name: a type may follow, or a number of elements
-        while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
-            end += parameter.substr(end + 1).starts_with("::") ? 3u : 1u;
-        const auto all = words_of(parameter.substr(0, end));
-        if (!all.empty()) names.push_back(all.back());
-    }
-    return names;
-}
-
-/// Parameters that declare a map: the binding's own, or those of its texture type, with a sampler for gathers.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
-    if (!map.parameters.empty()) return map.parameters;
-    std::string all(words.parameters);
-    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
-    return all;
-}
-
-/// Parameters, without those that the text declares: the layer or the origin of a map that it chooses.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
-    std::string rest;
-    for (const std::string_view parameter : members(parameters)) {
-        const std::string name = ' ' + std::string(declared(parameter).front());
-        const bool chosen = text.find(name + " = ") != text.npos || text.find(name + ": ") != text.npos;
-        if (!chosen) rest.append(rest.empty() ? "" : ",").append(parameter);
-    }
-    return rest;
-}
-
-/// Text of a snippet with the words that a map fills in.
-/// @param receiver_plane   declaration of the receiver's plane after the map
-/// @throws std::invalid_argument   own parameters that lack one that is read, or use a name of the text
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words,
-                                  std::string_view receiver_plane = {}) {
-    const binding& map = item.map;
-    const auto one_of = [](const std::string& own, std::string_view ordinary) {
-        return own.empty() ? std::string(ordinary) : own;
-    };
-    const std::string origin = as_operand(map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin);
-    // Farther than every depth where depths have their own scale.
-    const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
-    const std::string texture_size = one_of(as_operand(map.texture_size), origin.empty() ? "size" : words.size);
-    const auto replace = [&](std::string_view what, std::string_view with) {
-        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-            text.replace(at, what.size(), with);
-    };
-    const std::string texel = one_of(map.texel, words.texel);
-    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
-    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
-        const auto begin = text.rfind('\n', at);
-        text.erase(begin, text.find('\n', at) - begin);
-    }
-    const std::string own_map = name_of_map(text);
-    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    std::string ordinary(words.arguments);
-    if (map.gather)
-        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
-    const std::string parameters = parameters_of(map, words);
-    const std::string arguments = one_of(map.arguments, ordinary);
-    umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
-                             "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
-    const std::vector<std::string_view> names = declared(parameters);
-    if (!map.parameters.empty())
-        for (const std::string_view word : words_of(text))
-            umbrage::detail::require(word == own_map || !contains(names, word), "glsl::bind", "map.parameters",
-                                     "named otherwise than what umbrage_" + std::string(s.name) + " names", word);
-    /// Words of the language. The map's own parameters must declare their arguments too.
-    const auto ours = [&](std::string_view expression) {
-        for (const std::string_view word : words_of(expression))
-            umbrage::detail::require(!contains(words_of(ordinary), word) || contains(names, word), "glsl::bind",
-                                     "map.parameters", "parameters that declare " + std::string(word), parameters);
-        return expression;
-    };
-    if (map.arguments.empty()) ours(arguments);
-    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_slope");
-    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_coord" : "";
-    const std::string depth = one_of(map.depth, "value.x");
-    const auto list = [&](const std::string& all) {
-        return replace_words(all,
-                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
-    };
-
-    const auto suffixed = [&](std::string_view word) {
-        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
-        bool own = word.substr(8) == s.name;
-        for (const snippet& need : map.needs) own = own || is_it(need);
-        for (const snippet* need : s.needs) own = own || is_it(*need);
-        return std::string(word) + (own ? item.suffix : std::string());
-    };
-    const auto of_texture = [&](std::string_view expression) {
-        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
-            if (word.starts_with("umbrage_")) return suffixed(word);
-            if (word == "at" && origin.empty()) return "texel";
-            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
-            umbrage::detail::require(!texture_size.empty(), "glsl::bind", "map.texture_size",
-                                     "given for a region that this language's sampler reads", "");
-            return texture_size;
-        });
-    };
-    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
-        if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(arguments) + plane;
-        if (word == "UMBRAGE_PARAMETERS") {
-            const std::string_view comma = receiver_plane.empty() ? "" : ", ";
-            return list(not_declared_in(text, parameters)).append(comma).append(receiver_plane);
-        }
-        if (word == "UMBRAGE_BORDER") return border;
-        if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
-        if (word == "UMBRAGE_DEPTH")
-            return of_texture(map.receiver_plane
-                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_coord, texel)"
-                                  : depth);
-        if (word == "UMBRAGE_ORIGIN") return origin;
-        if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
-        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
-        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
-        if (word == "UMBRAGE_SAMPLED") return of_texture(ours(words.sampled));
-        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(ours(words.lit_filtered));
-        if (word == "UMBRAGE_GATHER_RED") return of_texture(ours(words.gather_red));
-        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(ours(words.gather_green));
-        if (word == "UMBRAGE_GATHER_LIT") return of_texture(ours(words.gather_lit));
-        return std::string(word);
-    });
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/compose.hpp
-// Composition of bound snippets into one text, in any language: each part once, after its needs.
-//
-
-namespace umbrage::glsl::detail {
-
-/// Description of a shader language.
-struct language {
-    std::string_view prelude;  ///< first lines of every text
-    texture_words (*texture)(glsl::texture kind);
-    std::string (*translate)(const snippet& s);  ///< a snippet's text, with the words that a map fills in
-    std::string_view receiver_plane;             ///< declarations of receiver_slope and receiver_coord
-    std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
-    bool preprocessor = true;        ///< guards parts against being pasted twice
-    std::string_view function = "glsl::text";  ///< function that the user called
-    declaration (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
-    std::optional<version> dialect{};  ///< GLSL version, where it is known
-};
-
-/// Text under construction.
-template <class = umbrage::detail::on_use>
-class composition {
-public:
-    composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
-        for (const bound& item : items_)
-            for (const bound& other : items_)
-                if (item.suffix == other.suffix && !(item.map == other.map) && has_map(item) && has_map(other))
-                    umbrage::detail::refuse(language_.function, "name", "another for each map",
-                                            std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
-                                            "It is the name of two maps.");
-    }
-
-    [[nodiscard]] std::string text() && {
-        for_each([&](const snippet& s, const bound& item, const std::string& guard) {
-            const bool of_map = is_of_map(s);
-            const std::string body = language_.translate(s);
-            if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture), plane_of(s, item)))
-                            : body;
-            if (language_.preprocessor) text_ += "#endif\n";
-        });
-        for (const bound& item : items_)
-            if (item.declared) declare(item);
-        return std::move(text_);
-    }
-
-    /// Parts of the text below tier A, each with its own bound.
-    [[nodiscard]] std::vector<snippet> inexact() && {
-        std::vector<snippet> all;
-        for_each([&](const snippet& s, const bound&, const std::string&) {
-            if (s.exactness != tier::a) all.push_back(s);
-        });
-        return all;
-    }
-
-    /// Weakest guarantee of any part of the text.
-    [[nodiscard]] snippet worst() && {
-        snippet all{.name = {}, .source = ""};
-        for_each([&](const snippet& s, const bound&, const std::string&) {
-            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
-            all.operations = umbrage::detail::greater(all.operations, s.operations);
-            all.within = umbrage::detail::greater(all.within, s.within);
-            all.as_written = all.as_written || s.as_written;
-        });
-        return all;
-    }
-
-private:
-    struct part {
-        std::string what, suffix, guard;
-    };
-
-    struct slot_of {
-        std::string slot, shadow;
-    };
-
-    /// Calls use(snippet, item, guard) for each part of the text, in order. Parts that belong to no map come first, in
-    /// any order of the items, since hooks may call them.
-    template <class Part>
-    void for_each(const Part& use) {
-        for (const bool of_map : {false, true})
-            for (const bound& item : items_) {
-                for (const snippet& need : item.map.needs) add(need, item, of_map, use);
-                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
-                const own_snippets own(item.texts);
-                for (const snippet& text : own) add(text, item, of_map, use);
-                if (item.texts.empty()) add(item.what, item, of_map, use);
-            }
-    }
-
-    template <class Part>
-    void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
-        const snippet& s = chosen(asked, item.map);
-        for (const snippet* need : s.needs) add(*need, item, of_map, use);
-        if (is_of_map(s) != of_map) return;
-        const std::string suffix = of_map ? item.suffix : std::string(), function = std::string(s.name) + suffix;
-        std::string guard = "UMBRAGE_HAS_" + function;
-        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        for (const part& done : done_) {
-            if (done.guard != guard) continue;
-            if (done.what == s.name && done.suffix == suffix) return;
-            umbrage::detail::refuse(language_.function, "name", "such that functions differ, in capitals too",
-                                    ("umbrage_" + done.what + done.suffix + " and umbrage_" + function).c_str());
-        }
-        use(s, item, guard);
-        done_.push_back({std::string(s.name), suffix, std::move(guard)});
-    }
-
-    /// Declaration of the receiver's plane after the map. Empty in own texts, which compute it.
-    [[nodiscard]] std::string_view plane_of(const snippet& s, const bound& item) const {
-        bool given = item.map.receiver_plane;
-        for (const own_text& own : item.texts) given = given && own.name != s.name;
-        return given ? language_.receiver_plane : std::string_view();
-    }
-
-    /// Declares a shadow's block, map and function, after all that they call.
-    void declare(const bound& item) {
-        const shader_interface& i = *item.declared;
-        umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
-                                 "given for a shadow's uniforms", "none");
-        map_parameter map;
-        const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
-        for (const std::string_view parameter : members(parameters)) {
-            const std::string_view name = declared(parameter).front();
-            std::string one(parameter.substr(parameter.find_first_not_of(' ')));
-            if (name == "map") map.map = std::move(one);
-            if (name == "map_sampler") map.sampler = std::move(one);
-        }
-        const declaration all = language_.declare(i, map, language_.dialect.value_or(version::vulkan));
-        std::vector<std::string> names;
-        for (const interface_function& f : i.functions) names.push_back(name_of(i, f));
-        names.insert(names.end(), all.names.begin(), all.names.end());
-        for (const std::string& name : names) {
-            const std::string own = name.substr(8);  // without umbrage_
-            for (const part& done : done_)
-                umbrage::detail::require(done.what + done.suffix != own, language_.function, "name",
-                                         "another than a snippet's or shadow's of the text", std::string_view(own));
-            done_.push_back({own, {}, {}});
-        }
-        for (const std::string& slot : all.slots) {
-            for (const slot_of& other : slots_)
-                umbrage::detail::require(other.slot != slot, language_.function, "slots",
-                                         "others for each block, texture and sampler of a text",
-                                         (slot + " for " + other.shadow + " and " + i.name).c_str());
-            slots_.push_back({slot, i.name});
-        }
-        text_ += all.text;
-    }
-
-    /// True when the item prints functions that belong to its map.
-    [[nodiscard]] static bool has_map(const bound& item) {
-        for (const snippet& need : item.map.needs)
-            if (is_of_map(need)) return true;
-        return !item.texts.empty() || is_of_map(item.what);
-    }
-
-    const language& language_;
-    const std::vector<bound>& items_;
-    std::string text_;
-    std::vector<part> done_;
-    std::vector<slot_of> slots_;
-};
-
-/// Comment lines that bound the result of each function. Empty for a text of tier A.
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
-    std::string lines;
-    for (const bound& item : items) {
-        const auto add = [&](const std::string& name, const snippet& promise) {
-            const std::string line = "// " + name + (promise.exactness == tier::b ? ", tier B: " : ", tier C: ") +
-                                     bound_in_words(promise) + '\n';
-            if (lines.find(line) == lines.npos) lines += line;
-        };
-        const snippet worst = composition<Use>(l, {item}).worst();
-        if (item.declared)  // each part of a shadow's text keeps its own bound
-            for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
-        else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
-    }
-    if (lines.find(" x S ") != lines.npos)
-        lines +=
-            "// S is the formula with the magnitude of every value and a plus for every minus.\n"
-            "// Inside the bound, a comparison or floor may fall on either side.\n";
-    if (lines.empty() || l.may_reorder.empty()) return lines;
-    return "// " + std::string(l.may_reorder) + " lets compilers fuse or reorder sums.\n" + lines;
-}
-
-/// Whole text: a title line with the names of its functions, then the functions.
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
-    std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
-                        std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
-                        ", MIT License";
-    std::string names = ": ";
-    for (const bound& item : items) {
-        const std::string name =
-            (item.declared ? item.declared->name : std::string(item.what.name) + item.suffix) + ", ";
-        if (names.find(' ' + name) == names.npos) names += name;
-    }
-    names.resize(names.size() - 2);
-    return title + names + '\n' + bounds_note<Use>(l, items) + std::string(l.prelude) +
-           composition<Use>(l, items).text();
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/glsl.hpp
-// GLSL text of snippets: functions to paste, or the beginning of a shader.
-//
-//     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
-//
-
-namespace umbrage::glsl {
-
-/// Macros that every text relies on. A shader can define each of them before.
-inline constexpr std::string_view prelude = R"GLSL(
-#ifndef UMBRAGE_HIGHP
-#ifdef GL_ES
-#define UMBRAGE_HIGHP highp
-#else
-#define UMBRAGE_HIGHP
-#endif
-#endif
-#ifndef UMBRAGE_PRECISE
-#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
-#define UMBRAGE_PRECISE precise
-#else
-#define UMBRAGE_PRECISE
-#endif
-#endif
-)GLSL";
-
-namespace detail {
-
-[[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
-    switch (kind) {
-        case texture::texture_2d:
-        case texture::depth:
-        case texture::atlas:
-            return {.parameters = kind == texture::atlas ? "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin"
-                                                         : "UMBRAGE_HIGHP sampler2D map",
-                    .arguments = kind == texture::atlas ? "map, origin" : "map",
-                    .texel = R"GLSL(#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(at), 0);
-#else
-    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
-#endif
-)GLSL",
-                    .sampled = "textureLod(map, uv, 0.0)",
-                    .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
-                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
-        case texture::array:
-        case texture::depth_array:
-            return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
-                    .arguments = "map, layer",
-                    .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
-                    .sampled = "textureLod(map, vec3(uv, layer), 0.0)",
-                    .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
-                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
-        case texture::cube:
-            return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
-                    .arguments = "map, face",
-                    .texel = R"GLSL(#if __VERSION__ >= 130
-    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);
-#else
-    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
-#endif
-)GLSL",
-                    .needs = list<&cube_direction>};
-        case texture::cube_faces:
-            return {.parameters = "UMBRAGE_HIGHP samplerCube map",
-                    .arguments = "map",
-                    .texel = R"GLSL(#if __VERSION__ >= 130
-    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);
-#else
-    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));
-#endif
-)GLSL",
-                    .needs = list<&cube_atlas_direction>};
-        case texture::integer:
-            return {.parameters = "UMBRAGE_HIGHP usampler2D map",
-                    .arguments = "map",
-                    .texel = "vec4(texelFetch(map, ivec2(at), 0))"};
-        case texture::shadow:
-            return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
-                    .arguments = "map",
-                    .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
-                    .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureLod(map, vec3(uv, receiver), 0.0)"};
-        case texture::shadow_array:
-            return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
-                    .arguments = "map, layer",
-                    .lit =
-                        "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
-                        "vec2(0.0, 0.0))",
-                    .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                    .lit_filtered = "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))"};
-    }
-    return {};
-}
-
-[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
-    texture_words words = glsl_reads(kind);
-    words.size = "vec2(textureSize(map, 0))";
-    return words;
-}
-
-template <class = umbrage::detail::on_use>
-inline constexpr language glsl_language{
-    .prelude = prelude,
-    .texture = glsl_texture,
-    .translate = [](const snippet& s) { return s.source.str(); },
-    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec2 receiver_coord",
-    .may_reorder = "GLSL below 400 and 320 es"};
-
-[[nodiscard]] constexpr bool is_es(version v) {
-    return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
-}
-
-/// Value of __VERSION__.
-[[nodiscard]] constexpr int number(version v) {
-    int n = 0;
-    for (const char c : directive(v).substr(0, 3)) n = n * 10 + (c - '0');
-    return n;
-}
-
-[[nodiscard]] constexpr bool has_precise(version v) { return number(v) >= (is_es(v) ? 320 : 400); }
-
-/// Prelude for a known dialect.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string known_prelude(version v) {
-    return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
-           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise(v) ? " precise" : "") +
-           "\n#endif\n";
-}
-
-/// Text with its `#if __VERSION__` resolved.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::string resolved(std::string_view text, int number) {
-    enum class branch { kept, taken, left_out };  // kept: with its directives
-    const std::string_view condition = "#if __VERSION__ >= ";
-    std::vector<branch> open;
-    std::string out;
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n') + 1);
-        text.remove_prefix(line.size());
-        bool shown = true;
-        if (line.starts_with(condition)) {
-            int least = 0;
-            for (const char c : line.substr(condition.size(), 3)) least = least * 10 + (c - '0');
-            open.push_back(number >= least ? branch::taken : branch::left_out);
-            shown = false;
-        } else if (line.starts_with("#if")) {
-            open.push_back(branch::kept);
-        } else if (line.starts_with("#else") && open.back() != branch::kept) {
-            open.back() = open.back() == branch::taken ? branch::left_out : branch::taken;
-            shown = false;
-        } else if (line.starts_with("#endif")) {
-            shown = open.back() == branch::kept;
-            open.pop_back();
-        }
-        for (const branch b : open) shown = shown && b != branch::left_out;
-        if (shown) out += line;
-    }
-    return out;
-}
-
-}  // namespace detail
-
-/// True when the snippet bound to its map compiles in dialect `v`.
-[[nodiscard]] inline bool supports(const bound& item, version v) {
-    if (!supports(item.what, v)) return false;
-    for (const snippet& need : item.map.needs)
-        if (!supports(need, v)) return false;
-    const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
-    if (item.map.gather) return gathers;
-    const texture kind = item.map.texture;
-    if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
-    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || detail::is_cube(kind) ||
-           v >= version::v300_es;
-}
-
-/// Text to paste into any shader: the snippets and all they need, each once and guarded, without a `#version` line.
-/// @param items   snippets, or results of bind(), in braces; {begin, end} for another container
-/// @param v       dialect for which `#if __VERSION__` is resolved, for engines' preprocessors; none: text for any
-///                dialect
-/// @throws std::invalid_argument   a map that does not support what its snippet needs. Two maps of one name. A
-///                                 dialect without what a snippet or a map needs
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(const std::vector<bound>& items, std::optional<version> v = {}) {
-    if (!v) return detail::compose<Use>(detail::glsl_language<Use>, items);
-    for (const bound& item : items)
-        if (!supports(item, *v))
-            umbrage::detail::refuse("glsl::text", "version",
-                                    "one that has " + std::string(item.what.name) + item.suffix,
-                                    std::string(directive(*v)).c_str());
-    const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
-    detail::language known = detail::glsl_language<Use>;
-    known.prelude = known_prelude;
-    known.declare = detail::glsl_interface;
-    known.dialect = v;
-    known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
-    return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
-}
-
-/// Weakest tier in a text: of the snippets, all they need, and the hooks of the maps they are bound to. Texts of
-/// a binding in the shader's own language have no tier.
-/// @throws std::invalid_argument   as text
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] tier exactness(const std::vector<bound>& items) {
-    return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
-}
-
-/// Beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-///
-/// Texts use `precise` from GLSL 400 and 320 es on. A preamble can enable it in older dialects:
-///
-///     #extension GL_EXT_gpu_shader5 : require
-///     #define UMBRAGE_PRECISE precise
-///
-/// In 310 es the extension is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text
-/// enables an extension by itself. Some compilers, glslang among them, have GL_ARB_gpu_shader5 and reject `precise`.
-///
-/// @throws std::invalid_argument   as text
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble = {}) {
-    std::string out = "#version ";
-    out += directive(v);
-    out += '\n';
-    out += preamble;
-    if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text<Use>(items, v);
-}
-
-}  // namespace umbrage::glsl
-
-// ---- umbrage/shader/translate/tokens.hpp
-// Tokens of GLSL text, for printing it in other languages. Nothing is lost: space and text of all tokens, in a row, are
-// the original text.
-//
-
-namespace umbrage::glsl::detail {
-
-enum class piece { word, number, sign, comment, directive, end };
-
-struct token {
-    piece kind = piece::end;
-    std::string_view space;  ///< white space before the token
-    std::string_view text;   ///< for a comment or a directive the rest of the line, without its end
-
-    [[nodiscard]] bool operator==(std::string_view other) const { return text == other; }
-};
-
-[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Longest sign that `text` begins with; empty if there is none.
-[[nodiscard]] inline std::string_view sign_at(std::string_view text) {
-    static constexpr std::string_view two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
-                                            "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
-    for (std::string_view sign : two)
-        if (text.starts_with(sign)) return text.substr(0, 2);
-    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
-    return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
-}
-
-/// End of the number that begins at text[i].
-[[nodiscard]] inline std::size_t end_of_number(std::string_view text, std::size_t i) {
-    const bool hexadecimal = text.substr(i, 2) == "0x";
-    for (char last = '0'; i < text.size(); last = text[i++]) {
-        const bool of_exponent = !hexadecimal && (last == 'e' || last == 'E') && (text[i] == '+' || text[i] == '-');
-        if (!is_letter(text[i]) && !is_digit(text[i]) && text[i] != '.' && !of_exponent) break;
-    }
-    return i;
-}
-
-/// Tokens of `text`, which must outlive them. The last is an end, with the remaining space.
-/// @throws std::invalid_argument   a character that GLSL does not have
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<token> tokens(std::string_view text, std::string_view language = "glsl") {
-    std::vector<token> all;
-    for (std::size_t i = 0;;) {
-        const std::size_t from = i;
-        while (i < text.size() && (text[i] == ' ' || text[i] == '\n')) ++i;
-        const std::size_t at = i;
-        token t{piece::end, text.substr(from, at - from), {}};
-        if (at < text.size()) {
-            const std::string_view rest = text.substr(at);
-            if (rest.starts_with("//") || rest[0] == '#') {
-                t.kind = rest[0] == '#' ? piece::directive : piece::comment;
-                i = text.find('\n', at) == text.npos ? text.size() : text.find('\n', at);
-            } else if (is_letter(rest[0])) {
-                t.kind = piece::word;
-                while (i < text.size() && (is_letter(text[i]) || is_digit(text[i]))) ++i;
-            } else if (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]))) {
-                t.kind = piece::number;
-                i = end_of_number(text, at);
-            } else {
-                t.kind = piece::sign;
-                i += sign_at(rest).size();
-                if (i == at)
-                    umbrage::detail::refuse(std::string(language) + "::text", "source", "of characters of GLSL",
-                                            rest.substr(0, 1));
-            }
-            t.text = text.substr(at, i - at);
-        }
-        all.push_back(t);
-        if (t.kind == piece::end) return all;
-    }
-}
-
-/// Tokens before the #else of "#if __VERSION__ >= ...", for languages that have all of the newest GLSL.
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<token> newest(std::vector<token> all) {
-    enum { outside, before, behind } place = outside;  // relative to #else
-    std::erase_if(all, [&](const token& t) {
-        if (t.kind != piece::directive) return place == behind;
-        if (t.text.starts_with("#if __VERSION__ >= ")) place = before;
-        else if (place == outside) return false;
-        else place = t == "#else" ? behind : outside;
-        return true;
-    });
-    return all;
-}
-
-/// Index of the bracket that closes the one at all[i].
-/// @throws std::invalid_argument   no such bracket
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i, std::string_view language = "glsl") {
-    std::size_t depth = 0;
-    for (std::size_t k = i; k < all.size(); ++k) {
-        if (all[k].kind != piece::sign) continue;
-        const char c = all[k].text[0];
-        if (c == '(' || c == '[' || c == '{') ++depth;
-        if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
-    }
-    umbrage::detail::refuse(std::string(language) + "::text", "source", "of brackets in pairs", all[i].text,
-                            "Nothing closes it.");
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/translate/words.hpp
-// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Any other
-// word of a text is a name that the text declares, or an error.
-//
-
-namespace umbrage::glsl::detail {
-
-enum class word_kind { type, function, keyword };
-
-struct word {
-    word_kind kind;
-    std::string_view glsl, hlsl, msl, wgsl;
-};
-
-// clang-format off
-inline constexpr word vocabulary[]{
-    {word_kind::type, "float", "float", "float", "f32"},
-    {word_kind::type, "int", "int", "int", "i32"},
-    {word_kind::type, "uint", "uint", "uint", "u32"},
-    {word_kind::type, "bool", "bool", "bool", "bool"},
-    {word_kind::type, "vec2", "float2", "float2", "vec2f"},
-    {word_kind::type, "vec3", "float3", "float3", "vec3f"},
-    {word_kind::type, "vec4", "float4", "float4", "vec4f"},
-    {word_kind::type, "ivec2", "int2", "int2", "vec2i"},
-    {word_kind::type, "ivec3", "int3", "int3", "vec3i"},
-    {word_kind::type, "ivec4", "int4", "int4", "vec4i"},
-    {word_kind::type, "uvec2", "uint2", "uint2", "vec2u"},
-    {word_kind::type, "uvec3", "uint3", "uint3", "vec3u"},
-    {word_kind::type, "uvec4", "uint4", "uint4", "vec4u"},
-    {word_kind::type, "mat3", "float3x3", "metal::float3x3", "mat3x3f"},
-    {word_kind::type, "mat4", "float4x4", "metal::float4x4", "mat4x4f"},
-
-    {word_kind::function, "abs", "abs", "metal::abs", "abs"},
-    {word_kind::function, "ceil", "ceil", "metal::ceil", "ceil"},
-    {word_kind::function, "clamp", "clamp", "metal::clamp", "clamp"},
-    {word_kind::function, "cos", "cos", "metal::cos", "cos"},
-    {word_kind::function, "cross", "cross", "metal::cross", "cross"},
-    {word_kind::function, "dot", "dot", "metal::dot", "dot"},
-    {word_kind::function, "exp", "exp", "metal::exp", "exp"},
-    {word_kind::function, "exp2", "exp2", "metal::exp2", "exp2"},
-    {word_kind::function, "floatBitsToInt", "asint", "as_type<int>", "bitcast<i32>"},
-    {word_kind::function, "floatBitsToUint", "asuint", "as_type<uint>", "bitcast<u32>"},
-    {word_kind::function, "floor", "floor", "metal::floor", "floor"},
-    {word_kind::function, "fract", "frac", "metal::fract", "fract"},
-    {word_kind::function, "intBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
-    {word_kind::function, "inversesqrt", "rsqrt", "metal::rsqrt", "inverseSqrt"},
-    {word_kind::function, "length", "length", "metal::length", "length"},
-    {word_kind::function, "log", "log", "metal::log", "log"},
-    {word_kind::function, "log2", "log2", "metal::log2", "log2"},
-    {word_kind::function, "max", "max", "metal::max", "max"},
-    {word_kind::function, "min", "min", "metal::min", "min"},
-    {word_kind::function, "mix", "lerp", "metal::mix", "mix"},
-    {word_kind::function, "normalize", "normalize", "metal::normalize", "normalize"},
-    {word_kind::function, "pow", "pow", "metal::pow", "pow"},
-    {word_kind::function, "sign", "sign", "metal::sign", "sign"},
-    {word_kind::function, "sin", "sin", "metal::sin", "sin"},
-    {word_kind::function, "sqrt", "sqrt", "metal::sqrt", "sqrt"},
-    {word_kind::function, "step", "step", "metal::step", "step"},
-    {word_kind::function, "tan", "tan", "metal::tan", "tan"},
-    {word_kind::function, "uintBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
-
-    {word_kind::keyword, "break", "break", "break", "break"},
-    {word_kind::keyword, "continue", "continue", "continue", "continue"},
-    {word_kind::keyword, "else", "else", "else", "else"},
-    {word_kind::keyword, "false", "false", "false", "false"},
-    {word_kind::keyword, "for", "for", "for", "for"},
-    {word_kind::keyword, "if", "if", "if", "if"},
-    {word_kind::keyword, "return", "return", "return", "return"},
-    {word_kind::keyword, "true", "true", "true", "true"},
-};
-// clang-format on
-
-/// Row of a GLSL word. nullptr if it is no such word, or none that snippets may use.
-[[nodiscard]] inline const word* find_word(std::string_view glsl) {
-    for (const word& w : vocabulary)
-        if (w.glsl == glsl) return &w;
-    return nullptr;
-}
-
-[[nodiscard]] inline bool is_type(std::string_view glsl) {
-    const word* w = find_word(glsl);
-    return w && w->kind == word_kind::type;
-}
-
-/// True for qualifiers of the snippets. A printer keeps or drops them.
-[[nodiscard]] constexpr bool is_qualifier(std::string_view glsl) {
-    return glsl == "UMBRAGE_HIGHP" || glsl == "UMBRAGE_PRECISE";
-}
-
-/// Refuses an unknown word.
-/// @throws std::invalid_argument   always, with the word in its message
-[[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
-    umbrage::detail::refuse(std::string(language) + "::text", "source", "of words that the language has", word);
-}
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/translate/word_by_word.hpp
-// Translation word by word to HLSL and MSL, which are close enough to GLSL for that.
-//
-
-namespace umbrage::glsl::detail {
-
-/// Differences of a language like GLSL from it.
-struct near_language {
-    std::string_view name;
-    std::string_view word::*own;
-    std::string_view precise;      ///< word for UMBRAGE_PRECISE; empty: nothing
-    std::string_view function;     ///< word before each function's type,
-    std::string_view condition;    ///< and before the type of a function that returns bool
-    bool matrices_have_rows;       ///< m[i] is a row of m, and its constructor takes rows
-    bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
-    std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
-};
-
-/// Printer of functions in a language like GLSL.
-template <class = umbrage::detail::on_use>
-class word_by_word {
-public:
-    word_by_word(const near_language& language, std::string_view text)
-        : language_(language), all_(newest(tokens(text, language.name))) {}
-
-    [[nodiscard]] std::string print() {
-        std::string out = print(0, all_.size() - 1);
-        return out += all_.back().space;
-    }
-
-private:
-    [[nodiscard]] std::string print(std::size_t from, std::size_t to) {
-        std::string out;
-        for (std::size_t i = from; i < to;) {
-            const token& t = all_[i];
-            if (t == "{") ++depth_;
-            if (t == "}") --depth_;
-            if (t == "*") refuse_matrix(i);
-            out += t.space;
-            switch (t.kind) {
-                case piece::word: i = print_word(out, i); break;
-                case piece::directive: unknown(language_.name, t.text);
-                default: out += t.text, ++i;
-            }
-        }
-        return out;
-    }
-
-    /// Prints one word.
-    /// @return   index of the token that follows
-    std::size_t print_word(std::string& out, std::size_t i) {
-        const std::string_view text = all_[i].text;
-        if (is_qualifier(text)) {
-            const std::string_view kept = text == "UMBRAGE_PRECISE" ? language_.precise : "";
-            out += kept;
-            if (kept.empty()) all_[i + 1].space = {};
-            return i + 1;
-        }
-        const word* w = find_word(text);
-        if (w && w->kind == word_kind::type) return print_type(out, i, w->*language_.own);
-        if (w) {
-            if (w->kind == word_kind::function && !(all_[i + 1] == "(")) unknown(language_.name, text);
-            out += w->*language_.own;
-            return i + 1;
-        }
-        if (i > 0 && all_[i - 1] == ".") {
-            if (text.find_first_not_of("xyzw") != text.npos) unknown(language_.name, text);
-            out += text;
-            return i + 1;
-        }
-        if (all_[i + 1] == "(" && text.starts_with("umbrage_")) {
-            out += text;
-            return i + 1;
-        }
-        if (text == "UMBRAGE_MAP") return print_type(out, i, text);
-        const std::string_view type = type_of(text);
-        if (type.empty() && !is_of_a_map(text)) unknown(language_.name, text);
-        const bool column = all_[i + 1] == "[" && is_matrix(type) && language_.matrices_have_rows;
-        out += column ? "transpose(" + std::string(text) + ")" : std::string(text);
-        return i + 1;
-    }
-
-    /// Prints the type of a function or variable, or a constructor.
-    std::size_t print_type(std::string& out, std::size_t i, std::string_view own) {
-        if (all_[i + 1] == "(") return print_constructor(out, i, own);
-        if (all_[i + 1].kind != piece::word) unknown(language_.name, all_[i + 1].text);
-        const std::string_view name = all_[i + 1].text;
-        const bool function = all_[i + 2] == "(";
-        if (function && depth_ == 0) {
-            variables_.clear();
-            out += language_.function;
-            if (all_[i] == "bool") out += language_.condition;
-        } else {
-            if (language_.reserved.find(' ' + std::string(name) + ' ') != name.npos) unknown(language_.name, name);
-            variables_.push_back({name, all_[i].text});
-        }
-        out += own;
-        out += all_[i + 1].space;
-        out += name;
-        return i + 2;
-    }
-
-    std::size_t print_constructor(std::string& out, std::size_t i, std::string_view own) {
-        const std::string_view type = all_[i].text;
-        const std::size_t end = closing(all_, i + 1, language_.name);
-        const std::string arguments = print(i + 2, end);
-        const std::size_t count = arguments_in(i + 1, end);
-        if (is_matrix(type) && count == 1) unknown(language_.name, std::string(type) + " of one");
-        std::string made = std::string(own) + "(" + arguments + ")";
-        if (is_matrix(type) && language_.matrices_have_rows) made = "transpose(" + made + ")";
-        if (is_vector(type) && count == 1 && language_.vectors_of_one_are_cast) {
-            made = "(" + std::string(own) + ")" + (is_operand(i + 2, end) ? arguments : "(" + arguments + ")");
-            if (all_[end + 1] == "." || all_[end + 1] == "[") made = "(" + made + ")";
-        }
-        out += made;
-        return end + 1;
-    }
-
-    [[nodiscard]] std::size_t arguments_in(std::size_t open, std::size_t end) const {
-        std::size_t count = 1;
-        for (std::size_t i = open + 1; i < end; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
-            if (all_[i] == ",") ++count;
-        }
-        return count;
-    }
-
-    /// True for a name, a number, a call or a component of those: a cast needs no brackets around it.
-    [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
-        for (std::size_t i = from; i < to; ++i) {
-            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
-            else if (all_[i].kind == piece::sign && !(all_[i] == ".")) return false;
-        }
-        return true;
-    }
-
-    /// Refuses a product with a matrix, which depends on rows and columns. Snippets write the columns out.
-    void refuse_matrix(std::size_t i) const {
-        for (const token* t : {&all_[i > 0 ? i - 1 : 0], &all_[i + 1]})
-            if (is_matrix(type_of(t->text)) && !(all_[i + 2] == "["))
-                unknown(language_.name, "a matrix times something");
-    }
-
-    [[nodiscard]] std::string_view type_of(std::string_view name) const {
-        for (const variable& v : variables_)
-            if (v.name == name) return v.type;
-        return {};
-    }
-    /// True for a word that a map fills in.
-    [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_BORDER",       "UMBRAGE_COMPARE",      "UMBRAGE_DEPTH",
-                                                "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",   "UMBRAGE_GATHER_RED",
-                                                "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED", "UMBRAGE_ORIGIN",
-                                                "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
-        for (std::string_view w : all)
-            if (word == w) return true;
-        return false;
-    }
-    [[nodiscard]] static bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
-    [[nodiscard]] static bool is_vector(std::string_view type) {
-        return type.find("vec") != type.npos;  // ivec2 too
-    }
-
-    struct variable {
-        std::string_view name, type;  ///< in GLSL
-    };
-
-    const near_language& language_;
-    std::vector<token> all_;
-    std::vector<variable> variables_;
-    std::size_t depth_ = 0;
-};
-
-}  // namespace umbrage::glsl::detail
-
-// ---- umbrage/shader/hlsl.hpp
-// HLSL text of snippets, printed from their GLSL.
-//
-//     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
-//     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
-//
-// `precise` forbids fused and reordered sums within one function, so each function has its own. FXC honors it in shader
-// model 5, DXC in all of its models, from 6.0 on. Older models of FXC need the option /Gis, for the whole shader.
-//
-
-namespace umbrage::hlsl {
-
-namespace detail {
-
-inline constexpr glsl::detail::near_language akin{.name = "hlsl",
-                                                  .own = &glsl::detail::word::hlsl,
-                                                  .precise = "precise",
-                                                  .function = "",
-                                                  .condition = "precise ",  // FXC turns a <= b into !(a > b) elsewhere
-                                                  .matrices_have_rows = true,
-                                                  .vectors_of_one_are_cast = true,
-                                                  .reserved = " line linear matrix pass point sample triangle vector "};
-
-[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
-    using enum glsl::texture;
-    switch (kind) {
-        case texture_2d:
-            return {.parameters = "Texture2D<float4> map",
-                    .arguments = "map",
-                    .texel = "map.Load(int3(int2(at), 0))",
-                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
-                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case depth:
-            return {.parameters = "Texture2D<float> map",
-                    .arguments = "map",
-                    .texel = "(float4)map.Load(int3(int2(at), 0))",
-                    .sampled = "(float4)map.SampleLevel(map_sampler, uv, 0.0)",
-                    .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case atlas:
-            return {.parameters = "Texture2D<float4> map, float2 origin",
-                    .arguments = "map, origin",
-                    .texel = "map.Load(int3(int2(at), 0))",
-                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
-                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case array:
-            return {.parameters = "Texture2DArray<float4> map, float layer",
-                    .arguments = "map, layer",
-                    .texel = "map.Load(int4(int2(at), int(layer), 0))",
-                    .sampled = "map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
-                    .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
-                    .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
-        case depth_array:
-            return {.parameters = "Texture2DArray<float> map, float layer",
-                    .arguments = "map, layer",
-                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
-                    .sampled = "(float4)map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
-                    .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
-        case cube:
-            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
-                    .arguments = "map, map_sampler, face",
-                    .texel =
-                        "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
-                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
-                    .needs = glsl::list<&glsl::cube_direction>};
-        case cube_faces:
-            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler",
-                    .arguments = "map, map_sampler",
-                    .texel = "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
-                    .needs = glsl::list<&glsl::cube_atlas_direction>};
-        case integer:
-            return {.parameters = "Texture2D<uint4> map",
-                    .arguments = "map",
-                    .texel = "float4(map.Load(int3(int2(at), 0)))"};
-        case shadow:
-            return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
-                    .arguments = "map, map_sampler",
-                    .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, uv, receiver)"};
-        case shadow_array:
-            return {
-                .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
-                .arguments = "map, map_sampler, layer",
-                .lit =
-                    "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
-                    "receiver)",
-                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                .lit_filtered = "map.SampleCmpLevelZero(map_sampler, float3(uv, layer), receiver)"};
-    }
-    return {};
-}
-
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
-    glsl::detail::texture_words words = reads(kind);
-    if (words.gather_red.empty()) return words;
-    words.sampler = ", SamplerState map_sampler";
-    words.sampler_argument = ", map_sampler";
-    return words;
-}
-
-template <class Use = umbrage::detail::on_use>
-inline constexpr glsl::detail::language language{
-    .prelude = "",
-    .texture = texture,
-    .translate =
-        [](const glsl::snippet& s) {
-            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-        },
-    .receiver_plane = "float2 receiver_slope, float2 receiver_coord",
-    .function = "hlsl::text",
-    .declare = glsl::detail::hlsl_interface};
-
-}  // namespace detail
-
-/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
-///
-/// HLSL has no expression for the size of a texture. A map that is a region of one, and is gathered from or compared by
-/// its sampler, needs the binding's texture_size.
-///
-/// @throws std::invalid_argument   a snippet or map that HLSL cannot express
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, items);
-}
-
-}  // namespace umbrage::hlsl
-
-// ---- umbrage/shader/msl.hpp
-// Metal Shading Language text of snippets, printed from their GLSL.
-//
-//     std::string shader = umbrage::msl::text({umbrage::glsl::pcf_2x2}) + my_main;
-//     // inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver)
-//
-
-namespace umbrage::msl {
-
-/// First lines of every text. Metal uses fast math by default, and these lines turn it off to the end of the file. Safe
-/// math still fuses a * b + c within a statement, which the second pragma forbids.
-///
-/// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
-/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The last may still fuse.
-inline constexpr std::string_view prelude =
-    "\n#include <metal_stdlib>\n"  // not on its own line, which the single header would take for C++'s
-    "#pragma METAL fp math_mode(safe)\n"
-    "#pragma METAL fp contract(off)\n";
-
-namespace detail {
-
-inline constexpr glsl::detail::near_language akin{.name = "msl",
-                                                  .own = &glsl::detail::word::msl,
-                                                  .precise = "",
-                                                  .function = "inline ",
-                                                  .condition = "",
-                                                  .matrices_have_rows = false,
-                                                  .vectors_of_one_are_cast = false,
-                                                  .reserved =
-                                                      " as_type char constant device fragment half kernel long metal "
-                                                      "object sampler short thread uchar ushort vertex "};
-
-[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
-    using enum glsl::texture;
-    switch (kind) {
-        case texture_2d:
-            return {.parameters = "metal::texture2d<float> map",
-                    .arguments = "map",
-                    .texel = "map.read(uint2(at))",
-                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
-                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green =
-                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
-        case depth:
-            return {.parameters = "metal::depth2d<float> map",
-                    .arguments = "map",
-                    .texel = "float4(map.read(uint2(at)))",
-                    .sampled = "float4(map.sample(map_sampler, uv, metal::level(0.0)))",
-                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case atlas:
-            return {.parameters = "metal::texture2d<float> map, float2 origin",
-                    .arguments = "map, origin",
-                    .texel = "map.read(uint2(at))",
-                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
-                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green =
-                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
-        case array:
-            return {.parameters = "metal::texture2d_array<float> map, float layer",
-                    .arguments = "map, layer",
-                    .texel = "map.read(uint2(at), uint(layer))",
-                    .sampled = "map.sample(map_sampler, uv, uint(layer), metal::level(0.0))",
-                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
-                    .gather_green =
-                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
-                        "metal::component::y)"};
-        case depth_array:
-            return {.parameters = "metal::depth2d_array<float> map, float layer",
-                    .arguments = "map, layer",
-                    .texel = "float4(map.read(uint2(at), uint(layer)))",
-                    .sampled = "float4(map.sample(map_sampler, uv, uint(layer), metal::level(0.0)))",
-                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
-        case cube:
-            return {.parameters = "metal::texturecube<float> map, float face",
-                    .arguments = "map, face",
-                    .texel = "map.read(uint2(at), uint(face))"};
-        case cube_faces:
-            return {.parameters = "metal::texturecube<float> map",
-                    .arguments = "map",
-                    .texel =
-                        "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, "
-                        "umbrage_cube_atlas_texel(at, size.y * 0.5).y), "
-                        "uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))",
-                    .needs = glsl::list<&glsl::cube_atlas_texel>};
-        case integer:
-            return {
-                .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
-        case shadow:
-            return {
-                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
-                .arguments = "map, map_sampler",
-                .lit =
-                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
-                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .lit_filtered = "map.sample_compare(map_sampler, uv, receiver, metal::level(0.0))"};
-        case shadow_array:
-            return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
-                    .arguments = "map, map_sampler, layer",
-                    .lit =
-                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
-                        "metal::level(0.0))",
-                    .gather_lit =
-                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
-                    .lit_filtered = "map.sample_compare(map_sampler, uv, uint(layer), receiver, metal::level(0.0))"};
-    }
-    return {};
-}
-
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
-    glsl::detail::texture_words words = reads(kind);
-    words.size = "float2(map.get_width(), map.get_height())";
-    if (words.gather_red.empty()) return words;
-    words.sampler = ", metal::sampler map_sampler";
-    words.sampler_argument = ", map_sampler";
-    return words;
-}
-
-template <class Use = umbrage::detail::on_use>
-inline constexpr glsl::detail::language language{
-    .prelude = prelude,
-    .texture = texture,
-    .translate =
-        [](const glsl::snippet& s) {
-            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
-        },
-    .receiver_plane = "float2 receiver_slope, float2 receiver_coord",
-    .function = "msl::text",
-    .declare = glsl::detail::msl_interface};
-
-}  // namespace detail
-
-/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
-/// @throws std::invalid_argument   a snippet or map that Metal cannot express
-template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, items);
-}
-
-}  // namespace umbrage::msl
 
 // ---- umbrage/depth/foreign/base255.hpp
 // Base-255 RGBA packing by Aras Pranckevicius, to read and write the maps of Cesium, Babylon.js and bgfx.
@@ -24551,9 +22926,9 @@ struct threejs_legacy_repaired {
 namespace umbrage {
 
 /// List of all encodings.
-using encodings =
-    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
-            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+using encodings = list_of<depth32f, depth24, depth16, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>,
+                          rgb24, rgb10, r16, float_bits, threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy,
+                          threejs_legacy_repaired, base255, base255_repaired>;
 
 /// Calls use(encoding) once for each encoding of the list, in order.
 template <class Use>
@@ -24695,7 +23070,3059 @@ inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14, &f
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/shader/registry.hpp
+// ---- umbrage/shader/translate/layout.hpp
+// Line breaks of translated text, whose words have other lengths.
+//
+
+namespace umbrage::glsl::detail {
+
+/// One statement, or a function's head, in lines of at most 120 columns. Lines break after a comma or an operator, as
+/// far out of brackets as possible. The next line is indented to its bracket, or by four columns.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string broken(std::string statement) {
+    const std::size_t margin = statement.find_first_not_of(' ');
+    std::string out;
+    std::vector<std::size_t> brackets;  // columns after the brackets that are open at the start of the line
+    for (std::size_t begin = margin; statement.size() > 120;) {
+        std::vector<std::size_t> open = brackets, open_at_end;
+        std::size_t end = 0;
+        for (std::size_t i = begin; i <= 120; ++i) {
+            const char c = statement[i];
+            if (c == '(' || c == '[') open.push_back(i + 1);
+            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
+            const bool can_end =
+                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
+            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
+            end = i;
+            open_at_end = open;
+        }
+        if (end == 0) break;
+        brackets = open_at_end;
+        begin = brackets.empty() ? margin + 4 : brackets.back();
+        out += statement.substr(0, end) + '\n';
+        statement.replace(0, end + 1, begin, ' ');
+    }
+    return out + statement;
+}
+
+/// Text with the lines of each statement joined and broken again. Comments and directives stay as they are.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string laid_out(std::string_view text) {
+    const auto next_line = [&] {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
+        return line;
+    };
+    const auto is_code = [](std::string_view line) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
+    };
+    const auto ends_statement = [](std::string_view line) {
+        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
+    };
+    std::string out;
+    while (!text.empty()) {
+        std::string_view line = next_line();
+        if (is_code(line)) {
+            std::string statement(line.substr(0, line.find("//")));
+            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
+                line = next_line();
+                std::string_view code = line.substr(0, line.find("//"));
+                code.remove_prefix(code.find_first_not_of(' '));
+                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
+            }
+            out += broken(std::move(statement));
+            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
+        } else {
+            out += line;
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/interface.hpp
+// Declarations of a shadow in a shader: its uniform block, its map, and a function of world position and normal.
+//
+// A block consists of mat4 and vec4, whose layout is the same in std140, cbuffers, WGSL and Metal. GLSL 100 to 130 has
+// no blocks. There the uniforms are an array of vec4, and glUniform4fv takes the same bytes.
+
+namespace umbrage {
+
+/// Member of a uniform block: one mat4, or one vec4.
+struct uniform_field {
+    std::string_view name;
+    bool matrix = true;
+
+    [[nodiscard]] constexpr std::size_t vectors() const { return matrix ? 4 : 1; }
+};
+
+namespace glsl {
+
+/// Binding numbers of an API. Each language uses those it has:
+///   OpenGL   bindings of the block and the texture, in GLSL 430 and 310 es or later
+///   Vulkan   bindings of the block and the texture, and the set
+///   WGSL     bindings of the block, the texture and the sampler, and the group
+///   HLSL     registers b, t and s, and the space
+///   Metal    none: the function takes arguments instead
+struct shader_slots {
+    int block = 0, texture = 1, sampler = 2, set = 0;
+};
+
+/// Shader function for one shadow. It passes its arguments on, after the map and the block.
+struct interface_function {
+    struct argument {
+        std::string_view name;
+        int components = 3;
+    };
+    std::string_view name{};                     ///< umbrage_<name>_<shadow>; empty: umbrage_<shadow>
+    std::string_view calls;                      ///< umbrage_<calls>_<shadow>
+    std::string_view says;                       ///< description of its result, for a comment
+    int components = 1;                          ///< number of components of its result
+    bool reads_map = true, reads_fields = true;  ///< without reads_fields only the last two: shadow_terms
+    std::vector<argument> arguments{};
+};
+
+/// Declarations of a text for one shadow.
+struct shader_interface {
+    std::string name;
+    std::vector<uniform_field> fields{};  ///< fields of the block
+    shader_slots slots{};
+    std::vector<interface_function> functions{};
+
+    [[nodiscard]] std::string prefix() const { return "umbrage_" + name; }
+};
+
+namespace detail {
+
+/// Parameters that stand for the map, without those that choose one of several: sampler2D map.
+struct map_parameter {
+    std::string map, sampler;  ///< sampler: empty where there is none
+};
+
+/// Call of a function with all its arguments: `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+template <class Member>
+[[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
+                                         const std::string& sampler, const Member& member) {
+    std::string all;
+    if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
+    for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
+    for (const auto& a : f.arguments) all.append(", ").append(a.name);
+    return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
+}
+
+/// Declarations of a function's arguments: "float3 world, float3 normal".
+/// @param type   returns the language's word for a number of components
+template <class Type>
+[[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
+    std::string all;
+    for (const auto& a : f.arguments) {
+        const std::string name(a.name);
+        all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
+    }
+    return all;
+}
+
+/// Declarations of one shadow: their text, the names that it takes besides its functions', and its slots. Two shadows
+/// of a text differ in all of them.
+struct declaration {
+    std::string text;
+    std::vector<std::string> names, slots{};
+};
+
+[[nodiscard]] inline std::string name_of(const shader_interface& i, const interface_function& f) {
+    return f.name.empty() ? i.prefix() : "umbrage_" + std::string(f.name) + "_" + i.name;
+}
+
+/// Word for a float vector in HLSL and MSL.
+[[nodiscard]] inline std::string float_type(int components) {
+    return components == 1 ? "float " : "float" + std::to_string(components) + " ";
+}
+
+/// Declaration of a parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map".
+[[nodiscard]] inline std::string renamed(std::string declaration, std::string_view from, const std::string& to) {
+    const auto at = declaration.find(declaration.find(std::string(from) + ":") == 0 ? std::string(from) + ":"
+                                                                                    : " " + std::string(from));
+    return declaration.replace(at + (declaration[at] == ' ' ? 1 : 0), from.size(), to);
+}
+
+[[nodiscard]] inline std::string with_head(const std::string& name, const interface_function& f,
+                                           const std::string& declaration, const std::string& call) {
+    return "\n// " + name + ": " + std::string(f.says) + "\n" +
+           laid_out(declaration + " {\n    return " + call + ";\n}\n");
+}
+
+[[nodiscard]] inline declaration glsl_interface(const shader_interface& i, const map_parameter& map, version v) {
+    const bool vulkan = v == version::vulkan, es = directive(v).ends_with("es") || v == version::v100;
+    const bool blocks = v >= version::v150;
+    const bool binds = vulkan || v == version::v430 || v == version::v450 || v == version::v460 ||
+                       v == version::v310_es || v == version::v320_es;
+    const auto slot = [&](int number) {
+        return (vulkan ? "set = " + std::to_string(i.slots.set) + ", " : "") + "binding = " + std::to_string(number);
+    };
+    const std::string block = i.prefix() + "_block", high = es ? "highp " : "";
+    std::string out = "\n";
+    declaration all{{}, {block, i.prefix() + "_map"}};
+    if (binds) {
+        const std::string set = " of set " + std::to_string(i.slots.set);
+        all.slots = {"binding " + std::to_string(i.slots.block) + (vulkan ? set : " of uniform blocks"),
+                     "binding " + std::to_string(i.slots.texture) + (vulkan ? set : " of textures")};
+    }
+    std::size_t vectors = 0;
+    std::vector<std::size_t> first;
+    for (const uniform_field& f : i.fields) first.push_back(vectors), vectors += f.vectors();
+    if (blocks) {
+        out += "layout(std140" + (binds ? ", " + slot(i.slots.block) : "") + ") uniform " + block + " {\n";
+        for (const uniform_field& f : i.fields) {
+            all.names.push_back(i.prefix() + "_" + std::string(f.name));
+            out += "    " + high + (f.matrix ? "mat4 " : "vec4 ") + all.names.back() + ";\n";
+        }
+        out += "};\n";
+    } else {
+        out += "uniform " + high + "vec4 " + block + "[" + std::to_string(vectors) + "];\n";
+    }
+    out += (binds ? "layout(" + slot(i.slots.texture) + ") " : "") + "uniform " +
+           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
+    const auto member = [&](std::size_t f) {
+        if (blocks) return i.prefix() + "_" + std::string(i.fields[f].name);
+        const auto vector = [&](std::size_t n) { return block + "[" + std::to_string(first[f] + n) + "]"; };
+        if (!i.fields[f].matrix) return vector(0);
+        return "mat4(" + vector(0) + ", " + vector(1) + ", " + vector(2) + ", " + vector(3) + ")";
+    };
+    const auto type = [&](int components) {
+        return high + (components == 1 ? "float " : "vec" + std::to_string(components) + " ");
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
+                         interface_call(i, f, i.prefix() + "_map", "", member));
+    all.text = std::move(out);
+    return all;
+}
+
+[[nodiscard]] inline declaration hlsl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const auto slot = [&](char kind, int number) {
+        return " : register(" + (kind + std::to_string(number)) +
+               (i.slots.set > 0 ? ", space" + std::to_string(i.slots.set) : "") + ")";
+    };
+    const auto taken = [&](char kind, int number) {
+        return "register " + (kind + std::to_string(number)) + " of space " + std::to_string(i.slots.set);
+    };
+    declaration all{
+        {}, {i.prefix() + "_block", i.prefix() + "_map"}, {taken('b', i.slots.block), taken('t', i.slots.texture)}};
+    std::string out = "\ncbuffer " + all.names[0] + slot('b', i.slots.block) + " {\n";
+    for (const uniform_field& f : i.fields) {
+        all.names.push_back(i.prefix() + "_" + std::string(f.name));
+        out += std::string("    ") + (f.matrix ? "column_major float4x4 " : "float4 ") + all.names.back() + ";\n";
+    }
+    out += "};\n" + renamed(map.map, "map", i.prefix() + "_map") + slot('t', i.slots.texture) + ";\n";
+    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
+    if (!sampler.empty()) {
+        out += renamed(map.sampler, "map_sampler", sampler) + slot('s', i.slots.sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken('s', i.slots.sampler));
+    }
+    for (const interface_function& f : i.functions)
+        out += with_head(
+            name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
+            interface_call(i, f, i.prefix() + "_map", sampler,
+                           [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
+    all.text = std::move(out);
+    return all;
+}
+
+[[nodiscard]] inline declaration wgsl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const auto slot = [&](int number) {
+        return "@group(" + std::to_string(i.slots.set) + ") @binding(" + std::to_string(number) + ") var";
+    };
+    const auto taken = [&](int number) {
+        return "binding " + std::to_string(number) + " of group " + std::to_string(i.slots.set);
+    };
+    const std::string block = i.prefix() + "_block", uniforms = i.prefix() + "_uniforms";
+    declaration all{{}, {block, uniforms, i.prefix() + "_map"}, {taken(i.slots.block), taken(i.slots.texture)}};
+    std::string out = "\nstruct " + block + " {\n";
+    for (const uniform_field& f : i.fields)
+        out += "    " + std::string(f.name) + (f.matrix ? ": mat4x4f,\n" : ": vec4f,\n");
+    out += "}\n" + slot(i.slots.block) + "<uniform> " + uniforms + ": " + block + ";\n" + slot(i.slots.texture) + " " +
+           renamed(map.map, "map", i.prefix() + "_map") + ";\n";
+    const std::string sampler = map.sampler.empty() ? "" : i.prefix() + "_sampler";
+    if (!sampler.empty()) {
+        out += slot(i.slots.sampler) + " " + renamed(map.sampler, "map_sampler", sampler) + ";\n";
+        all.names.push_back(sampler), all.slots.push_back(taken(i.slots.sampler));
+    }
+    const auto type = [](int components) {
+        return components == 1 ? std::string("f32") : "vec" + std::to_string(components) + "f";
+    };
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
+                         interface_call(i, f, i.prefix() + "_map", sampler,
+                                        [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
+    all.text = std::move(out);
+    return all;
+}
+
+[[nodiscard]] inline declaration msl_interface(const shader_interface& i, const map_parameter& map, version) {
+    const std::string block = i.prefix() + "_block";
+    std::string out = "\nstruct " + block + " {\n";
+    for (const uniform_field& f : i.fields)
+        out += std::string("    ") + (f.matrix ? "metal::float4x4 " : "float4 ") + std::string(f.name) + ";\n";
+    out += "};\n";
+    const std::string map_and_sampler = map.map + (map.sampler.empty() ? "" : ", " + map.sampler) + ", ";
+    for (const interface_function& f : i.functions)
+        out += with_head(name_of(i, f), f,
+                         "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
+                             (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
+                         interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
+                                        [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
+    return {std::move(out), {block}};
+}
+
+}  // namespace detail
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/shadow/set_up.hpp
+// Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
+// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
+
+namespace umbrage {
+
+/// Last members of every shadow's uniform block.
+struct shadow_terms {
+    glm::vec2 map_size{1};  ///< size of one map, texels
+    float reach = 0;        ///< reach of the filter, as its bias counts it, texels
+    float error = 0;        ///< largest error of a stored depth, less the 2^-23 that acne_free_bias adds: rounding is
+                            ///< map_place's
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
+
+    static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
+};
+
+/// Place of a receiver in one of a light's maps.
+struct map_place {
+    int number = 0;       ///< number of the map, from 0
+    glm::vec3 at{0};      ///< x and y in texels, z depth
+    glm::vec2 slope{0};   ///< change of depth per texel of the receiver's plane
+    float weight = 1.0f;  ///< share in the blend with the places before it, 0 to 1; the first place has 1
+    float rounding = 0;   ///< largest error of `at` and of the casters' depth there by rounding, in depth
+};
+
+/// Position outside all maps, in texels and depth. Every filter takes it as lit.
+inline const glm::vec3 outside_all_maps{-65536.0f, -65536.0f, 0.0f};
+
+/// Maps of one size, row by row.
+struct map_grid {
+    int columns = 1, rows = 1;
+};
+
+/// Setup of a light's maps.
+///
+/// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
+/// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
+/// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
+/// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
+/// anything.
+///
+/// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
+/// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
+/// filters that read farther. A setup that bends straight lines specializes bends_of.
+template <class SetUp>
+concept shadow_set_up = std::copyable<SetUp> &&
+    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
+    { s.clip() } -> std::same_as<clip_space>;
+    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
+    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
+    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
+    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
+    {std::span<const uniform_field>(SetUp::fields)};
+    {std::span<const map_place>(SetUp::places(u, terms, v, v))};  // an array of one or two
+    { SetUp::placing } -> std::convertible_to<const glsl::snippet*>;
+};
+
+/// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
+/// (mat4 to_clip, vec3 world, arguments...) that returns a position in clip space.
+struct vertex_function {
+    const glsl::snippet* calls;
+    std::array<glsl::interface_function::argument, 2> arguments;
+};
+
+/// Maps that bend straight lines and planes: their errors, and how they draw vertices. Contact hardening compares along
+/// planes, so a shadow with such maps does not take it.
+struct bent_lines {
+    float reach = 0;                          ///< largest error of a position, texels
+    float error = 0;                          ///< largest error of a depth
+    const vertex_function* vertex = nullptr;  ///< nullptr where lines stay straight
+};
+/// Bent lines of a setup's maps: none, unless the setup's header specializes this.
+template <class SetUp>
+inline constexpr bent_lines bends_of{};
+/// True for a setup whose maps bend straight lines.
+template <class SetUp>
+inline constexpr bool has_bent_lines = bends_of<SetUp>.reach > 0.0f;
+
+/// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
+/// softness for each map.
+template <class SetUp>
+inline constexpr bool has_like_maps = SetUp::grid.columns* SetUp::grid.rows == 1;
+
+/// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
+template <class Light>
+struct set_up_for {
+    using type = Light;
+};
+
+namespace detail {
+
+/// Number of places that a receiver has at most.
+template <class SetUp>
+inline constexpr int most_places = std::tuple_size_v<decltype(SetUp::places(
+    std::declval<const typename SetUp::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+
+/// True when a setup's `uniforms` have the size of its `fields`.
+template <class SetUp>
+consteval bool has_fields() {
+    std::size_t vectors = 0;
+    for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
+    return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+}
+
+/// First texel of a map in the image of all maps.
+[[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
+    return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
+}
+
+/// Light for world positions relative to an origin.
+[[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
+    light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
+    return light;
+}
+
+template <real T>
+[[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
+    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/shadow/anchored_map.hpp
+// A light's map for positions relative to an anchor, with a bound of what rounding does to a receiver's place in it.
+//
+// Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms, so far
+// from the origin a receiver and the vertices of its own surface would round apart. Both are therefore taken relative
+// to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
+//
+//     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
+//     umbrage::map_place at = umbrage::anchored_place(lamp.to_texels, lamp.planes, lamp.anchor, lamp.rounding, p, n);
+//
+// See also: single_map.hpp, which has nothing else; depth_pass.hpp, whose vertices take the same anchor.
+
+namespace umbrage {
+
+/// Uniforms of a map for positions relative to an anchor.
+struct anchored_map {
+    glm::mat4 to_texels{0};  ///< texture_matrix of positions less the anchor, but its depth is less anchor.w
+    glm::mat4 planes{0};     ///< plane_matrix of the texture matrix of positions less the anchor
+    glm::vec4 anchor{0};     ///< xyz: position that is subtracted; w: depth that is added
+    glm::vec4 rounding{0};   ///< (k, d, g, s) of anchored_place
+};
+
+namespace detail {
+
+/// Largest relative error of one rounding in binary32.
+inline constexpr double one_rounding = 0x1p-24;
+
+[[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
+    return {m[0][row], m[1][row], m[2][row]};
+}
+/// Sum of the magnitudes that a row of a matrix adds.
+[[nodiscard]] inline double magnitudes(const glm::dvec3& row, const glm::dvec3& p) {
+    return glm::dot(glm::abs(row), glm::abs(p));
+}
+
+/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
+    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// True where depth depends on w alone, as under every perspective along the axis of a view.
+[[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
+}
+
+/// Point where the rays of a lens meet, or else the middle of the map.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
+    if (is_lens(m)) {
+        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
+        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
+    }
+    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
+    return glm::dvec3(middle) / middle.w;
+}
+
+/// Matrix for positions relative to a point.
+[[nodiscard]] inline glm::dmat4 moved_to(glm::dmat4 m, glm::dvec3 anchor) {
+    m[3] = m * glm::dvec4(anchor, 1.0);
+    return m;
+}
+
+/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
+/// elsewhere. Rounding then enters the depth by z or by w alone.
+/// @return   the multiple: depth to add after the division
+[[nodiscard]] inline double take_depth(glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    const bool lens = is_lens(m);
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
+    for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
+    if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
+    else m[3][2] = 0.0;
+    return depth;
+}
+
+/// Corner of a map's box at a depth, less the anchor.
+/// @param back   inverse of the texture matrix of positions less the anchor
+[[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
+    const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
+    return glm::dvec3(p) / p.w;
+}
+
+/// Refuses a light so far from the origin that float is too coarse for what it covers.
+/// @param away           distance of the anchor from the origin of positions
+/// @param extent         size of what the light covers
+inline void require_digits(double away, double extent) {
+    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
+            "Pass an origin near it.");
+}
+
+/// Bound of rounding in a map, for anchored_place: of a receiver and of the vertices of its own surface, each by
+/// itself.
+///
+/// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
+/// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
+/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance.
+/// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
+/// @param anchor   as the shader gets it
+[[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
+    const glm::dmat4 back = glm::inverse(m);
+    const glm::dvec3 rows[]{row_of(m, 0), row_of(m, 1), row_of(m, 2), row_of(m, 3)};
+    const double away = glm::length(anchor);
+    if (is_lens(m)) {
+        double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
+            wide = greater(wide, glm::length(p) / glm::dot(rows[3], p));
+            for (const double end : {0.0, 1.0})
+                farthest = greater(farthest, glm::length(corner_of(back, map_size, i, end)));
+        }
+        require_digits(away, farthest);
+        return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
+                greater(glm::length(rows[0]), glm::length(rows[1])), 0.0};
+    }
+    // Largest sum of a row over the map's box, in w; and what does not grow with w: the anchor's share, and offsets.
+    // Under parallel rays w is 1, and offsets round with the texels and the depth themselves.
+    const bool parallel = rows[3] == glm::dvec3(0);
+    double sums[4]{}, fixed[4]{}, farthest = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
+        const double w = glm::dot(rows[3], p) + m[3][3];
+        for (glm::length_t r = 0; r < 4; ++r)
+            sums[r] = greater(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
+        farthest = greater(farthest, 2.0 * glm::length(p));
+    }
+    require_digits(away, farthest);
+    for (glm::length_t r = 0; r < 4; ++r)
+        fixed[r] = one_rounding * (2.0 * magnitudes(rows[r], anchor) + (parallel ? 0.0 : 6.0 * std::abs(m[3][r])));
+    if (parallel) return {0.0, 1.0, greater(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
+    const auto texels = [&](const double* of) {
+        return greater(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
+    };
+    const auto depth = [](const double* of) { return of[2] + of[3]; };
+    return {1.0, greater(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
+}
+
+/// Uniforms of a map for a given anchor.
+/// @param here   texture matrix of positions as they are given
+[[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size) {
+    const glm::dvec3 exact(anchor);
+    glm::dmat4 m = moved_to(here, exact);
+    if (is_lens(m)) m /= glm::length(row_of(m, 3));
+    anchored_map out;
+    out.planes = glm::mat4(plane_matrix_of_shadow(m));
+    out.rounding = glm::vec4(rounding_of(m, map_size, exact));
+    out.anchor = glm::vec4(anchor, static_cast<float>(take_depth(m)));
+    out.to_texels = glm::mat4(m);
+    return out;
+}
+
+/// Uniforms of maps whose matrix takes positions in a face's axes, relative to a light. Their bound leaves out the
+/// rounding of the light's own position. That is half the rounding of casters and receivers together.
+/// @param m   from a face's axes to texels
+[[nodiscard]] inline anchored_map anchored_axes(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& light) {
+    const glm::dmat4 back = glm::inverse(m);
+    require_digits(glm::length(light), greater(glm::length(corner_of(back, map_size, 0, 0.0)),
+                                               glm::length(corner_of(back, map_size, 0, 1.0))));
+    anchored_map out = anchored_at(glm::vec3(0), m, map_size);
+    out.anchor = glm::vec4(glm::vec3(light), out.anchor.w);
+    out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));
+    return out;
+}
+
+}  // namespace detail
+
+/// Makes the uniforms of a map.
+/// @param light      light of the map
+/// @param map_size   size of the map, texels
+/// @param origin     origin of the positions, world units
+/// @throws std::invalid_argument   as texture_matrix and plane_matrix; a light more than 2048 times its extent away
+///                                 from the origin
+[[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
+                                                    glm::dvec3 origin = glm::dvec3(0)) {
+    const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
+    return detail::anchored_at(glm::vec3(detail::anchor_of(here, map_size)), here, map_size);
+}
+
+/// Place of a point of the world in one map, and a bound of its rounding.
+/// @param to_texels                             of an anchored_map
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param way                                   position less anchor.xyz, as the map's matrix takes it
+/// @param normal                                normal of the point
+/// @return                                      its place in map 0, with weight 1
+/// @edge                                        behind the light: a place that every filter takes as lit
+/// @formula     place = (x, y, z) / w + (0, 0, anchor.w), where (x, y, z, w) = to_texels way. With i = 1 / w and
+///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |to_texels[3].z| i) + 8 u (|z| i +
+///              |anchor.w|): positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last
+///              term has the products, sums, divisions and stores of depths themselves, and those of plane_reference
+/// @exactness   C, n = 121: as receiver_slope of way, and a division. S of each
+[[nodiscard]] UMBRAGE_INLINE inline map_place anchored_place(const glm::mat4& to_texels, const glm::mat4& planes,
+                                                             const glm::vec4& anchor, const glm::vec4& rounding,
+                                                             glm::vec3 way, glm::vec3 normal) {
+    const glm::vec4 c = shadow_coordinate(to_texels, way);
+    const glm::vec2 slope = receiver_slope(planes, normal, way);
+    const auto magnitude = [](float v) { return v < 0.0f ? -v : v; };
+    const bool before = !is_nan(c.w) && c.w > 0.0f;
+    const float i = before ? 1.0f / c.w : 0.0f, z = c.z * i, steep = magnitude(slope.x) + magnitude(slope.y);
+    const float moves = rounding.x + rounding.y * i;
+    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(to_texels[3].z) * i));
+    return {.at = {before ? c.x * i : 65536.0f, c.y * i, z + anchor.w},
+            .slope = slope,
+            .rounding = off + (magnitude(z) + magnitude(anchor.w)) * (8.0f / 16777216.0f)};
+}
+
+/// View of a depth pass for positions relative to an anchor: what the vertex function of bind_vertex_pass takes.
+struct depth_view {
+    glm::mat4 to_clip{0};  ///< projection * view of positions less the anchor, but z is less anchor.w times w
+    glm::vec4 anchor{0};   ///< xyz: position that is subtracted; w: share of w in z, 0 for parallel rays
+};
+
+/// Makes the view of a light's depth pass.
+/// @param light    light of the map
+/// @param origin   origin of the positions, world units
+[[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
+    const light_space<double> here = detail::relative_to(origin, light);
+    const glm::vec3 anchor(detail::anchor_of(texture_matrix(here, glm::ivec2(1)), glm::ivec2(1)));
+    glm::dmat4 m = detail::moved_to(here.projection * here.view, glm::dvec3(anchor));
+    const double share = detail::is_lens(m) ? detail::take_depth(m) : 0.0;
+    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+}
+
+namespace detail {
+
+/// View of maps that bend lines: the projection alone, and the position of the light.
+[[nodiscard]] inline depth_view make_bent_view(const light_space<double>& light, glm::dvec3 origin) {
+    const glm::dvec3 position(glm::inverse(light.view)[3]);
+    return {glm::mat4(light.projection), glm::vec4(glm::vec3(position - origin), 0.0f)};
+}
+
+}  // namespace detail
+
+/// Vertex of a depth pass, in clip space.
+/// @param to_clip           of a depth_view
+/// @param anchor            likewise
+/// @param world             position of the vertex
+/// @formula                 (x, y, z + anchor.w w, w), where (x, y, z, w) = to_clip (world - anchor.xyz)
+/// @exactness               B, n = 20
+[[nodiscard]] inline glm::vec4 anchored_vertex(const glm::mat4& to_clip, glm::vec3 world, const glm::vec4& anchor) {
+    glm::vec4 c = shadow_coordinate(to_clip, world - glm::vec3(anchor));
+    c.z += anchor.w * c.w;
+    return c;
+}
+
+namespace glsl {
+
+inline constexpr snippet anchored_vertex{
+    .name = "anchored_vertex",
+    .summary = "vertex of a depth pass in clip space, far from the origin too",
+    .exactness = tier::b,
+    .operations = 20,
+    .needs = list<&shadow_coordinate>,
+    .source = R"GLSL(
+// umbrage_anchored_vertex: clip space position of a vertex of a depth pass
+//   to_clip, anchor   of a depth_view: anchor.xyz is subtracted from world, and anchor.w times w is added to z
+UMBRAGE_HIGHP vec4 umbrage_anchored_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world,
+                                           UMBRAGE_HIGHP vec4 anchor) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = umbrage_shadow_coordinate(to_clip, way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.z + anchor.w * c.w;
+    return vec4(c.x, c.y, depth, c.w);
+}
+)GLSL",
+};
+
+inline constexpr snippet anchored_place{
+    .name = "anchored_place",
+    .summary = "place of a point in one map, and a bound of its rounding",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&receiver_slope>,
+    .source = R"GLSL(
+// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
+//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
+//   way                 position less anchor.xyz
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_receiver_slope(planes, normal, way);
+    bool before = c.w > 0.0;
+    UMBRAGE_HIGHP float i = before ? 1.0 / c.w : 0.0;
+    UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* anchored_map_snippets[]{&anchored_vertex, &anchored_place};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/shadow/cascade_places.hpp
+// Places of a receiver in cascaded shadow maps (CSM): in the first map that holds it and its filter, and in the next
+// one where the two blend. Near the border of the last map the second place lies outside, so shadows fade to light.
+//
+// See also: cascaded_maps.hpp, the setup; light/cascades, the search and the weights alone.
+
+namespace umbrage {
+
+/// Distance of a point beyond the part of a cascade's map in which a filter stays inside the map.
+/// @param coordinate   position in the cascade's map: texels, texels, depth
+/// @param size         size of the map, in texels
+/// @param reach        filter radius, in texels
+/// @return             texels, at most 0 inside that part. 65536 for a depth outside [0, 1], for NaN, and where the
+///                     distances along x and y add up to 65536 or more
+/// @formula            max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
+/// @exactness          B, n = 11
+[[nodiscard]] UMBRAGE_INLINE inline float cascade_edge(glm::vec3 coordinate, glm::vec2 size, float reach) {
+    const glm::vec2 half_size = size * 0.5f;
+    const float x = glm::abs(coordinate.x - half_size.x) - (half_size.x - reach);
+    const float y = glm::abs(coordinate.y - half_size.y) - (half_size.y - reach);
+    const bool between = !is_nan(coordinate.z) && coordinate.z >= 0.0f && coordinate.z <= 1.0f;
+    const bool near_map = !is_nan(x + y) && x + y < 65536.0f;
+    return between && near_map ? detail::greater(x, y) : 65536.0f;
+}
+
+/// Places in a cascade and in the next one, whose weight grows towards the border of the map.
+/// @param across                    normal, rotated into the light's axes
+/// @param found                     (texels, texels, depth, index) in the cascade, as cascade_by_projection has it
+/// @param there                     (texels, texels, depth) in the next cascade
+/// @param edges                     cascade_edge of both
+/// @param scale                     scale of that cascade, or of the last one; w: error of texels by rounding
+/// @param next_scale                scale of the next cascade
+/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade;
+///                                  z: error of depths by rounding
+/// @return                          both places. The second has a weight of 0 where only the first counts
+/// @exactness                       C, n = 14: as cascade_border_fade and cascade_slope. S of each
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascade_pair(glm::vec3 across, glm::vec4 found,
+                                                                          glm::vec3 there, glm::vec2 edges,
+                                                                          const glm::vec4& scale,
+                                                                          const glm::vec4& next_scale,
+                                                                          const glm::vec4& blending) {
+    const bool last = !(found.w < blending.y);
+    const int number = static_cast<int>(last ? blending.y : found.w);
+    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float weight) {
+        const glm::vec2 slope = cascade_slope(across, of);
+        const float steep = glm::abs(slope.x) + glm::abs(slope.y);
+        return map_place{map, at, slope, weight, steep * of.w + blending.z};
+    };
+    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, 1.0f), map_place{.weight = 0.0f}};
+    if (!(blending.x > 0.0f && found.w <= blending.y)) return both;
+    const float leaves = cascade_weight(edges.x * blending.x + 1.0f);
+    if (!(leaves > 0.0f)) return both;
+    if (last) {
+        both[1] = place(number, outside_all_maps, next_scale, leaves);
+        return both;
+    }
+    if (!(edges.y <= 0.0f)) return both;
+    const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
+    both[1] = place(number + 1, there, next_scale, detail::lesser(leaves, held));
+    return both;
+}
+
+/// Places of a point of the world in up to four cascades.
+/// @param rotation          rotation from the world to the light's axes
+/// @param scales            one column per cascade, as for cascade_by_projection; w of scales as for cascade_pair
+/// @param offsets           likewise
+/// @param anchor            xyz: position that is subtracted from the point's
+/// @param blending          as for cascade_pair
+/// @param terms             size of a map and reach of the filter, texels
+/// @param world             position of the point
+/// @param normal            its normal
+/// @return                  places of cascade_pair. In no cascade: a place that every filter takes as lit
+/// @exactness               C, n = 38: as cascade_pair, of rotated vectors
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places(
+    const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::vec4& anchor,
+    const glm::vec4& blending, const shadow_terms& terms, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
+        across(shadow_coordinate(rotation, normal));
+    glm::vec3 at(0.0f);
+    float edge = 65536.0f;
+    glm::length_t i = 0;
+    for (; i < 4; ++i) {
+        at = cascade_coordinate(light, scales[i], offsets[i]);
+        edge = cascade_edge(at, terms.map_size, terms.reach);
+        if (edge <= 0.0f) break;
+    }
+    const glm::vec4 found = i < 4 ? glm::vec4(at, float(i)) : glm::vec4(65536.0f, 65536.0f, 0.0f, 4.0f);
+    const glm::length_t last = 3, here = detail::lesser(i, last), next = detail::lesser(i + 1, last);
+    const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
+    const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
+    return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
+}
+
+/// Places of a point of the world in up to eight cascades: cascaded_maps_places with further columns, of the fifth
+/// cascade and those after it.
+/// @exactness   C, n = 38: as cascade_pair, of rotated vectors
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places_8(
+    const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::mat4& farther_scales,
+    const glm::mat4& farther_offsets, const glm::vec4& anchor, const glm::vec4& blending, const shadow_terms& terms,
+    glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
+        across(shadow_coordinate(rotation, normal));
+    const glm::vec4 found =
+        cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
+    const float number = detail::lesser(found.w, blending.y), next = detail::lesser(number + 1.0f, blending.y);
+    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next);
+    const glm::vec3 there = cascade_coordinate(light, next_scale, cascade_column_8(offsets, farther_offsets, next));
+    const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),
+                          cascade_edge(there, terms.map_size, terms.reach));
+    return cascade_pair(across, found, there, edges, cascade_column_8(scales, farther_scales, number), next_scale,
+                        blending);
+}
+
+namespace glsl {
+
+inline constexpr snippet cascade_edge{
+    .name = "cascade_edge",
+    .summary = "texels beyond the part of a cascade where a filter stays inside",
+    .exactness = tier::b,
+    .operations = 11,
+    .source = R"GLSL(
+// umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
+//   coordinate   position in the cascade's map: texels, texels, depth
+//   size, reach  size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
+UMBRAGE_HIGHP float umbrage_cascade_edge(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond =
+        abs(vec2(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
+    bool near_map = beyond.x + beyond.y < 65536.0;  // false for NaN
+    return coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map ? max(beyond.x, beyond.y) : 65536.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_pair{
+    .name = "cascade_pair",
+    .summary = "places in a cascade and in the next one, with their weights",
+    .exactness = tier::c,
+    .operations = 14,
+    .needs = list<&cascade_slope, &cascade_weight>,
+    .source = R"GLSL(
+// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
+//   across                    normal, rotated into the light's axes
+//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
+//   there                     (texels, texels, depth) in the next one
+//   edges                     umbrage_cascade_edge of both
+//   scale                     scale of the cascade, and error of its texels by rounding
+//   next_scale                that of the next one
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
+                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+    bool last = found.w >= blending.y;
+    UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
+    UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
+    UMBRAGE_HIGHP float held = edges.y <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
+    UMBRAGE_HIGHP float weight = last ? leaves : min(leaves, held);
+    UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
+    UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
+    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
+    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+}
+)GLSL",
+};
+
+inline constexpr snippet cascaded_maps_places{
+    .name = "cascaded_maps_places",
+    .summary = "places of a point of the world in up to four cascades",
+    .exactness = tier::c,
+    .operations = 38,
+    .needs = list<&cascade_edge, &cascade_pair>,
+    .source = R"GLSL(
+// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+//   rotation          rotation from the world to the light's axes
+//   scales, offsets   scales and offsets of the cascades
+//   anchor            position that is subtracted from world
+//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                                UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor,
+                                                UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    UMBRAGE_HIGHP vec4 across =
+        rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    UMBRAGE_HIGHP vec4 a = light * scales[0] + offsets[0];
+    UMBRAGE_HIGHP vec4 b = light * scales[1] + offsets[1];
+    UMBRAGE_HIGHP vec4 c = light * scales[2] + offsets[2];
+    UMBRAGE_HIGHP vec4 d = light * scales[3] + offsets[3];
+    UMBRAGE_HIGHP float edge_a = umbrage_cascade_edge(vec3(a.x, a.y, a.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_b = umbrage_cascade_edge(vec3(b.x, b.y, b.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_c = umbrage_cascade_edge(vec3(c.x, c.y, c.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_d = umbrage_cascade_edge(vec3(d.x, d.y, d.z), size, terms.z);
+    bool in_a = edge_a <= 0.0;
+    bool in_b = edge_b <= 0.0;
+    bool in_c = edge_c <= 0.0;
+    UMBRAGE_HIGHP vec4 none = vec4(65536.0, 65536.0, 0.0, 4.0);
+    UMBRAGE_HIGHP vec4 found = edge_d <= 0.0 ? vec4(d.x, d.y, d.z, 3.0) : none;
+    found = in_c ? vec4(c.x, c.y, c.z, 2.0) : found;
+    found = in_b ? vec4(b.x, b.y, b.z, 1.0) : found;
+    found = in_a ? vec4(a.x, a.y, a.z, 0.0) : found;
+    // the next cascade is already looked at; no column is chosen by number
+    UMBRAGE_HIGHP vec4 there = in_a ? b : (in_b ? c : d);
+    UMBRAGE_HIGHP float edge = in_a ? edge_a : (in_b ? edge_b : (in_c ? edge_c : edge_d));
+    UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
+    UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
+    UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
+    return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
+                                vec2(edge, next_edge), scale, next_scale, blending);
+}
+)GLSL",
+};
+
+inline constexpr snippet cascaded_maps_places_8{
+    .name = "cascaded_maps_places_8",
+    .summary = "places of a point of the world in up to eight cascades",
+    .exactness = tier::c,
+    .operations = 38,
+    .needs = list<&shadow_coordinate, &cascade_by_projection_8, &cascade_column_8, &cascade_coordinate, &cascade_edge,
+                  &cascade_pair>,
+    .source = R"GLSL(
+// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+//   the others, and what it returns   as umbrage_cascaded_maps_places
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                                  UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                  UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor,
+                                                  UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, way);
+    UMBRAGE_HIGHP vec4 turned_normal = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 across = vec3(turned_normal.x, turned_normal.y, turned_normal.z);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets,
+                                                               size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
+                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
+    UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* cascade_places_snippets[]{&cascade_edge, &cascade_pair, &cascaded_maps_places,
+                                                          &cascaded_maps_places_8};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/shadow/single_map.hpp
+// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
+//
+//     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+/// Place of a point of the world in a light's one map.
+/// @param to_texels                             make_anchored_map of the light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    return {anchored_place(to_texels, planes, anchor, rounding, world - glm::vec3(anchor), normal)};
+}
+
+namespace glsl {
+
+inline constexpr snippet single_map_places{
+    .name = "single_map_places",
+    .summary = "place of a point of the world in a light's one map",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&anchored_place>,
+    .source = R"GLSL(
+// umbrage_single_map_places: place of a point of the world in a light's one map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* single_map_snippets[]{&single_map_places};
+
+}  // namespace glsl
+
+/// Setup of one map.
+struct single_map {
+    light_space<double> light;
+
+    template <real T>
+    explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
+
+    using uniforms = anchored_map;
+    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}};
+    static constexpr map_grid grid{1, 1};
+    static constexpr outside_map outside = outside_map::bordered;
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        return make_anchored_map(light, map_size, origin);
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+    }
+    static constexpr const glsl::snippet* placing = &glsl::single_map_places;
+};
+
+/// Setup of a light with one map.
+template <real T>
+struct set_up_for<light_space<T>> {
+    using type = single_map;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/cube_maps.hpp
+// Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
+//
+//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+/// Place of a point of the world in a cube's six maps.
+/// @param to_texels                             anchored_map from a face's axes to texels of its map; the anchor is the
+///                                              light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place on the face that it lies before, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const int face = cube_face(way);
+    const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
+    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    place.number = face;
+    return {place};
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_maps_places{
+    .name = "cube_maps_places",
+    .summary = "place of a point of the world in a cube's six maps",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&cube_face, &cube_face_point, &anchored_place>,
+    .source = R"GLSL(
+// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                            UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                            UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+                               umbrage_cube_face_point(face, normal));
+    return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* cube_maps_snippets[]{&cube_maps_places};
+
+}  // namespace glsl
+
+/// Setup of a cube's six maps.
+struct cube_maps {
+    point_light<double> light;
+
+    template <real T>
+    explicit cube_maps(const point_light<T>& l)
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
+        static_cast<void>(make_point_light(light));  // checks the light
+    }
+
+    using uniforms = anchored_map;  ///< from a face's axes (cube_face_point) to texels of its map
+    static constexpr const auto& fields = single_map::fields;
+    static constexpr map_grid grid{3, 2};
+    static constexpr outside_map outside = outside_map::clamped;
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        const auto faces = make_point_light(light);
+        return {faces.begin(), faces.end()};
+    }
+    /// @throws std::invalid_argument  a map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
+        const glm::dmat4 projection = make_point_light(light)[0].projection;
+        const double half = 0.5 * light.map_size, inner = half - light.border;
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
+        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
+        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
+        glm::dmat4 m(0);
+        m[0][0] = m[1][1] = inner;
+        m[2] = {half, half, depth.x, 1.0};
+        m[3][2] = depth.y;
+        return detail::anchored_axes(m, map_size, light.position - origin);
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+    }
+    static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
+};
+
+/// A cube's maps are alike.
+template <>
+inline constexpr bool has_like_maps<cube_maps> = true;
+
+/// Setup of a point light.
+template <real T>
+struct set_up_for<point_light<T>> {
+    using type = cube_maps;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/map_tile.hpp
+// Tile of a map in an atlas of equal maps, row by row: where a shadow finds each of its light's maps.
+//
+//     glm::ivec2 origin = umbrage::map_tile(number, 3, map_size);  // a cube's six maps lie in three columns
+//
+
+namespace umbrage {
+
+/// First texel of a map in an atlas.
+/// @param number    number of the map, an integer >= 0. Below 2^16 in a shader
+/// @param columns   maps per row, >= 1. A shader takes their number and its reciprocal
+/// @param size      size of a map, texels. The atlas has sides below 2^31
+/// @exactness       A: integers; the quotient is half a step away from any
+[[nodiscard]] inline glm::ivec2 map_tile(int number, int columns, glm::ivec2 size) {
+    return glm::ivec2(number % columns, number / columns) * size;
+}
+
+namespace glsl {
+
+inline constexpr snippet map_tile{
+    .name = "map_tile",
+    .summary = "first texel of a map in an atlas of equal maps",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_map_tile: first texel of a map in an atlas of maps of size texels, row by row
+//   number    number of the map, a whole number
+//   columns   maps per row, and 1.0 / their number
+UMBRAGE_HIGHP vec2 umbrage_map_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 columns, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor((number + 0.5) * columns.y);
+    return vec2(number - row * columns.x, row) * size;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* map_tile_snippets[]{&map_tile};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/shadow/page_places.hpp
+// Place of a receiver in the pages of an adaptive shadow map, whose table lies in the uniform block.
+//
+// See also: adaptive_maps.hpp, the setup; page_coordinate, which reads a larger table from a texture.
+
+namespace umbrage {
+
+/// Place of a point of the world in the page that holds it.
+/// @param to_root         page_matrix: 1 to 2 across the root page
+/// @param planes          plane_matrix in texels of the deepest level
+/// @param cells           16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1). Each
+///                        number holds two cells: first + 1024 second
+/// @param anchor          xyz: position that is subtracted from the point's
+/// @param pages           x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
+///                        level and of depths by rounding
+/// @param world           position of the point
+/// @param normal          its normal
+/// @return                its place, with weight 1. Outside the root page: one that every filter takes as lit
+/// @exactness             C, n = 68: as receiver_slope, and a division. S of each
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> adaptive_maps_places(
+    const glm::mat4& to_root, const glm::mat4& planes, const std::array<glm::mat4, 8>& cells, const glm::vec4& anchor,
+    const glm::vec4& pages, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    constexpr int side = 16;
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const glm::vec3 in_root(shadow_coordinate(to_root, way));
+    const auto within = [](float v) { return !is_nan(v) && v >= 1.0f && v < 2.0f; };
+    const bool inside = within(in_root.x) && within(in_root.y);
+    const glm::vec2 coord = inside ? glm::vec2(in_root) : glm::vec2(1);
+    const int i = static_cast<int>(coord.y * 16.0f - 16.0f) * side + static_cast<int>(coord.x * 16.0f - 16.0f);
+    const auto cell = static_cast<glm::length_t>(i);
+    const int two = static_cast<int>(cells[static_cast<std::size_t>(i / 32)][cell / 8 % 4][cell / 2 % 4]);
+    const int code = i % 2 == 0 ? two % 1024 : two / 1024;
+    const float across = static_cast<float>(code / 64 + 1);
+    const glm::vec2 place = coord * across;
+    const glm::vec2 at = inside ? (place - glm::floor(place)) * pages.x + pages.y : glm::vec2(32768);
+    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * (16.0f / across);
+    const float rounding = (glm::abs(deepest.x) + glm::abs(deepest.y)) * pages.z + pages.w;
+    return {
+        map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, rounding}};
+}
+
+namespace glsl {
+
+inline constexpr snippet adaptive_maps_places{
+    .name = "adaptive_maps_places",
+    .summary = "place of a point of the world in the pages of an adaptive map",
+    .exactness = tier::c,
+    .operations = 68,
+    .needs = list<&shadow_coordinate, &cascade_column_8, &receiver_slope, &clamp_slope>,
+    .source = R"GLSL(
+// umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
+//   to_root              matrix from the world to 1.0 to 2.0 across the root page
+//   planes               plane matrix in texels of the deepest level
+//   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
+//                        slot + 64.0 (2^level - 1.0)
+//   anchor               position that is subtracted from world
+//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
+                                                UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
+                                                UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
+                                                UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
+                                                UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
+                                                UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
+                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
+    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
+    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
+    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
+    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
+    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
+    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
+    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
+    UMBRAGE_HIGHP float pair = floor(along * 0.5);
+    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
+    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
+    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
+    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
+    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
+    UMBRAGE_HIGHP float across = before + 1.0;
+    UMBRAGE_HIGHP vec2 place = coord * across;
+    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
+    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
+    UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
+    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    return mat4(vec4(at, in_root.z, code - before * 64.0),
+                vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* page_places_snippets[]{&adaptive_maps_places};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/shadow/paraboloid_maps.hpp
+// Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
+// They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
+//
+//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+/// Place of a point of the world in two paraboloid maps.
+/// @param position        position of the light; w: depth per world unit
+/// @param halves          x: size of a paraboloid's image in texels; y: border; z: slope of a depth per texel; w: depth
+///                        at the light
+/// @param rounding        x: error of a depth by rounding
+/// @param world           position of the point
+/// @param normal          its normal
+/// @return                its place, with weight 1
+/// @exactness             C, n = 57: as dual_paraboloid_coordinate, distance_depth and dual_paraboloid_slope. S of each
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> paraboloid_maps_places(const glm::vec4& position,
+                                                                                    const glm::vec4& halves,
+                                                                                    const glm::vec4& rounding,
+                                                                                    const shadow_terms&,
+                                                                                    glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(position), found = dual_paraboloid_coordinate(way);
+    const glm::vec2 at = glm::vec2(found) * halves.x + halves.y;
+    const float depth = distance_depth(way, position.w) + halves.w;
+    return {
+        map_place{int(found.z), glm::vec3(at, depth), dual_paraboloid_slope(way, normal, halves.z), 1.0f, rounding.x}};
+}
+
+/// Vertex of the depth pass of a paraboloid map, in clip space. Lines between vertices stay straight there.
+/// @param to_clip    the light's projection
+/// @param world      position of the vertex
+/// @param anchor     xyz: position of the light
+/// @param number     0 or 1: the map
+/// @exactness        C, n = 51: as dual_paraboloid_position, then the matrix' sums
+[[nodiscard]] inline glm::vec4 paraboloid_vertex(const glm::mat4& to_clip, glm::vec3 world, const glm::vec4& anchor,
+                                                 float number) {
+    const glm::vec4 p = dual_paraboloid_position(world - glm::vec3(anchor), number);
+    return to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+}
+
+namespace glsl {
+
+inline constexpr snippet paraboloid_maps_places{
+    .name = "paraboloid_maps_places",
+    .summary = "place of a point of the world in two paraboloid maps",
+    .exactness = tier::c,
+    .operations = 57,
+    .needs = list<&dual_paraboloid_coordinate, &distance_depth, &dual_paraboloid_slope>,
+    .source = R"GLSL(
+// umbrage_paraboloid_maps_places: place of a point of the world in two paraboloid maps
+//   position   position of the light, and depth per world unit
+//   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
+//   rounding   error of a depth by rounding
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_paraboloid_maps_places(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves,
+                                                  UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    return mat4(vec4(at, depth, found.z), vec4(slope, 1.0, rounding.x), none, none);
+}
+)GLSL",
+};
+
+inline constexpr snippet paraboloid_vertex{
+    .name = "paraboloid_vertex",
+    .summary = "clip space position of a vertex in a paraboloid map",
+    .exactness = tier::c,
+    .operations = 51,
+    .needs = list<&dual_paraboloid_position>,
+    .source = R"GLSL(
+// umbrage_paraboloid_vertex: clip space position of a vertex in a paraboloid map
+//   to_clip    the light's projection
+//   anchor     position of the light
+//   number     0.0 or 1.0, the map
+UMBRAGE_HIGHP vec4 umbrage_paraboloid_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP float number) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 p = umbrage_dual_paraboloid_position(way, number);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 place =
+        to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+    return place;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* paraboloid_maps_snippets[]{&paraboloid_maps_places, &paraboloid_vertex};
+
+}  // namespace glsl
+
+/// Setup of two paraboloid maps.
+struct paraboloid_maps {
+    dual_paraboloid_light<double> light;
+
+    template <real T>
+    explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
+        : light{glm::dvec3(l.position), double(l.range), l.map_size, l.border, l.clip} {
+        static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
+    }
+
+    struct uniforms {
+        glm::vec4 position;  ///< position of the light; w: depth per world unit, 1 / range, or reversed -1 / range
+        glm::vec4 halves;    ///< x: map_size - 2 border; y: border; z: 2 / (range x); w: depth at the light
+        glm::vec4 rounding;  ///< x: error of a depth by rounding
+    };
+    static constexpr uniform_field fields[]{{"position", false}, {"halves", false}, {"rounding", false}};
+    static constexpr map_grid grid{2, 1};
+    static constexpr outside_map outside = outside_map::clamped;
+    static constexpr float depth_error = 1.0f / 4096.0f;  ///< of tessellated meshes
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const { return {2, make_dual_paraboloid_light(light)}; }
+    template <class ParallelFor>
+    void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances, glm::dvec3 origin,
+              ParallelFor&& parallel) const {
+        auto here = light;
+        here.position -= origin;
+        const light_space<double> space = make_dual_paraboloid_light(here);
+        const light_space<float> single{glm::mat4(space.view), glm::mat4(space.projection), space.clip};
+        const tessellation to{.position = glm::vec3(here.position),
+                              .angle = float(paraboloid_edge_angle(light.map_size, light.border)),
+                              .range = float(light.range),
+                              .depth_error = depth_error};
+        const glm::ivec2 size(light.map_size);
+        std::vector<glm::vec3> placed;
+        for (const glm::mat4& model : instances) {
+            placed.clear();
+            for (const glm::vec3& p : mesh.positions)
+                placed.emplace_back(glm::dvec3(glm::dmat4(model) * glm::dvec4(p, 1)));
+            const auto cut = tessellate({placed, mesh.triangles}, to);
+            for (const int map : {0, 1})
+                rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
+        }
+    }
+    /// @throws std::invalid_argument  a map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
+        const double inner = light.map_size - 2 * light.border;
+        const bool forward = light.clip.direction == depth_direction::forward;
+        return {glm::vec4(glm::dvec4(light.position - origin, (forward ? 1.0 : -1.0) / light.range)),
+                glm::vec4(glm::dvec4(inner, light.border, 2.0 / (light.range * inner), forward ? 0.0 : 1.0)),
+                glm::vec4(detail::one_rounding * (12.0 + 3.0 * glm::length(light.position - origin) / light.range), 0,
+                          0, 0)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return paraboloid_maps_places(u.position, u.halves, u.rounding, terms, world, normal);
+    }
+    static constexpr const glsl::snippet* placing = &glsl::paraboloid_maps_places;
+};
+
+/// Vertex function of paraboloid maps.
+inline constexpr vertex_function paraboloid_vertices{&glsl::paraboloid_vertex, {{{"anchor", 4}, {"number", 1}}}};
+/// Errors of lines that paraboloids bend, and the vertex function that bends them.
+template <>
+inline constexpr bent_lines bends_of<paraboloid_maps>{tessellation_reach<float>, paraboloid_maps::depth_error,
+                                                      &paraboloid_vertices};
+
+/// Setup of a light with paraboloid maps.
+template <real T>
+struct set_up_for<dual_paraboloid_light<T>> {
+    using type = paraboloid_maps;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shader/binding.hpp
+// Description of a shadow map for shaders: its texture type, the conversion of texels to depths, and the comparison.
+//
+//     using namespace umbrage::glsl;
+//     const binding cascades{.texture = texture::array};
+//     const binding packed = stored_as(umbrage::rg<11>{});
+//
+
+namespace umbrage::glsl {
+
+/// Texture type of a map. It decides the first parameters of functions that take the map, given here in GLSL:
+///   texture_2d             sampler2D map: depths, or values that `depth` converts to depths
+///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller passes
+///   array                  sampler2DArray map, float layer
+///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
+///   cube_faces             samplerCube map: its faces as tiles of an atlas, for pcf_2x2_cube. The size is then that of
+///                          the atlas, (3, 2) times a face's
+///   integer                usampler2D map: the depth is the integer, exact up to 2^24
+///   depth, depth_array     depth textures that are read without comparison. In GLSL the same as texture_2d and array
+///   shadow, shadow_array   comparison samplers, sampler2DShadow map. Set the direction of comparison on the sampler. A
+///                          filter that needs depths cannot be bound to them
+///
+/// Samplers must clamp to the edge and read the nearest texel, except for pcf_2x2_hardware and window_hardware. A float
+/// depth texture gives the same bits as the plain form. With integer depths, a sampler clamps the receiver to [0, 1]
+/// before it compares. Filters give the same bits even then, since they light receivers beyond the far plane. lit()
+/// alone does not.
+enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
+
+namespace detail {
+
+/// Name of a texture type, for errors.
+[[nodiscard]] inline const char* name_of(texture kind) {
+    constexpr std::array names{"texture_2d", "atlas", "array",       "cube",   "cube_faces",
+                               "integer",    "depth", "depth_array", "shadow", "shadow_array"};
+    const auto number = static_cast<std::size_t>(kind);
+    return number < names.size() ? names[number] : "none of them";
+}
+
+}  // namespace detail
+
+/// Shadow map for shaders: its texels, and how they compare. Texts in it are in the shader's language.
+struct binding {
+    glsl::texture texture = glsl::texture::texture_2d;
+    depth_direction direction = depth_direction::forward;
+    std::optional<outside_map> outside{};  ///< none: bordered, but clamped for tiles, regions and faces of cubes
+    bool gather = false;    ///< reads 2x2 texels at once, and depths at points, with a sampler. It must clamp to the
+                            ///< edge, except for regions
+    std::string depth{};    ///< depth from vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x.
+                            ///< Without gather it may use vec2 `texel`, the index of the texel
+    int channels = 1;       ///< number of channels of `value` that `depth` reads
+    std::string compare{};  ///< "exp(40.0 * (stored - receiver))", for example: 1.0 is lit. Empty: by
+                            ///< direction. With an own comparison no receiver is beyond the far plane
+    bool receiver_plane = false;   ///< compares along the receiver's plane (plane_reference). After the map functions
+                                   ///< take the plane's slope, a vec2, and a vec3 of the receiver's coordinate and its
+                                   ///< depth. Not with gather or an own comparison
+    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
+    std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,
+    std::string arguments{};       ///< its arguments in calls,
+    std::string texel{};           ///< and a vec4 expression that reads the texture at `at`, a vec2 of integers
+    std::vector<snippet> needs{};  ///< snippets that these texts call
+
+    friend bool operator==(const binding&, const binding&) = default;
+};
+
+/// Binding of a map in an encoding: replaces `map`'s depth and direction.
+template <known_encoding Encoding>
+[[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
+    map.direction = encoding.direction;
+    if constexpr (Encoding::writes != store_format::depth) {
+        map.channels = Encoding::target::channels;
+        map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
+                    std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
+        if constexpr (has_edge<Encoding>) {
+            std::string edge = std::to_string(encoding.edge);
+            while (edge.back() == '0' && edge[edge.size() - 2] != '.') edge.pop_back();
+            map.depth += ", " + edge;
+        }
+        map.depth += ')';
+        map.needs.push_back(*Encoding::reader);
+    }
+    return map;
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shader/texel_hooks.hpp
+// Hooks for each kind of map, part 1: those that interpret depths, and those that read texels without a filter.
+// See also: hooks.hpp, which explains the words.
+//
+
+namespace umbrage::glsl::hooks {
+
+inline constexpr snippet reversed_cleared_depth{
+    .name = "cleared_depth", .summary = "cleared_depth, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_covers{
+    .name = "map_covers", .summary = "map_covers, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return true;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_beyond_far_plane{
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver < 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet no_beyond_far_plane{
+    .name = "beyond_far_plane", .summary = "beyond_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
+    return false;
+}
+)GLSL"};
+
+inline constexpr snippet any_within_far_plane{
+    .name = "within_far_plane", .summary = "within_far_plane, without", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    // a sum of choices: compilers take an or of the comparisons for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_within_far_plane{
+    .name = "within_far_plane", .summary = "within_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver >= 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_compare{
+    .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet own_compare{
+    .name = "compare", .summary = "compare, own", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: visibility of one comparison, by the map's own comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_COMPARE;
+}
+)GLSL"};
+
+inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
+// umbrage_decode: depth of a value that the sampler returned
+UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
+    return UMBRAGE_DEPTH;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_depth{.name = "fetch_depth",
+                                       .summary = "fetch_depth, clamped",
+                                       .needs = list<&fetch_clamped>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
+}
+)GLSL"};
+
+inline constexpr snippet lit_texel{.name = "lit_texel", .summary = "lit_texel", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
+}
+)GLSL"};
+
+inline constexpr snippet clamped_lit{
+    .name = "lit", .summary = "lit, clamped", .needs = list<&lit_texel>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+)GLSL"};
+
+inline constexpr snippet bordered_lit{.name = "lit",
+                                      .summary = "lit, bordered",
+                                      .needs = list<&lit_texel, &compare>,
+                                      .role = hook::chosen,
+                                      .source = R"GLSL(
+// umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
+}
+)GLSL"};
+
+// Along the receiver's plane the border lies before every stored depth, so that it needs no comparison of its own.
+
+inline constexpr snippet planed_lit{.name = "lit",
+                                    .summary = "lit, along a plane",
+                                    .needs = list<&texel, &compare>,
+                                    .role = hook::chosen,
+                                    .source = R"GLSL(
+// umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
+}
+)GLSL"};
+
+inline constexpr snippet planed_lit_texel{
+    .name = "lit_texel", .summary = "lit_texel, along a plane", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_LIT_TEXEL;
+}
+)GLSL"};
+
+inline constexpr snippet planed_compared_lit{.name = "lit",
+                                             .summary = "lit, compared along a plane",
+                                             .needs = list<&planed_lit_texel>,
+                                             .role = hook::chosen,
+                                             .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
+}
+)GLSL"};
+
+// Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+
+inline constexpr snippet gather_compared{
+    .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
+}
+)GLSL"};
+
+inline constexpr snippet gather_one_channel{.name = "gather_lit",
+                                            .summary = "gather_lit, one channel",
+                                            .needs = list<&decode, &compare>,
+                                            .role = hook::chosen,
+                                            .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gather_two_channels{.name = "gather_lit",
+                                             .summary = "gather_lit, two channels",
+                                             .needs = list<&decode, &compare>,
+                                             .role = hook::chosen,
+                                             .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/hooks.hpp
+// Hooks for each kind of map, part 2. bind() puts one of these functions in place of a hook's own text, which is that
+// of a plain map. The map fills in these words:
+//   UMBRAGE_MAP map   its parameters
+//   UMBRAGE_ORIGIN    its first texel in the texture
+//   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
+//   UMBRAGE_STORED    the depth of a `value`
+//   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
+//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
+//   UMBRAGE_BORDER    the depth outside
+//   UMBRAGE_COMPARE   a user's own comparison
+//   UMBRAGE_UV        texture coordinates for `at`
+// and words that read the texture at `at` or `uv`. See also: texel_hooks.hpp.
+
+namespace umbrage::glsl::hooks {
+
+inline constexpr snippet gathered{.name = "lit_2x2",
+                                  .summary = "lit_2x2, gathered",
+                                  .needs = list<&gather_compared>,
+                                  .role = hook::chosen,
+                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_region{.name = "lit_2x2",
+                                         .summary = "lit_2x2, gathered in a region",
+                                         .needs = list<&gather_compared>,
+                                         .role = hook::chosen,
+                                         .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered{.name = "lit_2x2",
+                                           .summary = "lit_2x2, gathered and bordered",
+                                           .needs = list<&gather_compared, &inside_map, &compare>,
+                                           .role = hook::chosen,
+                                           .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
+                                                  .summary = "lit_2x2, gathered in a bordered region",
+                                                  .needs = list<&gather_compared, &inside_map, &compare>,
+                                                  .role = hook::chosen,
+                                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+// The sampler weights texels. Coordinates stay half a texel inside, so that texels outside the map have no weight.
+
+inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
+                                              .summary = "lit_filtered, clamped",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
+                                              .needs = list<&within_far_plane>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
+                                               .summary = "lit_filtered, bordered",
+                                               .exactness = tier::c,
+                                               .within = 1.0f / 128.0f,
+                                               .needs = list<&within_far_plane, &compare>,
+                                               .role = hook::chosen,
+                                               .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+}
+)GLSL"};
+
+// A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
+
+inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
+                                              .summary = "lit_at, sampled and bordered",
+                                              .exactness = tier::c,
+                                              .within = 1.0f / 128.0f,
+                                              .needs = list<&compare>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+)GLSL"};
+
+inline constexpr snippet sampled_bordered_depth{.name = "depth_at",
+                                                .summary = "depth_at, sampled and bordered",
+                                                .exactness = tier::c,
+                                                .operations = 4,
+                                                .needs = list<&decode>,
+                                                .role = hook::chosen,
+                                                .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
+}
+)GLSL"};
+
+inline constexpr snippet sampled_lit{.name = "lit_at",
+                                     .summary = "lit_at, sampled",
+                                     .exactness = tier::c,
+                                     .within = 1.0f / 128.0f,
+                                     .role = hook::chosen,
+                                     .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+)GLSL"};
+
+inline constexpr snippet planed_lit_sampled{
+    .name = "lit_sampled", .summary = "lit_sampled, along a plane", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_sampled: 2x2 comparisons of the sampler around a point
+UMBRAGE_HIGHP float umbrage_lit_sampled(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+)GLSL"};
+
+inline constexpr snippet planed_lit_at{.name = "lit_at",
+                                       .summary = "lit_at, along a plane",
+                                       .exactness = tier::c,
+                                       .within = 1.0f / 128.0f,
+                                       .needs = list<&plane_reference, &planed_lit_sampled>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+}
+)GLSL"};
+
+inline constexpr snippet planed_bordered_lit_at{.name = "lit_at",
+                                                .summary = "lit_at, bordered along a plane",
+                                                .exactness = tier::c,
+                                                .within = 1.0f / 128.0f,
+                                                .needs = list<&plane_reference, &planed_lit_sampled>,
+                                                .role = hook::chosen,
+                                                .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet. Lit outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return 1.0 + inside.x * inside.y * (lit - 1.0);
+}
+)GLSL"};
+
+inline constexpr snippet sampled_depth{.name = "depth_at",
+                                       .summary = "depth_at, sampled",
+                                       .exactness = tier::c,
+                                       .operations = 4,
+                                       .needs = list<&decode>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
+}
+)GLSL"};
+
+/// List of all hooks, for printers and packages.
+inline constexpr const auto& all =
+    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
+         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
+         &gather_compared, &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
+         &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/chosen.hpp
+// Choice of the function that a map has for each hook.
+//
+
+namespace umbrage::glsl::detail {
+
+[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+/// True when texels outside the map count as the far plane.
+[[nodiscard]] inline bool is_bordered(const binding& b) {
+    const bool tile = has_region(b) || is_cube(b.texture);
+    return b.outside.value_or(tile ? outside_map::clamped : outside_map::bordered) == outside_map::bordered;
+}
+/// True when the map's depths have their own scale, on which 1 is not the far plane.
+[[nodiscard]] inline bool is_scaled(const binding& b) {
+    for (const snippet& need : b.needs)
+        if (need.scaled) return true;
+    return false;
+}
+[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
+[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// True when receivers can be beyond the map's far plane. A user's own comparison handles them itself.
+[[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
+
+/// Function that a map has instead of a hook's own text. Returns other snippets unchanged.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
+    const bool forward = b.direction == depth_direction::forward;
+    switch (s.role) {
+        case hook::none:
+        case hook::chosen:
+        case hook::texel: return s;
+        case hook::cleared_depth: return forward ? s : hooks::reversed_cleared_depth;
+        case hook::map_covers: return is_bordered(b) ? s : hooks::clamped_covers;
+        case hook::beyond_far_plane:
+            return !has_far_plane(b) ? hooks::no_beyond_far_plane : forward ? s : hooks::reversed_beyond_far_plane;
+        case hook::within_far_plane:
+            return !has_far_plane(b) ? hooks::any_within_far_plane : forward ? s : hooks::reversed_within_far_plane;
+        case hook::compare:
+            if (!b.compare.empty()) return hooks::own_compare;
+            return forward ? s : hooks::reversed_compare;
+        case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
+        case hook::lit:
+            if (b.receiver_plane) return compares(b.texture) ? hooks::planed_compared_lit : hooks::planed_lit;
+            if (!compares(b.texture)) return s;
+            return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
+        case hook::lit_2x2:
+            if (!b.gather) return s;
+            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
+            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+        case hook::gather_lit:
+            if (compares(b.texture)) return hooks::gather_compared;
+            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+        case hook::lit_filtered:
+            if (!compares(b.texture)) return s;
+            return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at:
+            if (!compares(b.texture) || has_region(b)) return s;
+            if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
+            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
+        case hook::depth_at:
+            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
+            return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
+    }
+    return s;
+}
+
+/// True when a snippet is a hook of these roles, or calls one.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool calls(const snippet& s, hook first, hook last) {
+    for (const snippet* need : s.needs)
+        if (calls(*need, first, last)) return true;
+    return first <= s.role && s.role <= last;
+}
+
+/// True when a snippet's functions belong to a map.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_of_map(const snippet& s) {
+    return calls(s, hook::map_covers, hook::chosen);
+}
+
+/// True when a snippet reads its map.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool reads_map(const snippet& s) {
+    return calls(s, hook::texel, hook::depth_at);
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/bind.hpp
+// Snippets bound to maps, so that one shader can sample several kinds of map. Each map's functions have its own suffix.
+//
+//     using namespace umbrage::glsl;
+//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
+//                                                 bind(box, "spot", stored_as(umbrage::rg<11>{}))});
+//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_spot(sampler2D map, ...)
+//
+// Also called: textureGather, GatherCmp, gather4 (bind).
+//
+
+namespace umbrage::glsl {
+
+namespace detail {
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+/// Words of a text, without those in comments.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> all;
+    (void)replace_words(text, [&](std::string_view word, bool comment) {
+        if (!comment) all.push_back(word);
+        return std::string();
+    });
+    return all;
+}
+
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool contains(const std::vector<std::string_view>& all, std::string_view word) {
+    for (const std::string_view one : all)
+        if (one == word) return true;
+    return false;
+}
+
+/// True for a part of an identifier: letters, digits, single underscores between them.
+[[nodiscard]] constexpr bool is_part_of_identifier(std::string_view name) {
+    char before = '_';
+    for (const char c : name) {
+        if (!is_word(c) || (c == '_' && before == '_')) return false;
+        before = c;
+    }
+    return name.empty() || before != '_';
+}
+
+/// True for a text that can stand in an expression: one line, brackets in pairs, no comment, directive or statement.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_expression(std::string_view text) {
+    std::string closing;
+    bool blank = true;
+    for (const char c : text) {
+        if (c < ' ' || c > '~' || std::string_view(";#\\\"'`").find(c) != std::string_view::npos) return false;
+        blank = blank && c == ' ';
+        if (c == '(' || c == '[' || c == '{') closing += c == '(' ? ')' : c == '[' ? ']' : '}';
+        if (c != ')' && c != ']' && c != '}') continue;
+        if (closing.empty() || closing.back() != c) return false;
+        closing.pop_back();
+    }
+    return closing.empty() && !blank && text.find("//") == text.npos && text.find("/*") == text.npos;
+}
+
+/// Members of a list separated by commas. Commas in brackets do not count.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> members(std::string_view list) {
+    std::vector<std::string_view> all;
+    int open = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        if (c == '(' || c == '[' || c == '{' || c == '<') ++open;
+        if (c == ')' || c == ']' || c == '}' || c == '>') --open;
+        if (c != ',' || (open > 0 && i < list.size())) continue;
+        all.push_back(list.substr(begin, i - begin));
+        begin = i + 1;
+    }
+    return all;
+}
+
+/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_one_expression(std::string_view text) {
+    for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {
+        const bool compares = i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
+        if (!compares && text.substr(i + 1, 1) != "=") return false;
+    }
+    return is_expression(text) && members(text).size() == 1;
+}
+
+/// Expression as an operand: in parentheses, unless it is a name, a number, a call or in brackets already.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string as_operand(const std::string& text) {
+    int open = 0;
+    bool simple = true;
+    for (const char c : text) {
+        if (c == '(' || c == '[' || c == '{') ++open;
+        simple = simple && (open > 0 || is_word(c) || c == '.');
+        if (c == ')' || c == ']' || c == '}') --open;
+    }
+    return simple ? text : "(" + text + ")";
+}
+
+/// Checks that the map supports every hook that the snippet calls.
+template <class = umbrage::detail::on_use>
+void check_hooks(const snippet& what, const snippet& asked, const binding& map) {
+    const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
+    umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
+                             "a snippet that reads no depths, as a comparison sampler gives none", what.name);
+    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+                             "false where texels of cubes or whole numbers are gathered", map.gather);
+    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+                             "1 or 2 where texels are gathered", map.channels);
+    umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
+                             "map.depth", "of value alone where texels are gathered", map.depth);
+    umbrage::detail::require(asked.role != hook::lit_filtered || !map.receiver_plane || !compares(map.texture),
+                             "glsl::bind", "map.receiver_plane", "false where a sampler weights a region's comparisons",
+                             map.receiver_plane);
+    for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
+}
+
+/// Checks a binding for errors that would not compile in any language.
+/// @throws std::invalid_argument   a name, map or snippet that do not fit together
+template <class = umbrage::detail::on_use>
+void check(const snippet& what, std::string_view name, const binding& map) {
+    umbrage::detail::require(is_part_of_identifier(name), "glsl::bind", "name",
+                             "letters, digits and single underscores between them", name);
+    const bool one_channel =
+        compares(map.texture) || map.texture == texture::depth || map.texture == texture::depth_array;
+    umbrage::detail::require(1 <= map.channels && map.channels <= 4, "glsl::bind", "map.channels", "1 to 4",
+                             map.channels);
+    umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
+                             map.channels);
+    umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
+                             "empty for a comparison sampler", map.depth,
+                             "It reads a depth texture: depth32f, depth24 or depth16.");
+    const auto expression = [](const std::string& own, const char* argument) {
+        umbrage::detail::require(own.empty() || is_one_expression(own), "glsl::bind", argument,
+                                 "one expression on one line", own);
+    };
+    const auto expressions = [](const std::string& own, const char* argument, const char* condition) {
+        umbrage::detail::require(own.empty() || is_expression(own), "glsl::bind", argument, condition, own);
+    };
+    umbrage::detail::require(!compares(map.texture) || map.compare.empty(), "glsl::bind", "map.compare",
+                             "empty for a comparison sampler", map.compare);
+    expression(map.depth, "map.depth");
+    expression(map.compare, "map.compare");
+    expression(map.origin, "map.origin");
+    expression(map.texture_size, "map.texture_size");
+    expression(map.texel, "map.texel");
+    expressions(map.parameters, "map.parameters", "parameters on one line");
+    expressions(map.arguments, "map.arguments", "expressions on one line");
+    for (const snippet& need : map.needs)
+        umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
+    umbrage::detail::require(!map.receiver_plane || (!map.gather && map.compare.empty()), "glsl::bind",
+                             "map.receiver_plane", "false where texels are gathered or have an own comparison",
+                             map.receiver_plane);
+    check_hooks(what, what, map);
+}
+
+}  // namespace detail
+
+/// Text made for one binding, and the snippets it calls.
+struct own_text {
+    std::string name, source;
+    std::vector<const snippet*> needs{};
+};
+
+namespace detail {
+
+/// Own texts as snippets. Each may call those before it. They are valid as long as the texts and this object.
+class own_snippets {
+public:
+    template <class = umbrage::detail::on_use>
+    explicit own_snippets(const std::vector<own_text>& texts) : needs_(texts.size()) {
+        all_.reserve(texts.size());  // reserved: the elements are pointed to
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            needs_[i] = texts[i].needs;
+            for (const snippet& before : all_) needs_[i].push_back(&before);
+            all_.push_back({.name = texts[i].name, .needs = needs_[i], .source = texts[i].source.c_str()});
+        }
+    }
+    own_snippets(const own_snippets&) = delete;
+
+    [[nodiscard]] auto begin() const { return all_.begin(); }
+    [[nodiscard]] auto end() const { return all_.end(); }
+
+private:
+    std::vector<std::vector<const snippet*>> needs_;
+    std::vector<snippet> all_;
+};
+
+}  // namespace detail
+
+/// Snippet and the map that it is bound to. A snippet without a binding is bind(snippet, "", {}): a 2D depth texture.
+struct bound {
+    snippet what;
+    std::string suffix{};
+    binding map{};
+    std::optional<shader_interface> declared{};  ///< for a shadow: declarations of the text,
+    std::vector<own_text> texts{};               ///< and its functions. `what` then only names it
+
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s) : what(s) {}
+    template <class = umbrage::detail::on_use>
+    bound(const snippet& s, std::string_view name, binding b)
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {
+        if (!map.receiver_plane) return;
+        map.needs.push_back(detail::is_bordered(map) ? bordered_plane_reference : plane_reference);
+        if (!detail::compares(map.texture)) map.needs.push_back(apply_receiver_plane);
+    }
+};
+
+/// Snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param what   snippet to bind
+/// @param name   letters, digits, single underscores between them; may be empty
+/// @param map    map that it reads
+/// @throws std::invalid_argument   another name; a map that does not support what the snippet needs
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
+    detail::check(what, name, map);
+    return {what, name, std::move(map)};
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shadow/look.hpp
+// Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
+//
+// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with a bias of
+// half a texel of its slope. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered
+// maps (VSM, ESM, EVSM, MSM), which have texels of their own.
+
+namespace umbrage {
+
+/// Texels of a prefiltered map, used in place of an encoding.
+template <prefilter Prefilter>
+struct moment_texels {
+    using texel = typename Prefilter::texel;
+
+    depth_direction direction = depth_direction::forward;
+    [[nodiscard]] constexpr decoding_error error() const { return {}; }
+};
+
+namespace detail {
+
+/// Filter that takes a coordinate and a receiver, perhaps a pixel, and numbers of its own. It compares in either
+/// direction of depth.
+template <class Filter>
+concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
+    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f);
+};
+
+/// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
+template <class Filter>
+concept contact_hardening =
+    point_filter<Filter> && std::same_as<numbers_of<const Filter>, std::tuple<const penumbra_params&>>;
+
+/// Prefilter whose texels a shader decodes and writes.
+template <class Prefilter>
+concept known_prefilter = prefilter<Prefilter> && with_numbers<Prefilter> && requires {
+    { Prefilter::snippet } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer } -> std::convertible_to<const glsl::snippet*>;
+    { Prefilter::writer_numbers } -> std::convertible_to<int>;  // of its numbers, how many the writer takes
+};
+
+/// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
+template <class Filter>
+concept disc_filter =
+    point_filter<Filter> && !contact_hardening<Filter> && width_of_numbers<Filter> < 4 && requires(const Filter& f) {
+    f.farthest_point();
+};
+
+/// Filter whose disc has another rotation in each pixel.
+template <class Filter>
+concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
+    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
+};
+
+template <class Filter>
+struct encoding_for {
+    using type = depth32f;
+};
+template <prefilter Prefilter>
+struct encoding_for<Prefilter> {
+    using type = moment_texels<Prefilter>;
+};
+
+}  // namespace detail
+
+/// Filter that a shadow takes.
+template <class Filter>
+concept shadow_filter = detail::point_filter<Filter> || detail::known_prefilter<Filter>;
+
+/// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
+template <class Encoding, class Filter>
+concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
+                          (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
+
+namespace detail {
+
+/// Distance along an axis from a receiver to the farthest texel that counts, texels.
+[[nodiscard]] constexpr float reach_of(const auto& filter) {
+    if constexpr (requires { filter.reach(); }) return filter.reach();
+    else return 1.0f;  // a prefilter reads the four texels around it
+}
+
+/// Checks that a shadow takes a filter and an encoding, with a readable error message.
+template <class Filter, class Encoding>
+consteval bool shadow_takes() {
+    static_assert(
+        with_numbers<Filter>,
+        "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
+        "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
+    static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
+                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
+                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
+    static_assert(shadow_encoding<Encoding, Filter>,
+                  "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
+    return true;
+}
+
+/// Component of filter_terms behind a filter's numbers. A disc stores its farthest point there, for the bias.
+template <class Filter>
+inline constexpr glm::length_t component_for_disc = width_of_numbers<Filter>;
+
+/// Filter parameters as stored in the uniform block.
+/// @param more   texels that the rasterizer and rounding add to a reach
+template <class Filter>
+[[nodiscard]] constexpr glm::vec4 terms_of(const Filter& filter, float more) {
+    glm::vec4 all = packed_numbers(filter);
+    if constexpr (disc_filter<Filter>) all[component_for_disc<Filter>] = filter.farthest_point() + more;
+    return all;
+}
+
+/// True where a shadow compares along the receiver's plane.
+template <class SetUp, class Filter>
+inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<SetUp>;
+
+/// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
+/// map's texels miss of a concave edge.
+inline constexpr float plane_slack = 0.5f;
+
+/// Bias of a receiver for a filter's whole reach, in depth.
+template <class Filter>
+[[nodiscard]] float kernel_bias_of(const shadow_terms& terms, const map_place& place) {
+    const float error = terms.error + place.rounding;
+    if constexpr (disc_filter<Filter>)
+        return acne_free_disc_bias(place.slope, terms.filter_terms[component_for_disc<Filter>], error);
+    else return acne_free_bias(place.slope, terms.reach, error);
+}
+
+/// Bias of a receiver, in depth.
+template <class SetUp, class Filter>
+[[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
+    if constexpr (along_plane<SetUp, Filter>)
+        return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
+    else return kernel_bias_of<Filter>(terms, place);
+}
+
+/// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
+/// bias brings it back.
+template <class SetUp, class Filter>
+[[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
+    const comparison is_lit{direction};
+    const float z = place.at.z;
+    const bool beyond = is_lit.beyond_far_plane(z);
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<SetUp, Filter>(terms, place), is_lit)};
+}
+
+/// Visibility of a receiver in one map, by a filter.
+/// @param own        this map alone
+/// @param receiver   x and y in texels of the map, z depth with the bias already applied
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
+                         glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
+    const glm::vec2 coord(receiver);
+    const auto on = [&](const auto& map) {
+        if constexpr (prefilter<Filter>) {
+            const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
+            return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
+        } else if constexpr (along_plane<SetUp, Filter>) {
+            const auto along = apply_receiver_plane(decoded(map, encoding), slope, receiver, encoding.direction);
+            return filtered(filter, along, coord, receiver.z, pixel);
+        } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
+    };
+    if constexpr (SetUp::outside == outside_map::clamped) return on(clamped(own));
+    else return on(bordered_texels<typename Encoding::texel>{own});
+}
+
+/// A component of filter_terms in GLSL.
+[[nodiscard]] inline std::string filter_term(int component) { return std::string("filter_terms.") + "xyzw"[component]; }
+
+/// GLSL version of terms_of: a filter's numbers, from the first on, as arguments after others.
+/// @param count   how many of them
+template <class Filter>
+[[nodiscard]] std::string numbers_text(int count) {
+    std::string all;
+    int at = 0;
+    const auto add = [&]<class Number>(std::type_identity<Number>) {
+        if (count-- <= 0) return;
+        const std::string_view type = glsl::number_type<Number>;
+        std::string terms = filter_term(at++);
+        for (int i = 1; i < width_of_number<Number>; ++i) terms += ", " + filter_term(at++);
+        all += ", " + (type == "float" ? terms : std::string(type) + '(' + terms + ')');
+    };
+    [&]<class... Numbers>(std::type_identity<std::tuple<const Numbers&...>>) {
+        (add(std::type_identity<Numbers>()), ...);
+    }(std::type_identity<numbers_of<const Filter>>());
+    return all;
+}
+
+/// Arguments of a filter's function after coordinate and receiver, in GLSL.
+template <class Filter>
+[[nodiscard]] std::string arguments_of() {
+    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+}
+
+/// Snippet that computes bias_of.
+template <class SetUp, class Filter>
+[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
+    return disc_filter<Filter> && !along_plane<SetUp, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+}
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
+/// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
+template <class SetUp, class Filter>
+[[nodiscard]] std::string bias_text(bool linear = false) {
+    std::string reach = "terms.z";
+    if constexpr (along_plane<SetUp, Filter>) reach = linear ? "1.0" : "0.5";
+    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
+    return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
+           "    UMBRAGE_HIGHP float bias = umbrage_" +
+           std::string(bias_snippet<SetUp, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
+}
+
+/// GLSL version of look: umbrage_look, for one filter and its map.
+/// @param terms          declaration of shadow_terms
+/// @param pixel          declaration of a pixel, for filters with a rotated disc
+/// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
+template <class SetUp, class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
+                                       const glsl::linear_form& linear = {}) {
+    const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
+    std::string text =
+        "\n// umbrage_look: visibility of a receiver in one map\n"
+        "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
+    text.append(bias_text<SetUp, Filter>(linear.what != nullptr));
+    text.append(
+        "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
+    if (along_plane<SetUp, Filter>)
+        text +=
+            "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
+            "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
+    text.append("    return umbrage_").append(called.name);
+    text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
+    text.append(arguments_of<Filter>()).append(");\n}\n");
+    glsl::own_text look{
+        "look", std::move(text), {&bias_snippet<SetUp, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
+    if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
+    return look;
+}
+
+/// Binding of a filter's map in a shader.
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<SetUp, Filter>};
+    if constexpr (prefilter<Filter>) return map;
+    else return glsl::stored_as(encoding, std::move(map));
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/shadow/softness.hpp
+// Contact hardening in a light's maps: each map has its own softness, so that penumbras have one width in the world.
+//
+//     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
+//     umbrage::shadow sun(cascades, fit.map_size, soft);
+//
+// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: has_like_maps.
+
+namespace umbrage {
+
+/// One of 16 numbers of a matrix, column by column.
+/// @param sixteen   the numbers
+/// @param number    which one, an integer from 0 to 15
+/// @exactness       A: comparisons
+template <real T>
+[[nodiscard]] constexpr T map_softness(const glm::mat<4, 4, T>& sixteen, T number) {
+    const T column = T(static_cast<int>(number) / 4), i = number - T(4) * column;
+    const glm::vec<4, T> four = cascade_column(sixteen, column);
+    return i < T(1.5) ? (i < T(0.5) ? four.x : four.y) : (i < T(2.5) ? four.z : four.w);
+}
+
+namespace glsl {
+
+inline constexpr snippet map_softness{
+    .name = "map_softness",
+    .summary = "one of 16 numbers of a matrix, without dynamic indexing",
+    .exactness = tier::a,
+    .needs = list<&cascade_column>,
+    .source = R"GLSL(
+// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
+UMBRAGE_HIGHP float umbrage_map_softness(UMBRAGE_HIGHP mat4 sixteen, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float column = floor(number * 0.25);
+    UMBRAGE_HIGHP float i = number - 4.0 * column;
+    UMBRAGE_HIGHP vec4 four = umbrage_cascade_column(sixteen, column);
+    UMBRAGE_HIGHP float low = i < 0.5 ? four.x : four.y;
+    UMBRAGE_HIGHP float high = i < 2.5 ? four.z : four.w;
+    return i < 1.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* softness_snippets[]{&map_softness};
+
+}  // namespace glsl
+
+namespace detail {
+
+/// Matrices of a uniform block that hold the softness of each map.
+template <class SetUp, class Filter>
+inline constexpr int softness_matrices =
+    contact_hardening<Filter> && !has_like_maps<SetUp> ? (SetUp::grid.columns * SetUp::grid.rows + 15) / 16 : 0;
+
+inline constexpr std::array<uniform_field, 4> softness_fields{
+    {{"softness_0"}, {"softness_1"}, {"softness_2"}, {"softness_3"}}};
+
+/// The one number of a contact-hardening filter.
+template <contact_hardening Filter>
+[[nodiscard]] constexpr auto& softness_of(Filter& filter) {
+    return std::get<0>(std::remove_const_t<Filter>::numbers(filter));
+}
+
+/// The filter with the softness of one map, as it is by itself.
+template <contact_hardening Filter>
+[[nodiscard]] constexpr Filter with_per_code(Filter filter, float per_code) {
+    softness_of(filter).per_code = per_code;
+    softness_of(filter).light_size = 0.0f;
+    return filter;
+}
+
+/// Refuses a filter with contact hardening that does not say how large the light is.
+template <contact_hardening Filter>
+void require_light_size(const Filter& filter) {
+    const float size = softness_of(filter).light_size;
+    require(is_finite(size) && size > 0.0f, "shadow", "filter.softness.light_size", "above 0 and finite", size,
+            "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
+}
+
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& to_texels, const glm::dvec3& world) {
+    const glm::dvec3 rays =
+        is_lens(to_texels) ? row_of(to_texels, 3) : glm::cross(row_of(to_texels, 0), row_of(to_texels, 1));
+    return light_units_at(to_texels, rays, world).units;
+}
+
+/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+[[nodiscard]] inline glm::dvec2 softness_units(const light_space<double>& light, glm::ivec2 map_size) {
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
+    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+}
+
+/// per_code of each of a setup's maps, as many as its grid holds. A setup with no light has none, and one 0.
+template <shadow_set_up SetUp>
+[[nodiscard]] std::vector<float> softness_of_maps(const SetUp& set_up, glm::ivec2 map_size, float light_size) {
+    std::vector<float> all;
+    for (const light_space<double>& light : set_up.lights())
+        if (all.size() < std::size_t(SetUp::grid.columns * SetUp::grid.rows))
+            all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
+    if (all.empty()) all.push_back(0.0f);
+    return all;
+}
+
+/// Words of the frame's text that find a map's softness. All are empty but `terms` for other filters, and for maps that
+/// are alike.
+struct softness_words {
+    std::string fields{}, names{};          ///< matrices, as parameters and as arguments
+    std::vector<std::string> statements{};  ///< those that find `own_terms` of the map `number`
+    std::string terms = "filter_terms";     ///< terms of the filter in that map
+    std::vector<const glsl::snippet*> needs{};
+};
+
+/// Words for a number of matrices.
+[[nodiscard]] inline softness_words softness_words_of(int matrices) {
+    softness_words w;
+    if (matrices == 0) return w;
+    w.statements = {"UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);"};
+    for (int i = 0; i < matrices; ++i) {
+        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(16 * i) + ".0";
+        w.fields += "UMBRAGE_HIGHP mat4 " + name + ", ";
+        w.names += name + ", ";
+        if (i > 0)
+            w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
+                                   ", number - " + before + ") : softness;");
+    }
+    w.statements.push_back(
+        "UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);");
+    w.terms = "own_terms";
+    w.needs = {&glsl::map_softness};
+    return w;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/shadow/tetrahedron_map.hpp
+// Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
+// vary less in size.
+//
+//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
+//     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+/// Place of a point of the world in a tetrahedron's map.
+/// @param to_texels                             anchored_map from a face's axes to texels of face 0, relative to the
+///                                              map's center; the anchor is the light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param center                                x: half the map's size, texels
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place. S of each, and half the map's size
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> tetrahedron_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const int face = tetrahedron_face(way);
+    const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
+    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    place.at = glm::vec3(tetrahedron_turned(face, glm::vec2(place.at)) + center.x, place.at.z);
+    place.slope = tetrahedron_turned(face, place.slope);
+    return {place};
+}
+
+namespace glsl {
+
+inline constexpr snippet tetrahedron_map_places{
+    .name = "tetrahedron_map_places",
+    .summary = "place of a point of the world in a tetrahedron's map",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&tetrahedron_face, &tetrahedron_face_point, &tetrahedron_turned, &anchored_place>,
+    .source = R"GLSL(
+// umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                         to the center; the anchor is the light
+//   center                                half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                                  UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+                               umbrage_tetrahedron_face_point(face, normal));
+    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
+    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
+    return mat4(vec4(at, place[0].z, 0.0), vec4(slope, place[1].z, place[1].w), place[2], place[3]);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places};
+
+}  // namespace glsl
+
+/// Setup of a tetrahedron's four views.
+struct tetrahedron_map {
+    tetrahedron_light<double> light;
+
+    template <real T>
+    explicit tetrahedron_map(const tetrahedron_light<T>& l)
+        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
+        static_cast<void>(make_tetrahedron_light(light));  // checks the light
+    }
+
+    struct uniforms : anchored_map {  ///< from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
+                                      ///< relative to the map's center
+        glm::vec4 center;             ///< x: half the map's size, texels
+    };
+    static constexpr uniform_field fields[]{
+        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"center", false}};
+    static constexpr map_grid grid{};
+    static constexpr outside_map outside = outside_map::clamped;
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const {
+        const auto faces = make_tetrahedron_light(light);
+        return {faces.begin(), faces.end()};
+    }
+    template <class ParallelFor>
+    void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances, glm::dvec3 origin,
+              ParallelFor&& parallel) const {
+        auto here = light;
+        here.position -= origin;
+        rasterize_tetrahedron(depths, mesh, instances, make_tetrahedron_light(here), cull_mode::none, parallel);
+    }
+    /// @throws std::invalid_argument  map_size other than the light's
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
+        const glm::dmat4 projection = make_tetrahedron_light(light)[0].projection;
+        const double half = 0.5 * light.map_size, scale = half - 3.0 * light.border, base = light.border - half;
+        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // components of the face's normal
+        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
+        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
+        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
+        const double side =
+            scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), the divisor being sqrt(6) w
+        glm::dmat4 m(0);
+        m[0][0] = side;
+        m[1] = {0.0, base * up, depth.x * up, up};
+        m[2] = {0.0, side + base * away, depth.x * away, away};
+        m[3][2] = depth.y;
+        return {detail::anchored_axes(m, map_size, light.position - origin), glm::vec4(half, 0, 0, 0)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.center, terms, world, normal);
+    }
+    static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
+};
+
+/// Setup of a light with the map of a tetrahedron.
+template <real T>
+struct set_up_for<tetrahedron_light<T>> {
+    using type = tetrahedron_map;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/shadow/warped_places.hpp
+// Places of a receiver in warped cascades (LiSPSM, TSM, PSM): in the map that its distance along the camera's axis
+// chooses, and in the next one where the two blend. The end of the last map fades to light.
+//
+// See also: warped_maps.hpp, the setup.
+
+namespace umbrage {
+
+/// Places of a point of the world in up to four warped cascades.
+/// @param to_texels           of the anchored_map of each map
+/// @param planes              likewise
+/// @param added               w of the anchors of all maps
+/// @param rounding            one column per map: rounding of its anchored_map
+/// @param fades               one column per map: scale and offset for cascade_fade
+/// @param anchor              xyz: the one anchor of all maps
+/// @param ahead               distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+/// @param ends                xyz: ends of the first three cascades; w: number of the last one
+/// @param world               position of the point
+/// @param normal              its normal
+/// @return                    both places. The second has a weight of 0 where only the first counts
+/// @exactness                 C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> warped_maps_places(
+    const std::array<glm::mat4, 4>& to_texels, const std::array<glm::mat4, 4>& planes, const glm::mat4& rounding,
+    const glm::mat4& fades, const glm::vec4& added, const glm::vec4& anchor, const glm::vec4& ahead,
+    const glm::vec4& ends, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const auto in_map = [&](std::size_t i, float weight) {
+        const auto column = static_cast<glm::length_t>(i);
+        const glm::vec4 depth(0.0f, 0.0f, 0.0f, added[column]);
+        map_place place = anchored_place(to_texels[i], planes[i], depth, rounding[column], way, normal);
+        place.number = static_cast<int>(i), place.weight = weight;
+        return place;
+    };
+    const float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
+    const float number = cascade_by_depth(depth, glm::vec3(ends));
+    const glm::vec4 own = cascade_column(fades, number);
+    const float weight = cascade_fade(depth, own.x, own.y);
+    const auto own_map = static_cast<std::size_t>(number);
+    std::array<map_place, 2> both{in_map(own_map, 1.0f), map_place{.weight = 0.0f}};
+    if (!(weight > 0.0f)) return both;
+    both[1] = in_map(own_map < 3 ? own_map + 1 : 3, weight);
+    if (!(number < ends.w)) both[1].number = static_cast<int>(ends.w), both[1].at = outside_all_maps;
+    return both;
+}
+
+namespace glsl {
+
+inline constexpr snippet warped_maps_places{
+    .name = "warped_maps_places",
+    .summary = "places of a point of the world in up to four warped cascades",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&anchored_place, &cascade_by_depth, &cascade_column, &cascade_fade>,
+    .source = R"GLSL(
+// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding                  one column per map: its rounding there
+//   fades                     one column per map: scale and offset of the next one's weight
+//   added                     for each map what is added to its depth
+//   anchor                    the one anchor of all maps
+//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends                      ends of the first three cascades, number of the last one
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
+                                              UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
+                                              UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
+                                              UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
+                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
+                                              UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                              UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
+    UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
+    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
+    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
+    UMBRAGE_HIGHP mat4 planes = planes_0;
+    UMBRAGE_HIGHP mat4 to_next = to_texels_1;
+    UMBRAGE_HIGHP mat4 next_planes = planes_1;
+    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+        to_next = to_texels_2;
+        next_planes = planes_2;
+        depths = vec4(added.y, added.z, 0.0, 0.0);
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+        to_next = to_texels_3;
+        next_planes = planes_3;
+        depths = vec4(added.z, added.w, 0.0, 0.0);
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+        depths = vec4(added.w, added.w, 0.0, 0.0);
+    }
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
+                                                   umbrage_cascade_column(rounding, number), way, normal);
+    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
+                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
+    UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
+    return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),
+                vec4(there[1].x, there[1].y, weight, there[1].w));
+}
+)GLSL",
+};
+
+inline constexpr const snippet* warped_places_snippets[]{&warped_maps_places};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/registry.hpp
 // List of every snippet, in the order in which data flows, for tests, tables and tools.
 //
 //     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry()) std::puts(umbrage::glsl::text({*s}).c_str());
@@ -24781,12 +26208,1275 @@ template <class Use = umbrage::detail::on_use>
             .add_all({light_units_snippets, constant_snippets, slope_snippets, distance_slope_snippets,
                       normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets, probe_color_snippets})
+            // shadow
+            .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_places_snippets,
+                      cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets, warped_places_snippets,
+                      page_places_snippets, softness_snippets})
             .members();
     }();
     return all;
 }
 
 }  // namespace umbrage::glsl
+
+// ---- umbrage/shader/fill.hpp
+// Text of a snippet, in any language, with the words that a map fills in.
+//
+
+namespace umbrage::glsl::detail {
+
+/// Words of a language for a texture type. Expressions read it at `at`, a vec2 of integers, or at `uv`, a vec2 from 0
+/// to 1.
+struct texture_words {
+    std::string_view parameters, arguments;
+    std::string_view texel{};                       ///< vec4; lines that begin with # replace the statement
+    std::string_view sampled{};                     ///< vec4 at `uv`
+    std::string_view lit{};                         ///< comparison of the sampler with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< comparisons of the sampler with `receiver`: vec4
+    std::string_view lit_filtered{};                ///< comparisons around `uv`, weighted by the sampler: float
+    std::string_view size{};                        ///< size of the texture: vec2
+    std::string_view sampler{},
+        sampler_argument{};                   ///< sampler parameter after the first one, for gathers: ", sampler s"
+    std::span<const snippet* const> needs{};  ///< snippets that these words call
+};
+
+/// Name of a text's map parameter: `map`, or `table`.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string name_of_map(std::string_view text) {
+    const std::string_view type = "UMBRAGE_MAP ";
+    const auto at = text.find(type);
+    if (at == text.npos) return "map";
+    text.remove_prefix(at + type.size());
+    return std::string(text.substr(0, text.find_first_of(",)")));
+}
+
+/// Names that parameters declare: `map` for "sampler2D map", "map: texture_2d<f32>" and "sampler2D map[4]".
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<std::string_view> declared(std::string_view parameters) {
+    std::vector<std::string_view> names;
+    for (const std::string_view parameter : members(parameters)) {
+        std::size_t end = 0;  // end of the name: a type may follow, or a number of elements
+        while (end < parameter.size() && parameter[end] != '[' && parameter[end] != ':')
+            end += parameter.substr(end + 1).starts_with("::") ? 3u : 1u;
+        const auto all = words_of(parameter.substr(0, end));
+        if (!all.empty()) names.push_back(all.back());
+    }
+    return names;
+}
+
+/// Parameters that declare a map: the binding's own, or those of its texture type, with a sampler for gathers.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
+    if (!map.parameters.empty()) return map.parameters;
+    std::string all(words.parameters);
+    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
+    return all;
+}
+
+/// Parameters, without those that the text declares: the layer or the origin of a map that it chooses.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
+    std::string rest;
+    for (const std::string_view parameter : members(parameters)) {
+        const auto declares = [&](std::string_view name) {
+            const std::string apart = ' ' + std::string(name);
+            return text.find(apart + " = ") != text.npos || text.find(apart + ": ") != text.npos;
+        };
+        const std::vector<std::string_view> names = declared(parameter);  // none of a blank one
+        const bool chosen = !names.empty() && declares(names.front());
+        if (!chosen) rest.append(rest.empty() ? "" : ",").append(parameter);
+    }
+    return rest;
+}
+
+/// Text of a snippet with the words that a map fills in.
+/// @param receiver_plane   declaration of the receiver's plane after the map
+/// @throws std::invalid_argument   own parameters that lack one that is read, or use a name of the text
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words,
+                                  std::string_view receiver_plane = {}) {
+    const binding& map = item.map;
+    const auto one_of = [](const std::string& own, std::string_view ordinary) {
+        return own.empty() ? std::string(ordinary) : own;
+    };
+    const std::string origin = as_operand(map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin);
+    // Farther than every depth where depths have their own scale.
+    const std::string border = is_scaled(map) ? "65536.0" : map.direction == depth_direction::forward ? "1.0" : "0.0";
+    const std::string texture_size = one_of(as_operand(map.texture_size), origin.empty() ? "size" : words.size);
+    const auto replace = [&](std::string_view what, std::string_view with) {
+        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+            text.replace(at, what.size(), with);
+    };
+    const std::string texel = one_of(map.texel, words.texel);
+    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
+    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
+        const auto begin = text.rfind('\n', at);
+        text.erase(begin, text.find('\n', at) - begin);
+    }
+    const std::string own_map = name_of_map(text);
+    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
+    std::string ordinary(words.arguments);
+    if (map.gather)
+        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
+    const std::string parameters = parameters_of(map, words);
+    const std::string arguments = one_of(map.arguments, ordinary);
+    umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
+                             "as many as map.parameters", arguments, "The parameters are " + parameters + ".");
+    const std::vector<std::string_view> names = declared(parameters);
+    if (!map.parameters.empty())
+        for (const std::string_view word : words_of(text))
+            umbrage::detail::require(word == own_map || !contains(names, word), "glsl::bind", "map.parameters",
+                                     "named otherwise than what umbrage_" + std::string(s.name) + " names", word);
+    /// Words of the language. The map's own parameters must declare their arguments too.
+    const auto ours = [&](std::string_view expression) {
+        for (const std::string_view word : words_of(expression))
+            umbrage::detail::require(!contains(words_of(ordinary), word) || contains(names, word), "glsl::bind",
+                                     "map.parameters", "parameters that declare " + std::string(word), parameters);
+        return expression;
+    };
+    if (map.arguments.empty()) ours(arguments);
+    const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_slope");
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_at" : "";
+    const std::string depth = one_of(map.depth, "value.x");
+    const auto list = [&](const std::string& all) {
+        return replace_words(all,
+                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
+    };
+
+    const auto suffixed = [&](std::string_view word) {
+        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
+        bool own = word.substr(8) == s.name;
+        for (const snippet& need : map.needs) own = own || is_it(need);
+        for (const snippet* need : s.needs) own = own || is_it(*need);
+        return std::string(word) + (own ? item.suffix : std::string());
+    };
+    const auto of_texture = [&](std::string_view expression) {
+        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word.starts_with("umbrage_")) return suffixed(word);
+            if (word == "at" && origin.empty()) return "texel";
+            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
+            umbrage::detail::require(!texture_size.empty(), "glsl::bind", "map.texture_size",
+                                     "given for a region that this language's sampler reads", "");
+            return texture_size;
+        });
+    };
+    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
+        if (word.starts_with("umbrage_")) return suffixed(word);
+        if (word == own_map && !comment) return list(arguments) + plane;
+        if (word == "UMBRAGE_PARAMETERS") {
+            const std::string_view comma = receiver_plane.empty() ? "" : ", ";
+            return list(not_declared_in(text, parameters)).append(comma).append(receiver_plane);
+        }
+        if (word == "UMBRAGE_BORDER") return border;
+        if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
+        if (word == "UMBRAGE_DEPTH")
+            return of_texture(map.receiver_plane
+                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_at, texel)"
+                                  : depth);
+        if (word == "UMBRAGE_REFERENCE")
+            return of_texture(is_bordered(map)
+                                  ? "umbrage_bordered_plane_reference(receiver_slope, receiver_at, texel, inside)"
+                                  : "umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_STORED") return of_texture(depth);
+        if (word == "UMBRAGE_ORIGIN") return origin;
+        if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
+        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));
+        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
+        if (word == "UMBRAGE_SAMPLED") return of_texture(ours(words.sampled));
+        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(ours(words.lit_filtered));
+        if (word == "UMBRAGE_GATHER_RED") return of_texture(ours(words.gather_red));
+        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(ours(words.gather_green));
+        if (word == "UMBRAGE_GATHER_LIT") return of_texture(ours(words.gather_lit));
+        return std::string(word);
+    });
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/compose.hpp
+// Composition of bound snippets into one text, in any language: each part once, after its needs.
+//
+
+namespace umbrage::glsl::detail {
+
+/// Description of a shader language.
+struct language {
+    std::string_view prelude;  ///< first lines of every text
+    texture_words (*texture)(glsl::texture kind);
+    std::string (*translate)(const snippet& s);  ///< a snippet's text, with the words that a map fills in
+    std::string_view receiver_plane;             ///< declarations of receiver_slope and receiver_at
+    std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
+    bool preprocessor = true;        ///< guards parts against being pasted twice
+    std::string_view function = "glsl::text";  ///< function that the user called
+    declaration (*declare)(const shader_interface& i, const map_parameter& map, version v) = nullptr;
+    std::optional<version> dialect{};  ///< GLSL version, where it is known
+};
+
+/// Text under construction.
+template <class = umbrage::detail::on_use>
+class composition {
+public:
+    composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
+        for (const bound& item : items_)
+            for (const bound& other : items_)
+                if (item.suffix == other.suffix && !(item.map == other.map) && has_map(item) && has_map(other))
+                    umbrage::detail::refuse(language_.function, "name", "another for each map",
+                                            std::string_view(item.suffix).substr(item.suffix.empty() ? 0 : 1),
+                                            "It is the name of two maps.");
+    }
+
+    [[nodiscard]] std::string text() && {
+        for_each([&](const snippet& s, const bound& item, const std::string& guard) {
+            const bool of_map = is_of_map(s);
+            const std::string body = language_.translate(s);
+            if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
+            text_ += of_map ? laid_out(for_map(body, s, item, language_.texture(item.map.texture), plane_of(s, item)))
+                            : body;
+            if (language_.preprocessor) text_ += "#endif\n";
+        });
+        for (const bound& item : items_)
+            if (item.declared) declare(item);
+        return std::move(text_);
+    }
+
+    /// Parts of the text below tier A, each with its own bound.
+    [[nodiscard]] std::vector<snippet> inexact() && {
+        std::vector<snippet> all;
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            if (s.exactness != tier::a) all.push_back(s);
+        });
+        return all;
+    }
+
+    /// Weakest guarantee of any part of the text.
+    [[nodiscard]] snippet worst() && {
+        snippet all{.name = {}, .source = ""};
+        for_each([&](const snippet& s, const bound&, const std::string&) {
+            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
+            all.operations = umbrage::detail::greater(all.operations, s.operations);
+            all.within = umbrage::detail::greater(all.within, s.within);
+            all.as_written = all.as_written || s.as_written;
+        });
+        return all;
+    }
+
+private:
+    struct part {
+        std::string what, suffix, guard;
+    };
+
+    struct slot_of {
+        std::string slot, shadow;
+    };
+
+    /// Calls use(snippet, item, guard) for each part of the text, in order. Parts that belong to no map come first, in
+    /// any order of the items, since hooks may call them.
+    template <class Part>
+    void for_each(const Part& use) {
+        for (const bool of_map : {false, true})
+            for (const bound& item : items_) {
+                for (const snippet& need : item.map.needs) add(need, item, of_map, use);
+                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map, use);
+                const own_snippets own(item.texts);
+                for (const snippet& text : own) add(text, item, of_map, use);
+                if (item.texts.empty()) add(item.what, item, of_map, use);
+            }
+    }
+
+    template <class Part>
+    void add(const snippet& asked, const bound& item, bool of_map, const Part& use) {
+        const snippet& s = chosen(asked, item.map);
+        for (const snippet* need : s.needs) add(*need, item, of_map, use);
+        if (is_of_map(s) != of_map) return;
+        const std::string suffix = of_map ? item.suffix : std::string(), function = std::string(s.name) + suffix;
+        std::string guard = "UMBRAGE_HAS_" + function;
+        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        for (const part& done : done_) {
+            if (done.guard != guard) continue;
+            if (done.what == s.name && done.suffix == suffix) return;
+            umbrage::detail::refuse(language_.function, "name", "such that functions differ, in capitals too",
+                                    ("umbrage_" + done.what + done.suffix + " and umbrage_" + function).c_str());
+        }
+        use(s, item, guard);
+        done_.push_back({std::string(s.name), suffix, std::move(guard)});
+    }
+
+    /// Declaration of the receiver's plane after the map. Empty in own texts, which compute it.
+    [[nodiscard]] std::string_view plane_of(const snippet& s, const bound& item) const {
+        bool given = item.map.receiver_plane;
+        for (const own_text& own : item.texts) given = given && own.name != s.name;
+        return given ? language_.receiver_plane : std::string_view();
+    }
+
+    /// Declares a shadow's block, map and function, after all that they call.
+    void declare(const bound& item) {
+        const shader_interface& i = *item.declared;
+        umbrage::detail::require(language_.declare != nullptr, language_.function, "version",
+                                 "given for a shadow's uniforms", "none");
+        map_parameter map;
+        const std::string parameters = parameters_of(item.map, language_.texture(item.map.texture));
+        for (const std::string_view parameter : members(parameters)) {
+            const std::string_view name = declared(parameter).front();
+            std::string one(parameter.substr(parameter.find_first_not_of(' ')));
+            if (name == "map") map.map = std::move(one);
+            if (name == "map_sampler") map.sampler = std::move(one);
+        }
+        const declaration all = language_.declare(i, map, language_.dialect.value_or(version::vulkan));
+        std::vector<std::string> names;
+        for (const interface_function& f : i.functions) names.push_back(name_of(i, f));
+        names.insert(names.end(), all.names.begin(), all.names.end());
+        for (const std::string& name : names) {
+            const std::string own = name.substr(8);  // without umbrage_
+            for (const part& done : done_)
+                umbrage::detail::require(done.what + done.suffix != own, language_.function, "name",
+                                         "another than a snippet's or shadow's of the text", std::string_view(own));
+            done_.push_back({own, {}, {}});
+        }
+        for (const std::string& slot : all.slots) {
+            for (const slot_of& other : slots_)
+                umbrage::detail::require(other.slot != slot, language_.function, "slots",
+                                         "others for each block, texture and sampler of a text",
+                                         (slot + " for " + other.shadow + " and " + i.name).c_str());
+            slots_.push_back({slot, i.name});
+        }
+        text_ += all.text;
+    }
+
+    /// True when the item prints functions that belong to its map.
+    [[nodiscard]] static bool has_map(const bound& item) {
+        for (const snippet& need : item.map.needs)
+            if (is_of_map(need)) return true;
+        return !item.texts.empty() || is_of_map(item.what);
+    }
+
+    const language& language_;
+    const std::vector<bound>& items_;
+    std::string text_;
+    std::vector<part> done_;
+    std::vector<slot_of> slots_;
+};
+
+/// Comment lines that bound the result of each function. Empty for a text of tier A.
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string bounds_note(const language& l, const std::vector<bound>& items) {
+    std::string lines;
+    for (const bound& item : items) {
+        const auto add = [&](const std::string& name, const snippet& promise) {
+            const std::string line = "// " + name + (promise.exactness == tier::b ? ", tier B: " : ", tier C: ") +
+                                     bound_in_words(promise) + '\n';
+            if (lines.find(line) == lines.npos) lines += line;
+        };
+        const snippet worst = composition<Use>(l, {item}).worst();
+        if (item.declared)  // each part of a shadow's text keeps its own bound
+            for (const snippet& part : composition<Use>(l, {item}).inexact()) add(std::string(part.name), part);
+        else if (worst.exactness != tier::a) add(std::string(item.what.name) + item.suffix, worst);
+    }
+    if (lines.find(" x S ") != lines.npos)
+        lines +=
+            "// S is the formula with the magnitude of every value and a plus for every minus.\n"
+            "// Inside the bound, a comparison or floor may fall on either side.\n";
+    if (lines.empty() || l.may_reorder.empty()) return lines;
+    return "// " + std::string(l.may_reorder) + " lets compilers fuse or reorder sums.\n" + lines;
+}
+
+/// Whole text: a title line with the names of its functions, then the functions.
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
+    std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
+                        std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
+                        ", MIT License";
+    std::string names = ": ";
+    for (const bound& item : items) {
+        const std::string name =
+            (item.declared ? item.declared->name : std::string(item.what.name) + item.suffix) + ", ";
+        if (names.find(' ' + name) == names.npos) names += name;
+    }
+    names.resize(names.size() - 2);
+    return title + names + '\n' + bounds_note<Use>(l, items) + std::string(l.prelude) +
+           composition<Use>(l, items).text();
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/glsl.hpp
+// GLSL text of snippets: functions to paste, or the beginning of a shader.
+//
+//     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
+//
+
+namespace umbrage::glsl {
+
+/// Macros that every text relies on. A shader can define each of them before.
+inline constexpr std::string_view prelude = R"GLSL(
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+)GLSL";
+
+namespace detail {
+
+[[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
+    switch (kind) {
+        case texture::texture_2d:
+        case texture::depth:
+        case texture::atlas:
+            return {.parameters = kind == texture::atlas ? "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin"
+                                                         : "UMBRAGE_HIGHP sampler2D map",
+                    .arguments = kind == texture::atlas ? "map, origin" : "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(at), 0);
+#else
+    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
+#endif
+)GLSL",
+                    .sampled = "textureLod(map, uv, 0.0)",
+                    .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
+                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
+        case texture::array:
+        case texture::depth_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
+                    .sampled = "textureLod(map, vec3(uv, layer), 0.0)",
+                    .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
+                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
+        case texture::cube:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
+                    .arguments = "map, face",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);
+#else
+    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
+#endif
+)GLSL",
+                    .needs = list<&cube_direction>};
+        case texture::cube_faces:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map",
+                    .arguments = "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);
+#else
+    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));
+#endif
+)GLSL",
+                    .needs = list<&cube_atlas_direction>};
+        case texture::integer:
+            return {.parameters = "UMBRAGE_HIGHP usampler2D map",
+                    .arguments = "map",
+                    .texel = "vec4(texelFetch(map, ivec2(at), 0))"};
+        case texture::shadow:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
+                    .arguments = "map",
+                    .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
+                    .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "textureLod(map, vec3(uv, receiver), 0.0)"};
+        case texture::shadow_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .lit =
+                        "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "vec2(0.0, 0.0))",
+                    .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                    .lit_filtered = "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))"};
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
+    texture_words words = glsl_reads(kind);
+    words.size = "vec2(textureSize(map, 0))";
+    return words;
+}
+
+template <class = umbrage::detail::on_use>
+inline constexpr language glsl_language{
+    .prelude = prelude,
+    .texture = glsl_texture,
+    .translate = [](const snippet& s) { return s.source.str(); },
+    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec3 receiver_at",
+    .may_reorder = "GLSL below 400 and 320 es"};
+
+[[nodiscard]] constexpr bool is_es(version v) {
+    return v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
+}
+
+/// Value of __VERSION__.
+[[nodiscard]] constexpr int number(version v) {
+    int n = 0;
+    for (const char c : directive(v).substr(0, 3)) n = n * 10 + (c - '0');
+    return n;
+}
+
+[[nodiscard]] constexpr bool has_precise(version v) { return number(v) >= (is_es(v) ? 320 : 400); }
+
+/// Prelude for a known dialect.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string known_prelude(version v) {
+    return std::string("\n#ifndef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP") + (is_es(v) ? " highp" : "") +
+           "\n#endif\n#ifndef UMBRAGE_PRECISE\n#define UMBRAGE_PRECISE" + (has_precise(v) ? " precise" : "") +
+           "\n#endif\n";
+}
+
+/// Text with its `#if __VERSION__` resolved.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string resolved(std::string_view text, int number) {
+    enum class branch { kept, taken, left_out };  // kept: with its directives
+    const std::string_view condition = "#if __VERSION__ >= ";
+    std::vector<branch> open;
+    std::string out;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n') + 1);
+        text.remove_prefix(line.size());
+        bool shown = true;
+        if (line.starts_with(condition)) {
+            int least = 0;
+            for (const char c : line.substr(condition.size(), 3)) least = least * 10 + (c - '0');
+            open.push_back(number >= least ? branch::taken : branch::left_out);
+            shown = false;
+        } else if (line.starts_with("#if")) {
+            open.push_back(branch::kept);
+        } else if (line.starts_with("#else") && open.back() != branch::kept) {
+            open.back() = open.back() == branch::taken ? branch::left_out : branch::taken;
+            shown = false;
+        } else if (line.starts_with("#endif")) {
+            shown = open.back() == branch::kept;
+            open.pop_back();
+        }
+        for (const branch b : open) shown = shown && b != branch::left_out;
+        if (shown) out += line;
+    }
+    return out;
+}
+
+}  // namespace detail
+
+/// True when the snippet bound to its map compiles in dialect `v`.
+[[nodiscard]] inline bool supports(const bound& item, version v) {
+    if (!supports(item.what, v)) return false;
+    for (const snippet& need : item.map.needs)
+        if (!supports(need, v)) return false;
+    const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
+    if (item.map.gather) return gathers;
+    const texture kind = item.map.texture;
+    if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
+    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || detail::is_cube(kind) ||
+           v >= version::v300_es;
+}
+
+/// Text to paste into any shader: the snippets and all they need, each once and guarded, without a `#version` line.
+/// @param items   snippets, or results of bind(), in braces; {begin, end} for another container
+/// @param v       dialect for which `#if __VERSION__` is resolved, for engines' preprocessors; none: text for any
+///                dialect
+/// @throws std::invalid_argument   a map that does not support what its snippet needs. Two maps of one name. A
+///                                 dialect without what a snippet or a map needs
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(const std::vector<bound>& items, std::optional<version> v = {}) {
+    if (!v) return detail::compose<Use>(detail::glsl_language<Use>, items);
+    for (const bound& item : items)
+        if (!supports(item, *v))
+            umbrage::detail::refuse("glsl::text", "version",
+                                    "one that has " + std::string(item.what.name) + item.suffix,
+                                    std::string(directive(*v)).c_str());
+    const std::string known_prelude = detail::known_prelude<Use>(*v), name = "GLSL " + std::string(directive(*v));
+    detail::language known = detail::glsl_language<Use>;
+    known.prelude = known_prelude;
+    known.declare = detail::glsl_interface;
+    known.dialect = v;
+    known.may_reorder = detail::has_precise(*v) ? std::string_view() : std::string_view(name);
+    return detail::resolved<Use>(detail::compose<Use>(known, items), detail::number(*v));
+}
+
+/// Weakest tier in a text: of the snippets, all they need, and the hooks of the maps they are bound to. Texts of
+/// a binding in the shader's own language have no tier.
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] tier exactness(const std::vector<bound>& items) {
+    return detail::composition<Use>(detail::glsl_language<Use>, items).worst().exactness;
+}
+
+/// Beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+///
+/// Texts use `precise` from GLSL 400 and 320 es on. A preamble can enable it in older dialects:
+///
+///     #extension GL_EXT_gpu_shader5 : require
+///     #define UMBRAGE_PRECISE precise
+///
+/// In 310 es the extension is GL_EXT_gpu_shader5 or GL_OES_gpu_shader5, in 150 and 330 GL_ARB_gpu_shader5. No text
+/// enables an extension by itself. Some compilers, glslang among them, have GL_ARB_gpu_shader5 and reject `precise`.
+///
+/// @throws std::invalid_argument   as text
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble = {}) {
+    std::string out = "#version ";
+    out += directive(v);
+    out += '\n';
+    out += preamble;
+    if (!preamble.empty() && preamble.back() != '\n') out += '\n';
+    return out + text<Use>(items, v);
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shader/translate/tokens.hpp
+// Tokens of GLSL text, for printing it in other languages. Nothing is lost: space and text of all tokens, in a row, are
+// the original text.
+//
+
+namespace umbrage::glsl::detail {
+
+enum class piece { word, number, sign, comment, directive, end };
+
+struct token {
+    piece kind = piece::end;
+    std::string_view space;  ///< white space before the token
+    std::string_view text;   ///< for a comment or a directive the rest of the line, without its end
+
+    [[nodiscard]] bool operator==(std::string_view other) const { return text == other; }
+};
+
+[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Longest sign that `text` begins with; empty if there is none.
+[[nodiscard]] inline std::string_view sign_at(std::string_view text) {
+    static constexpr std::string_view two[]{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                            "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    for (std::string_view sign : two)
+        if (text.starts_with(sign)) return text.substr(0, 2);
+    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
+}
+
+/// End of the number that begins at text[i].
+[[nodiscard]] inline std::size_t end_of_number(std::string_view text, std::size_t i) {
+    const bool hexadecimal = text.substr(i, 2) == "0x";
+    for (char last = '0'; i < text.size(); last = text[i++]) {
+        const bool of_exponent = !hexadecimal && (last == 'e' || last == 'E') && (text[i] == '+' || text[i] == '-');
+        if (!is_letter(text[i]) && !is_digit(text[i]) && text[i] != '.' && !of_exponent) break;
+    }
+    return i;
+}
+
+/// Tokens of `text`, which must outlive them. The last is an end, with the remaining space.
+/// @throws std::invalid_argument   a character that GLSL does not have
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> tokens(std::string_view text, std::string_view language = "glsl") {
+    std::vector<token> all;
+    for (std::size_t i = 0;;) {
+        const std::size_t from = i;
+        while (i < text.size() && (text[i] == ' ' || text[i] == '\n')) ++i;
+        const std::size_t at = i;
+        token t{piece::end, text.substr(from, at - from), {}};
+        if (at < text.size()) {
+            const std::string_view rest = text.substr(at);
+            if (rest.starts_with("//") || rest[0] == '#') {
+                t.kind = rest[0] == '#' ? piece::directive : piece::comment;
+                i = text.find('\n', at) == text.npos ? text.size() : text.find('\n', at);
+            } else if (is_letter(rest[0])) {
+                t.kind = piece::word;
+                while (i < text.size() && (is_letter(text[i]) || is_digit(text[i]))) ++i;
+            } else if (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]))) {
+                t.kind = piece::number;
+                i = end_of_number(text, at);
+            } else {
+                t.kind = piece::sign;
+                i += sign_at(rest).size();
+                if (i == at)
+                    umbrage::detail::refuse(std::string(language) + "::text", "source", "of characters of GLSL",
+                                            rest.substr(0, 1));
+            }
+            t.text = text.substr(at, i - at);
+        }
+        all.push_back(t);
+        if (t.kind == piece::end) return all;
+    }
+}
+
+/// Tokens before the #else of "#if __VERSION__ >= ...", for languages that have all of the newest GLSL.
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> newest(std::vector<token> all) {
+    enum { outside, before, behind } place = outside;  // relative to #else
+    std::erase_if(all, [&](const token& t) {
+        if (t.kind != piece::directive) return place == behind;
+        if (t.text.starts_with("#if __VERSION__ >= ")) place = before;
+        else if (place == outside) return false;
+        else place = t == "#else" ? behind : outside;
+        return true;
+    });
+    return all;
+}
+
+/// Index of the bracket that closes the one at all[i].
+/// @throws std::invalid_argument   no such bracket
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i, std::string_view language = "glsl") {
+    std::size_t depth = 0;
+    for (std::size_t k = i; k < all.size(); ++k) {
+        if (all[k].kind != piece::sign) continue;
+        const char c = all[k].text[0];
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
+    }
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of brackets in pairs", all[i].text,
+                            "Nothing closes it.");
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/translate/words.hpp
+// Vocabulary of snippets: the part of GLSL in which they are written, and its words in the other languages. Any other
+// word of a text is a name that the text declares, or an error.
+//
+
+namespace umbrage::glsl::detail {
+
+enum class word_kind { type, function, keyword };
+
+struct word {
+    word_kind kind;
+    std::string_view glsl, hlsl, msl, wgsl;
+};
+
+// clang-format off
+inline constexpr word vocabulary[]{
+    {word_kind::type, "float", "float", "float", "f32"},
+    {word_kind::type, "int", "int", "int", "i32"},
+    {word_kind::type, "uint", "uint", "uint", "u32"},
+    {word_kind::type, "bool", "bool", "bool", "bool"},
+    {word_kind::type, "vec2", "float2", "float2", "vec2f"},
+    {word_kind::type, "vec3", "float3", "float3", "vec3f"},
+    {word_kind::type, "vec4", "float4", "float4", "vec4f"},
+    {word_kind::type, "ivec2", "int2", "int2", "vec2i"},
+    {word_kind::type, "ivec3", "int3", "int3", "vec3i"},
+    {word_kind::type, "ivec4", "int4", "int4", "vec4i"},
+    {word_kind::type, "uvec2", "uint2", "uint2", "vec2u"},
+    {word_kind::type, "uvec3", "uint3", "uint3", "vec3u"},
+    {word_kind::type, "uvec4", "uint4", "uint4", "vec4u"},
+    {word_kind::type, "mat3", "float3x3", "metal::float3x3", "mat3x3f"},
+    {word_kind::type, "mat4", "float4x4", "metal::float4x4", "mat4x4f"},
+
+    {word_kind::function, "abs", "abs", "metal::abs", "abs"},
+    {word_kind::function, "ceil", "ceil", "metal::ceil", "ceil"},
+    {word_kind::function, "clamp", "clamp", "metal::clamp", "clamp"},
+    {word_kind::function, "cos", "cos", "metal::cos", "cos"},
+    {word_kind::function, "cross", "cross", "metal::cross", "cross"},
+    {word_kind::function, "dot", "dot", "metal::dot", "dot"},
+    {word_kind::function, "exp", "exp", "metal::exp", "exp"},
+    {word_kind::function, "exp2", "exp2", "metal::exp2", "exp2"},
+    {word_kind::function, "floatBitsToInt", "asint", "as_type<int>", "bitcast<i32>"},
+    {word_kind::function, "floatBitsToUint", "asuint", "as_type<uint>", "bitcast<u32>"},
+    {word_kind::function, "floor", "floor", "metal::floor", "floor"},
+    {word_kind::function, "fract", "frac", "metal::fract", "fract"},
+    {word_kind::function, "intBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
+    {word_kind::function, "inversesqrt", "rsqrt", "metal::rsqrt", "inverseSqrt"},
+    {word_kind::function, "length", "length", "metal::length", "length"},
+    {word_kind::function, "log", "log", "metal::log", "log"},
+    {word_kind::function, "log2", "log2", "metal::log2", "log2"},
+    {word_kind::function, "max", "max", "metal::max", "max"},
+    {word_kind::function, "min", "min", "metal::min", "min"},
+    {word_kind::function, "mix", "lerp", "metal::mix", "mix"},
+    {word_kind::function, "normalize", "normalize", "metal::normalize", "normalize"},
+    {word_kind::function, "pow", "pow", "metal::pow", "pow"},
+    {word_kind::function, "sign", "sign", "metal::sign", "sign"},
+    {word_kind::function, "sin", "sin", "metal::sin", "sin"},
+    {word_kind::function, "sqrt", "sqrt", "metal::sqrt", "sqrt"},
+    {word_kind::function, "step", "step", "metal::step", "step"},
+    {word_kind::function, "tan", "tan", "metal::tan", "tan"},
+    {word_kind::function, "uintBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
+
+    {word_kind::keyword, "break", "break", "break", "break"},
+    {word_kind::keyword, "continue", "continue", "continue", "continue"},
+    {word_kind::keyword, "else", "else", "else", "else"},
+    {word_kind::keyword, "false", "false", "false", "false"},
+    {word_kind::keyword, "for", "for", "for", "for"},
+    {word_kind::keyword, "if", "if", "if", "if"},
+    {word_kind::keyword, "return", "return", "return", "return"},
+    {word_kind::keyword, "true", "true", "true", "true"},
+};
+// clang-format on
+
+/// Row of a GLSL word. nullptr if it is no such word, or none that snippets may use.
+[[nodiscard]] inline const word* find_word(std::string_view glsl) {
+    for (const word& w : vocabulary)
+        if (w.glsl == glsl) return &w;
+    return nullptr;
+}
+
+[[nodiscard]] inline bool is_type(std::string_view glsl) {
+    const word* w = find_word(glsl);
+    return w && w->kind == word_kind::type;
+}
+
+/// True for qualifiers of the snippets. A printer keeps or drops them.
+[[nodiscard]] constexpr bool is_qualifier(std::string_view glsl) {
+    return glsl == "UMBRAGE_HIGHP" || glsl == "UMBRAGE_PRECISE";
+}
+
+/// Refuses an unknown word.
+/// @throws std::invalid_argument   always, with the word in its message
+[[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
+    umbrage::detail::refuse(std::string(language) + "::text", "source", "of words that the language has", word);
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/translate/word_by_word.hpp
+// Translation word by word to HLSL and MSL, which are close enough to GLSL for that.
+//
+
+namespace umbrage::glsl::detail {
+
+/// Differences of a language like GLSL from it.
+struct near_language {
+    std::string_view name;
+    std::string_view word::*own;
+    std::string_view precise;      ///< word for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< word before each function's type,
+    std::string_view condition;    ///< and before the type of a function that returns bool
+    bool matrices_have_rows;       ///< m[i] is a row of m, and its constructor takes rows
+    bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
+    std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
+};
+
+/// Printer of functions in a language like GLSL.
+template <class = umbrage::detail::on_use>
+class word_by_word {
+public:
+    word_by_word(const near_language& language, std::string_view text)
+        : language_(language), all_(newest(tokens(text, language.name))) {}
+
+    [[nodiscard]] std::string print() {
+        std::string out = print(0, all_.size() - 1);
+        return out += all_.back().space;
+    }
+
+private:
+    [[nodiscard]] std::string print(std::size_t from, std::size_t to) {
+        std::string out;
+        for (std::size_t i = from; i < to;) {
+            const token& t = all_[i];
+            if (t == "{") ++depth_;
+            if (t == "}") --depth_;
+            if (t == "*") refuse_matrix(i);
+            out += t.space;
+            switch (t.kind) {
+                case piece::word: i = print_word(out, i); break;
+                case piece::directive: unknown(language_.name, t.text);
+                default: out += t.text, ++i;
+            }
+        }
+        return out;
+    }
+
+    /// Prints one word.
+    /// @return   index of the token that follows
+    std::size_t print_word(std::string& out, std::size_t i) {
+        const std::string_view text = all_[i].text;
+        if (is_qualifier(text)) {
+            const std::string_view kept = text == "UMBRAGE_PRECISE" ? language_.precise : "";
+            out += kept;
+            if (kept.empty()) all_[i + 1].space = {};
+            return i + 1;
+        }
+        const word* w = find_word(text);
+        if (w && w->kind == word_kind::type) return print_type(out, i, w->*language_.own);
+        if (w) {
+            if (w->kind == word_kind::function && !(all_[i + 1] == "(")) unknown(language_.name, text);
+            out += w->*language_.own;
+            return i + 1;
+        }
+        if (i > 0 && all_[i - 1] == ".") {
+            if (text.find_first_not_of("xyzw") != text.npos) unknown(language_.name, text);
+            out += text;
+            return i + 1;
+        }
+        if (all_[i + 1] == "(" && text.starts_with("umbrage_")) {
+            out += text;
+            return i + 1;
+        }
+        if (text == "UMBRAGE_MAP") return print_type(out, i, text);
+        const std::string_view type = type_of(text);
+        if (type.empty() && !is_of_a_map(text)) unknown(language_.name, text);
+        const bool column = all_[i + 1] == "[" && is_matrix(type) && language_.matrices_have_rows;
+        out += column ? "transpose(" + std::string(text) + ")" : std::string(text);
+        return i + 1;
+    }
+
+    /// Prints the type of a function or variable, or a constructor.
+    std::size_t print_type(std::string& out, std::size_t i, std::string_view own) {
+        if (all_[i + 1] == "(") return print_constructor(out, i, own);
+        if (all_[i + 1].kind != piece::word) unknown(language_.name, all_[i + 1].text);
+        const std::string_view name = all_[i + 1].text;
+        const bool function = all_[i + 2] == "(";
+        if (function && depth_ == 0) {
+            variables_.clear();
+            out += language_.function;
+            if (all_[i] == "bool") out += language_.condition;
+        } else {
+            if (language_.reserved.find(' ' + std::string(name) + ' ') != name.npos) unknown(language_.name, name);
+            variables_.push_back({name, all_[i].text});
+        }
+        out += own;
+        out += all_[i + 1].space;
+        out += name;
+        return i + 2;
+    }
+
+    std::size_t print_constructor(std::string& out, std::size_t i, std::string_view own) {
+        const std::string_view type = all_[i].text;
+        const std::size_t end = closing(all_, i + 1, language_.name);
+        const std::string arguments = print(i + 2, end);
+        const std::size_t count = arguments_in(i + 1, end);
+        if (is_matrix(type) && count == 1) unknown(language_.name, std::string(type) + " of one");
+        std::string made = std::string(own) + "(" + arguments + ")";
+        if (is_matrix(type) && language_.matrices_have_rows) made = "transpose(" + made + ")";
+        if (is_vector(type) && count == 1 && language_.vectors_of_one_are_cast) {
+            made = "(" + std::string(own) + ")" + (is_operand(i + 2, end) ? arguments : "(" + arguments + ")");
+            if (all_[end + 1] == "." || all_[end + 1] == "[") made = "(" + made + ")";
+        }
+        out += made;
+        return end + 1;
+    }
+
+    [[nodiscard]] std::size_t arguments_in(std::size_t open, std::size_t end) const {
+        std::size_t count = 1;
+        for (std::size_t i = open + 1; i < end; ++i) {
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
+            if (all_[i] == ",") ++count;
+        }
+        return count;
+    }
+
+    /// True for a name, a number, a call or a component of those: a cast needs no brackets around it.
+    [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
+        for (std::size_t i = from; i < to; ++i) {
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i, language_.name);
+            else if (all_[i].kind == piece::sign && !(all_[i] == ".")) return false;
+        }
+        return true;
+    }
+
+    /// Refuses a product with a matrix, which depends on rows and columns. Snippets write the columns out.
+    void refuse_matrix(std::size_t i) const {
+        for (const token* t : {&all_[i > 0 ? i - 1 : 0], &all_[i + 1]})
+            if (is_matrix(type_of(t->text)) && !(all_[i + 2] == "["))
+                unknown(language_.name, "a matrix times something");
+    }
+
+    [[nodiscard]] std::string_view type_of(std::string_view name) const {
+        for (const variable& v : variables_)
+            if (v.name == name) return v.type;
+        return {};
+    }
+    /// True for a word that a map fills in.
+    [[nodiscard]] static bool is_of_a_map(std::string_view word) {
+        static constexpr std::string_view all[]{"UMBRAGE_BORDER",     "UMBRAGE_COMPARE",      "UMBRAGE_CORNER",
+                                                "UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_REFERENCE",    "UMBRAGE_SAMPLED",
+                                                "UMBRAGE_STORED",     "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
+        for (std::string_view w : all)
+            if (word == w) return true;
+        return false;
+    }
+    [[nodiscard]] static bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
+    [[nodiscard]] static bool is_vector(std::string_view type) {
+        return type.find("vec") != type.npos;  // ivec2 too
+    }
+
+    struct variable {
+        std::string_view name, type;  ///< in GLSL
+    };
+
+    const near_language& language_;
+    std::vector<token> all_;
+    std::vector<variable> variables_;
+    std::size_t depth_ = 0;
+};
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/hlsl.hpp
+// HLSL text of snippets, printed from their GLSL.
+//
+//     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
+//
+// `precise` forbids fused and reordered sums within one function, so each function has its own. FXC honors it in shader
+// model 5, DXC in all of its models, from 6.0 on. Older models of FXC need the option /Gis, for the whole shader.
+//
+
+namespace umbrage::hlsl {
+
+namespace detail {
+
+inline constexpr glsl::detail::near_language akin{.name = "hlsl",
+                                                  .own = &glsl::detail::word::hlsl,
+                                                  .precise = "precise",
+                                                  .function = "",
+                                                  .condition = "precise ",  // FXC turns a <= b into !(a > b) elsewhere
+                                                  .matrices_have_rows = true,
+                                                  .vectors_of_one_are_cast = true,
+                                                  .reserved = " line linear matrix pass point sample triangle vector "};
+
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
+    using enum glsl::texture;
+    switch (kind) {
+        case texture_2d:
+            return {.parameters = "Texture2D<float4> map",
+                    .arguments = "map",
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case depth:
+            return {.parameters = "Texture2D<float> map",
+                    .arguments = "map",
+                    .texel = "(float4)map.Load(int3(int2(at), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, uv, 0.0)",
+                    .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case atlas:
+            return {.parameters = "Texture2D<float4> map, float2 origin",
+                    .arguments = "map, origin",
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case array:
+            return {.parameters = "Texture2DArray<float4> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
+                    .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
+                    .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
+        case depth_array:
+            return {.parameters = "Texture2DArray<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
+                    .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
+        case cube:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
+                    .arguments = "map, map_sampler, face",
+                    .texel =
+                        "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
+                    .needs = glsl::list<&glsl::cube_direction>};
+        case cube_faces:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .texel = "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
+                    .needs = glsl::list<&glsl::cube_atlas_direction>};
+        case integer:
+            return {.parameters = "Texture2D<uint4> map",
+                    .arguments = "map",
+                    .texel = "float4(map.Load(int3(int2(at), 0)))"};
+        case shadow:
+            return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, uv, receiver)"};
+        case shadow_array:
+            return {
+                .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
+                .arguments = "map, map_sampler, layer",
+                .lit =
+                    "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
+                    "receiver)",
+                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                .lit_filtered = "map.SampleCmpLevelZero(map_sampler, float3(uv, layer), receiver)"};
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", SamplerState map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
+}
+
+template <class Use = umbrage::detail::on_use>
+inline constexpr glsl::detail::language language{
+    .prelude = "",
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .receiver_plane = "float2 receiver_slope, float3 receiver_at",
+    .function = "hlsl::text",
+    .declare = glsl::detail::hlsl_interface};
+
+}  // namespace detail
+
+/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
+///
+/// HLSL has no expression for the size of a texture. A map that is a region of one, and is gathered from or compared by
+/// its sampler, needs the binding's texture_size.
+///
+/// @throws std::invalid_argument   a snippet or map that HLSL cannot express
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
+}
+
+}  // namespace umbrage::hlsl
+
+// ---- umbrage/shader/msl.hpp
+// Metal Shading Language text of snippets, printed from their GLSL.
+//
+//     std::string shader = umbrage::msl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver)
+//
+
+namespace umbrage::msl {
+
+/// First lines of every text. Metal uses fast math by default, and these lines turn it off to the end of the file. Safe
+/// math still fuses a * b + c within a statement, which the second pragma forbids.
+///
+/// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
+/// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The last may still fuse.
+inline constexpr std::string_view prelude =
+    "\n#include <metal_stdlib>\n"  // not on its own line, which the single header would take for C++'s
+    "#pragma METAL fp math_mode(safe)\n"
+    "#pragma METAL fp contract(off)\n";
+
+namespace detail {
+
+inline constexpr glsl::detail::near_language akin{.name = "msl",
+                                                  .own = &glsl::detail::word::msl,
+                                                  .precise = "",
+                                                  .function = "inline ",
+                                                  .condition = "",
+                                                  .matrices_have_rows = false,
+                                                  .vectors_of_one_are_cast = false,
+                                                  .reserved =
+                                                      " as_type char constant device fragment half kernel long metal "
+                                                      "object sampler short thread uchar ushort vertex "};
+
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
+    using enum glsl::texture;
+    switch (kind) {
+        case texture_2d:
+            return {.parameters = "metal::texture2d<float> map",
+                    .arguments = "map",
+                    .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
+        case depth:
+            return {.parameters = "metal::depth2d<float> map",
+                    .arguments = "map",
+                    .texel = "float4(map.read(uint2(at)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, metal::level(0.0)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case atlas:
+            return {.parameters = "metal::texture2d<float> map, float2 origin",
+                    .arguments = "map, origin",
+                    .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
+        case array:
+            return {.parameters = "metal::texture2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "map.read(uint2(at), uint(layer))",
+                    .sampled = "map.sample(map_sampler, uv, uint(layer), metal::level(0.0))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
+                        "metal::component::y)"};
+        case depth_array:
+            return {.parameters = "metal::depth2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "float4(map.read(uint2(at), uint(layer)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, uint(layer), metal::level(0.0)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
+        case cube:
+            return {.parameters = "metal::texturecube<float> map, float face",
+                    .arguments = "map, face",
+                    .texel = "map.read(uint2(at), uint(face))"};
+        case cube_faces:
+            return {.parameters = "metal::texturecube<float> map",
+                    .arguments = "map",
+                    .texel =
+                        "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, "
+                        "umbrage_cube_atlas_texel(at, size.y * 0.5).y), "
+                        "uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))",
+                    .needs = glsl::list<&glsl::cube_atlas_texel>};
+        case integer:
+            return {
+                .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+        case shadow:
+            return {
+                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                .arguments = "map, map_sampler",
+                .lit =
+                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
+                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .lit_filtered = "map.sample_compare(map_sampler, uv, receiver, metal::level(0.0))"};
+        case shadow_array:
+            return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
+                    .arguments = "map, map_sampler, layer",
+                    .lit =
+                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "metal::level(0.0))",
+                    .gather_lit =
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
+                    .lit_filtered = "map.sample_compare(map_sampler, uv, uint(layer), receiver, metal::level(0.0))"};
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    words.size = "float2(map.get_width(), map.get_height())";
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", metal::sampler map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
+}
+
+template <class Use = umbrage::detail::on_use>
+inline constexpr glsl::detail::language language{
+    .prelude = prelude,
+    .texture = texture,
+    .translate =
+        [](const glsl::snippet& s) {
+            return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
+        },
+    .receiver_plane = "float2 receiver_slope, float3 receiver_at",
+    .function = "msl::text",
+    .declare = glsl::detail::msl_interface};
+
+}  // namespace detail
+
+/// Text to paste into any shader: the snippets, or results of bind(), and all they need, each once and guarded.
+/// @throws std::invalid_argument   a snippet or map that Metal cannot express
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(const std::vector<glsl::bound>& items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
+}
+
+}  // namespace umbrage::msl
 
 // ---- umbrage/shader/translate/types.hpp
 // Types of GLSL expressions, by GLSL's names: "vec3", "uint", "mat4". "float[4]" is an array.
@@ -24885,8 +27575,9 @@ struct word_of_map {
 inline constexpr word_of_map words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
-    {"UMBRAGE_SAMPLED", "vec4"},    {"UMBRAGE_BORDER", "float"},      {"UMBRAGE_COMPARE", "float"}};
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
+    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
+    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
@@ -24900,7 +27591,7 @@ public:
     std::size_t at = 0;               ///< index of the next token
     std::vector<variable> variables;  ///< variables in scope; of two with one name the last counts
 
-    /// Next token. The last one, an end, is never taken.
+    /// Next token. The last token marks the end and is never taken.
     [[nodiscard]] const token& next() const { return all_[at]; }
     const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
 
@@ -25490,7 +28181,7 @@ template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{.prelude = "",
                                                  .texture = textures,
                                                  .translate = translate<Use>,
-                                                 .receiver_plane = "receiver_slope: vec2f, receiver_coord: vec2f",
+                                                 .receiver_plane = "receiver_slope: vec2f, receiver_at: vec3f",
                                                  .may_reorder = "WGSL",
                                                  .preprocessor = false,
                                                  .function = "wgsl::text",
@@ -25506,140 +28197,6 @@ template <class Use = umbrage::detail::on_use>
 }
 
 }  // namespace umbrage::wgsl
-
-// ---- umbrage/shadow/set_up.hpp
-// Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
-// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
-
-namespace umbrage {
-
-/// Last members of every shadow's uniform block.
-struct shadow_terms {
-    glm::vec2 map_size{1};      ///< size of one map, texels
-    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
-    float error = 0;            ///< largest error of a stored depth and a receiver's together, in depth
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius)
-
-    static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
-};
-
-/// Place of a receiver in a light's maps.
-struct map_place {
-    int number = 0;      ///< number of the map, from 0
-    glm::vec3 at{0};     ///< x and y in texels, z depth
-    glm::vec2 slope{0};  ///< change of depth per texel of the receiver's plane
-};
-
-namespace glsl {
-
-/// Choice of one of several maps in a shader's text: a layer of an array, or a tile of an atlas.
-struct map_choice {
-    bool atlas = false;
-    std::string_view tile{};                 ///< name of the snippet tile(number, tile_size): a tile's first texel
-    std::string_view tile_size = "terms.x";  ///< size of a tile, texels, in GLSL
-
-    /// Statement of a setup's text that chooses a map by its number. `first` declares a variable, `again` assigns it.
-    [[nodiscard]] std::string first(std::string_view number) const {
-        return std::string("    UMBRAGE_HIGHP ").append(atlas ? "vec2 " : "float ").append(again(number).substr(4));
-    }
-    [[nodiscard]] std::string again(std::string_view number) const {
-        if (!atlas) return std::string("    layer = ").append(number).append(";\n");
-        return std::string("    origin = umbrage_")
-            .append(tile)
-            .append("(")
-            .append(number)
-            .append(", ")
-            .append(tile_size)
-            .append(");\n");
-    }
-};
-
-/// Body of the depth pass' vertex function, for setups that do more than multiply by a matrix. Its GLSL statements use
-/// `to_clip`, `world` and the parameters.
-struct vertex_place {
-    std::string_view parameters, statements;
-    const glsl::snippet* needs;
-};
-
-}  // namespace glsl
-
-/// Maps of one size, row by row.
-struct map_grid {
-    int columns = 1, rows = 1;
-};
-
-/// Setup of a light's maps.
-///
-/// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
-/// alike. `visibility` and `text` are the C++ and the GLSL version of one function. C++ calls look(place) where GLSL
-/// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
-///
-/// Three kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup
-/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue
-/// beyond their border by a number of texels has require_reach(reach), which refuses filters that read farther.
-template <class SetUp>
-concept shadow_set_up = std::copyable<SetUp> &&
-    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
-             float (*look)(const map_place&), const glsl::map_choice& choice) {
-    { s.clip() } -> std::same_as<clip_space>;
-    { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
-    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
-    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
-    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // tiles of an atlas; empty for one map
-    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
-    {std::span<const uniform_field>(SetUp::fields)};
-    { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
-    { SetUp::text(choice) } -> std::same_as<std::string>;
-    {std::span<const glsl::snippet* const>(SetUp::needs)};
-};
-
-/// Errors of maps that bend straight lines and planes. Contact hardening compares along planes, so a shadow with such
-/// maps does not take it.
-struct bent_lines {
-    float reach = 0;  ///< largest error of a position, texels
-    float error = 0;  ///< largest error of a depth
-};
-
-/// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
-template <class Light>
-struct set_up_for {
-    using type = Light;
-};
-
-namespace detail {
-
-/// True when a setup's `uniforms` have the size of its `fields`.
-template <class SetUp>
-consteval bool has_fields() {
-    std::size_t vectors = 0;
-    for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
-    return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
-}
-
-template <class SetUp>
-[[nodiscard]] constexpr bent_lines bends_of() {
-    if constexpr (requires { SetUp::bends; }) return SetUp::bends;
-    else return {};
-}
-
-/// First texel of a map in the image of all maps.
-[[nodiscard]] inline glm::ivec2 first_texel(int number, map_grid grid, glm::ivec2 map_size) {
-    return {number % grid.columns * map_size.x, number / grid.columns * map_size.y};
-}
-
-/// Light for world positions relative to an origin.
-[[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
-    light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
-    return light;
-}
-
-template <real T>
-[[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
-    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};
-}
-
-}  // namespace detail
-}  // namespace umbrage
 
 // ---- umbrage/shadow/adaptive_maps.hpp
 // Adaptive shadow map (virtual shadow map) with up to 64 pages, each of them a map. The uniform block holds the table
@@ -25680,19 +28237,21 @@ struct adaptive_maps {
     }
 
     struct uniforms {
-        glm::mat4 to_root;   ///< page_matrix
-        glm::mat4 planes;    ///< plane_matrix in texels of the deepest level
-        glm::mat4 cells[8];  ///< 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1).
-                             ///< Each number holds two cells: first + 1024 second
-        glm::vec4 pages;     ///< x: size of a page, y: width of its gutter, texels
+        glm::mat4 to_root;  ///< page_matrix
+        glm::mat4 planes;   ///< plane_matrix in texels of the deepest level
+        /// 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1). Each number holds two
+        /// cells: first + 1024 second
+        std::array<glm::mat4, 8> cells;
+        glm::vec4 anchor;  ///< xyz: middle of the root page
+        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
+                           ///< level and of depths by rounding
     };
-    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},     {"cells_1"},
-                                            {"cells_2"}, {"cells_3"}, {"cells_4"},     {"cells_5"},
-                                            {"cells_6"}, {"cells_7"}, {"pages", false}};
+    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},       {"cells_1"},
+                                            {"cells_2"}, {"cells_3"}, {"cells_4"},       {"cells_5"},
+                                            {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}};
     static constexpr map_grid grid{page_tile_columns, 8};
     static constexpr int deepest_level = 4;
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{true, glsl::page_tile.name};
 
     [[nodiscard]] clip_space clip() const { return root.clip; }
     /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
@@ -25716,9 +28275,20 @@ struct adaptive_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");
         const light_space<double> here = detail::relative_to(origin, root);
-        const glm::dmat4 in_texels = texture_matrix(here, glm::ivec2(size.texels << deepest_level));
-        uniforms u{glm::mat4(page_matrix(here)), glm::mat4(plane_matrix(in_texels)), {}, {}};
-        u.pages = {size.texels, size.gutter, 0, 0};
+        const glm::ivec2 texels(size.texels << deepest_level);
+        const glm::dmat4 in_texels = texture_matrix(here, texels);
+        const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
+        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
+        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
+        uniforms u{glm::mat4(moved(page_matrix(here))),
+                   glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels))),
+                   {},
+                   {},
+                   {}};
+        u.anchor = glm::vec4(anchor, 0.0f);
+        const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
+        u.pages = glm::vec4(glm::dvec4(size.texels, size.gutter, error.z + coordinate * texels.x,
+                                       error.w + 6.0 * detail::one_rounding));
         int codes[side * side]{};
         for (const auto& [page, slot] : pages) {
             const int wide = side >> page.level,
@@ -25727,62 +28297,16 @@ struct adaptive_maps {
                 std::fill_n(codes + y * side + page.x * wide, wide, code);
         }
         for (glm::length_t i = 0; i < side * side; i += 2)
-            u.cells[i / 32][i / 8 % 4][i / 2 % 4] = static_cast<float>(codes[i] + 1024 * codes[i + 1]);
+            u.cells[static_cast<std::size_t>(i / 32)][i / 8 % 4][i / 2 % 4] =
+                static_cast<float>(codes[i] + 1024 * codes[i + 1]);
         return u;
     }
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const glm::vec3 in_root(shadow_coordinate(u.to_root, world));
-        const auto within = [](float v) { return !is_nan(v) && v >= 1.0f && v < 2.0f; };
-        const bool inside = within(in_root.x) && within(in_root.y);
-        const glm::vec2 coord = inside ? glm::vec2(in_root) : glm::vec2(1);
-        const int i = static_cast<int>(coord.y * 16.0f - 16.0f) * side + static_cast<int>(coord.x * 16.0f - 16.0f);
-        const auto cell = static_cast<glm::length_t>(i);
-        const int two = static_cast<int>(u.cells[cell / 32][cell / 8 % 4][cell / 2 % 4]);
-        const int code = i % 2 == 0 ? two % 1024 : two / 1024;
-        const float across = static_cast<float>(code / 64 + 1);
-        const glm::vec2 place = coord * across;
-        const glm::vec2 at = inside ? (place - glm::floor(place)) * u.pages.x + u.pages.y : glm::vec2(32768);
-        const glm::vec2 slope = receiver_slope(u.planes, normal, world) * (16.0f / across);
-        return look(map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}});
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, terms, world, normal);
     }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        return R"GLSL(
-    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, world);
-    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
-    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
-    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
-    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
-    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
-    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
-    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
-    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
-    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
-    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
-    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
-    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
-    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
-    UMBRAGE_HIGHP float pair = floor(along * 0.5);
-    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
-    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
-    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
-    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
-    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
-    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
-    UMBRAGE_HIGHP float number = code - before * 64.0;
-    UMBRAGE_HIGHP float across = before + 1.0;
-    UMBRAGE_HIGHP vec2 place = coord * across;
-    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
-    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
-    UMBRAGE_HIGHP vec2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
-)GLSL" + choice.first("number") +
-               "    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, in_root.z), slope);\n";
-    }
-    static constexpr const auto& needs = glsl::list<&glsl::shadow_coordinate, &glsl::cascade_column_8,
-                                                    &glsl::receiver_slope, &glsl::clamp_slope, &glsl::page_tile>;
+    static constexpr const glsl::snippet* placing = &glsl::adaptive_maps_places;
 
 private:
     static constexpr int side = 1 << deepest_level;
@@ -25796,12 +28320,12 @@ private:
 
 // ---- umbrage/shadow/cascaded_maps.hpp
 // Cascaded shadow maps (CSM) of a directional light, with up to eight cascades and one map per cascade.
-// A receiver is looked up in the first map that holds it and its filter. Near that map's border the next map blends in,
-// if it holds them too. Shadows of the last map fade to light at its border.
+// A receiver is looked up in the first map that holds it and its filter. The next map blends in near that map's border,
+// if it holds the receiver too. Shadows of the last map fade to light at its border.
 //
 //     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
-//     umbrage::shadow sun(cascades, {1024, 1024}, umbrage::filters::tent<3>);
-//     umbrage::shadow hard_changes(umbrage::cascaded_maps(cascades, 0.0f), {1024, 1024}, umbrage::filters::tent<3>);
+//     umbrage::shadow sun(cascades, fit.map_size, umbrage::filters::tent<3>);
+//     umbrage::shadow hard_changes(umbrage::cascaded_maps(cascades, 0.0f), fit.map_size, umbrage::filters::tent<3>);
 //
 
 namespace umbrage {
@@ -25812,19 +28336,19 @@ namespace detail {
 template <int Groups>
 struct cascade_block {
     glm::mat4 rotation;         ///< rotation from the world to the light's axes
-    glm::mat4 scales, offsets;  ///< one column per cascade, as for cascade_by_projection
-    glm::vec4 blending{0};      ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last
+    glm::mat4 scales, offsets;  ///< one column per cascade; w of scales: error of texels by rounding
+    glm::vec4 anchor{0};        ///< xyz: middle of the last map
+    glm::vec4 blending{0};  ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last; z:
+                            ///< error of depths by rounding
 
-    static constexpr uniform_field fields[]{{"rotation"}, {"scales"}, {"offsets"}, {"blending", false}};
-    static constexpr std::string_view find = "cascade_by_projection(light, scales, offsets", column = "cascade_column";
-    static constexpr std::string_view all_scales = "scales", all_offsets = "offsets";
-    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection, &picker = glsl::cascade_column;
+    static constexpr uniform_field fields[]{
+        {"rotation"}, {"scales"}, {"offsets"}, {"anchor", false}, {"blending", false}};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places;
 
-    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
-        return cascade_by_projection(light, scales, offsets, terms.map_size, terms.reach);
+    [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
+                                                                 glm::vec3 normal) const {
+        return cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
     }
-    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column(scales, number); }
-    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column(offsets, number); }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
 };
 /// Uniforms of five to eight cascades.
@@ -25832,22 +28356,18 @@ template <>
 struct cascade_block<2> {
     glm::mat4 rotation, scales, offsets;        ///< columns of the first four cascades
     glm::mat4 farther_scales, farther_offsets;  ///< columns of the others
-    glm::vec4 blending{0};
+    glm::vec4 anchor{0}, blending{0};
 
     static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
-                                            {"farther_scales"}, {"farther_offsets"}, {"blending", false}};
-    static constexpr std::string_view find =
-        "cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets";
-    static constexpr std::string_view column = "cascade_column_8";
-    static constexpr std::string_view all_scales = "scales, farther_scales", all_offsets = "offsets, farther_offsets";
-    static constexpr const glsl::snippet &finder = glsl::cascade_by_projection_8, &picker = glsl::cascade_column_8;
+                                            {"farther_scales"}, {"farther_offsets"}, {"anchor", false},
+                                            {"blending", false}};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places_8;
 
-    [[nodiscard]] glm::vec4 found(glm::vec3 light, const shadow_terms& terms) const {
-        return cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size,
-                                       terms.reach);
+    [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
+                                                                 glm::vec3 normal) const {
+        return cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                      terms, world, normal);
     }
-    [[nodiscard]] glm::vec4 scale(float number) const { return cascade_column_8(scales, farther_scales, number); }
-    [[nodiscard]] glm::vec4 offset(float number) const { return cascade_column_8(offsets, farther_offsets, number); }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) {
         (i < 4 ? scales : farther_scales)[i % 4] = scale, (i < 4 ? offsets : farther_offsets)[i % 4] = offset;
     }
@@ -25864,21 +28384,21 @@ struct cascaded_maps {
 
     /// @param all     cascades from near to far
     /// @param blend   width of the band in which two cascades blend, texels; 0: no band
-    /// @throws std::invalid_argument  blend negative or not finite
+    /// @throws std::invalid_argument  blend negative, not finite, or without a finite inverse
     template <real T, std::size_t Count>
     explicit cascaded_maps(const std::array<cascade<T>, Count>& all, float blend = 16.0f) : blend_texels(blend) {
         static_assert(Count >= 1 && Count <= 8, "a shadow takes one to eight cascades");
-        detail::require(is_finite(blend) && blend >= 0.0f, "cascaded_maps", "blend", "finite, 0 or more", blend);
+        detail::require(blend == 0.0f || (is_finite(blend) && blend > 0.0f && is_finite(1.0f / blend)), "cascaded_maps",
+                        "blend", "0, or above 0, finite and with a finite inverse", blend);
         for (const cascade<T>& c : all)
             cascades.push_back({detail::in_double(c.light), glm::dvec4(c.scale), glm::dvec4(c.offset), double(c.begin),
-                                double(c.end)});
+                                double(c.end), c.map_size});
     }
 
     using uniforms = detail::cascade_block<Groups>;
     static constexpr const auto& fields = uniforms::fields;
     static constexpr map_grid grid{2, 2 * Groups};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
     /// @throws std::invalid_argument  no cascade, or more than there are maps
     [[nodiscard]] clip_space clip() const { return nearest().light.clip; }
@@ -25887,85 +28407,37 @@ struct cascaded_maps {
         for (const cascade<double>& c : cascades) all.push_back(c.light);
         return all;
     }
-    /// @throws std::invalid_argument  as clip()
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2, glm::dvec3 origin) const {
+    /// @throws std::invalid_argument  as clip(); a map_size other than that of the cascades' fit; a light too far from
+    ///                                the origin
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         const glm::dmat4 rotation = nearest().light.view;
-        const glm::dvec3 start(rotation * glm::dvec4(origin, 1.0));
+        for (const cascade<double>& c : cascades)  // scale and offset are in texels of the fit
+            detail::require_size(map_size, c.map_size, "shadow", "map_size", "cascade_fit.map_size");
+        const auto in_texels = [&](const cascade<double>& c) {
+            return texture_matrix(detail::relative_to(origin, c.light), map_size);
+        };
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
+        u.anchor = glm::vec4(glm::vec3(detail::anchor_of(in_texels(cascades.back()), map_size)), 0.0f);
+        u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
+        const glm::dvec3 anchor(u.anchor), start(rotation * glm::dvec4(origin + anchor, 1.0));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
             u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
-            u.set(i, glm::vec4(c.scale), glm::vec4(glm::dvec4(offset, 0.0)));
+            const glm::vec4 error(detail::rounding_of(detail::moved_to(in_texels(c), anchor), map_size, anchor));
+            u.set(i, {glm::vec3(c.scale), error.z}, glm::vec4(glm::dvec4(offset, 0.0)));
+            u.blending.z = detail::greater(u.blending.z, error.w + float(6.0 * detail::one_rounding));
         }
-        u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
         return u;
     }
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms& terms, glm::vec3 world,
-                                          glm::vec3 normal, const Look& look) {
-        const glm::vec3 light(shadow_coordinate(u.rotation, world)), across(shadow_coordinate(u.rotation, normal));
-        const glm::vec4 found = u.found(light, terms);
-        const float last = u.blending.y, number = found.w < last ? found.w : last;
-        const glm::vec4 scale = u.scale(number);
-        const float nearer = look(map_place{int(number), glm::vec3(found), cascade_slope(across, scale)});
-        const float weight = u.blending.x > 0.0f && found.w <= last
-                                 ? cascade_border_fade(glm::vec2(found), terms.map_size, terms.reach, u.blending.x)
-                                 : 0.0f;
-        if (!(weight > 0.0f)) return nearer;
-        if (!(number < last)) return blend_cascades(nearer, 1.0f, weight);
-        const float next = number + 1.0f;
-        const glm::vec4 next_scale = u.scale(next);
-        const glm::vec3 at = cascade_coordinate(light, next_scale, u.offset(next));
-        if (!inside_cascade(at, terms.map_size, terms.reach)) return nearer;
-        const float held = 1.0f - cascade_border_fade(glm::vec2(at), terms.map_size, terms.reach, u.blending.x);
-        const float farther = look(map_place{int(next), at, cascade_slope(across, next_scale)});
-        return blend_cascades(nearer, farther, detail::lesser(weight, held));
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return u.places(terms, world, normal);
     }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        const auto column = [](std::string_view all, std::string_view number) {
-            return std::string("umbrage_").append(uniforms::column) + '(' + std::string(all) + ", " +
-                   std::string(number) + ')';
-        };
-        return R"GLSL(
-    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, world);
-    UMBRAGE_HIGHP vec4 across = umbrage_shadow_coordinate(rotation, normal);
-    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
-    UMBRAGE_HIGHP vec3 normal_there = vec3(across.x, across.y, across.z);
-    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
-    UMBRAGE_HIGHP vec4 found = umbrage_)GLSL" +
-               std::string(uniforms::find) + R"GLSL(, size, terms.z);
-    UMBRAGE_HIGHP float number = min(found.w, blending.y);
-    UMBRAGE_HIGHP vec4 scale = )GLSL" +
-               column(uniforms::all_scales, "number") + ";\n" + choice.first("number") +
-               R"GLSL(    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(normal_there, scale);
-    UMBRAGE_HIGHP float nearer = umbrage_look(map, terms, filter_terms, vec3(found.x, found.y, found.z), slope);
-    UMBRAGE_HIGHP float border = umbrage_cascade_border_fade(vec2(found.x, found.y), size, terms.z, blending.x);
-    UMBRAGE_HIGHP float weight = blending.x > 0.0 && found.w <= blending.y ? border : 0.0;
-    bool last = number >= blending.y;
-    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
-    UMBRAGE_HIGHP vec4 next_scale = )GLSL" +
-               column(uniforms::all_scales, "next") + R"GLSL(;
-    UMBRAGE_HIGHP vec3 at = umbrage_cascade_coordinate(light, next_scale, )GLSL" +
-               column(uniforms::all_offsets, "next") + ");\n" + choice.again("next") +
-               R"GLSL(
-    UMBRAGE_HIGHP float fade = umbrage_cascade_border_fade(vec2(at.x, at.y), size, terms.z, blending.x);
-    UMBRAGE_HIGHP float held = umbrage_inside_cascade(at, size, terms.z) ? 1.0 - fade : 0.0;
-    weight = last ? weight : min(weight, held);
-    UMBRAGE_HIGHP float farther = 1.0;
-    if (weight > 0.0 && !last) {
-        farther = umbrage_look(map, terms, filter_terms, at, umbrage_cascade_slope(normal_there, next_scale));
-    }
-    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::shadow_coordinate, &uniforms::finder, &uniforms::picker, &glsl::cascade_slope,
-                   &glsl::cascade_coordinate, &glsl::inside_cascade, &glsl::cascade_border_fade, &glsl::blend_cascades,
-                   &glsl::cascade_tile>;
+    static constexpr const glsl::snippet* placing = uniforms::placing;
 
 private:
     [[nodiscard]] const cascade<double>& nearest() const {
@@ -25987,367 +28459,432 @@ struct set_up_for<std::array<cascade<T>, Count>> {
 
 }  // namespace umbrage
 
-// ---- umbrage/shadow/cube_maps.hpp
-// Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
-//
-//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
-//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
-//
+// ---- umbrage/shadow/clamped_casters.hpp
+// Casters before the near plane of parallel rays. A depth pass clamps them to that plane. This is right for any filter
+// but contact hardening, which takes their distance from the map.
 
-namespace umbrage {
+namespace umbrage::detail {
 
-/// Setup of a cube's six maps.
-struct cube_maps {
-    point_light<double> light;
-
-    template <real T>
-    explicit cube_maps(const point_light<T>& l)
-        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
-        static_cast<void>(make_point_light(light));  // checks the light
+/// Cuts a convex polygon to the side of a plane where dot(plane, vertex) is 0 or more.
+inline void cut(std::vector<glm::dvec4>& polygon, const glm::dvec4& plane) {
+    std::vector<glm::dvec4> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double at_a = glm::dot(plane, a), at_b = glm::dot(plane, b);
+        if (at_a >= 0.0) kept.push_back(a);
+        if ((at_a >= 0.0) != (at_b >= 0.0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
     }
+    polygon.swap(kept);
+}
 
-    struct uniforms {
-        glm::vec4 position;   ///< position of the light; w: 0
-        glm::mat4 to_texels;  ///< matrix from a face's axes (cube_face_point) to texels of its map
-        glm::mat4 planes;     ///< plane_matrix of to_texels
+/// True where some part of a mesh lies in the map, but before its near plane by more than 2^-20 of the depths.
+/// @param mesh    casters, whose indices are in range
+/// @param light   light of the map, for the positions of the mesh
+[[nodiscard]] inline bool has_clamped_casters(const mesh_view& mesh, std::span<const glm::mat4> instances,
+                                              const light_space<double>& light) {
+    const bool reversed = light.clip.direction == depth_direction::reversed;
+    const double near_depth = reversed ? 1.0 : light.clip.range == depth_range::minus_one_to_one ? -1.0 : 0.0;
+    const double nearer = reversed ? 1.0 : -1.0;
+    const glm::dvec4 before(0.0, 0.0, nearer, -nearer * near_depth - 0x1p-20);
+    std::vector<glm::dvec4> polygon;
+    for (const glm::mat4& model : instances) {
+        const glm::dmat4 to_clip = light.projection * light.view * glm::dmat4(model);
+        for (const glm::uvec3 triangle : mesh.triangles) {
+            polygon.clear();
+            for (const glm::uint corner : {triangle.x, triangle.y, triangle.z})
+                polygon.push_back(to_clip * glm::dvec4(glm::dvec3(mesh.positions[corner]), 1.0));
+            cut(polygon, before);
+            for (const double side : {1.0, -1.0}) {
+                cut(polygon, {side, 0.0, 0.0, 1.0});
+                cut(polygon, {0.0, side, 0.0, 1.0});
+            }
+            if (!polygon.empty()) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/shadow/frame.hpp
+// The frame of every shadow, in C++ and in GLSL: places of a receiver from the setup, a lookup in the map of each, and
+// their blend. Setups and filters only state what they are.
+
+namespace umbrage::detail {
+
+/// Blends each place after the first over those before, by its weight.
+/// @param look   (place) -> visibility there, or a color
+template <class Look>
+[[nodiscard]] auto blended(std::span<const map_place> places, const Look& look) {
+    auto sum = look(places[0]);
+    for (const map_place& place : places.subspan(1)) {
+        if (!(place.weight > 0.0f)) continue;
+        const auto next = look(place);
+        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // blend_cascades, of colors too
+    }
+    return sum;
+}
+
+/// A shadow in the frame's text: declarations and names that its function passes on.
+struct frame_words {
+    const glsl::snippet* placing = nullptr;  ///< the setup's
+    int most_places = 1;
+    std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
+    std::string of_set_up{};                      ///< the setup's own, as arguments
+    std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
+    std::vector<std::string> chooses_map{};       ///< statement that chooses the map of `number`
+    std::vector<const glsl::snippet*> chooses{};  ///< what the statement calls
+
+    /// Snippets that the text calls, but for those of the choice.
+    [[nodiscard]] std::vector<const glsl::snippet*> needs() const {
+        if (most_places == 1) return {placing};
+        return {placing, &glsl::blend_cascades};
+    }
+};
+
+/// Words of a setup.
+/// @param layers   true for maps in an array, false for an atlas
+/// @param turns    true for filters with a rotated disc
+/// @param soft     softness of each map
+template <class SetUp>
+[[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
+    frame_words w{.placing = SetUp::placing, .most_places = most_places<SetUp>};
+    for (const uniform_field& f : SetUp::fields) {
+        w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
+        w.of_set_up.append(f.name).append(", ");
+    }
+    w.fields += soft.fields;
+    w.names = w.of_set_up + soft.names;
+    if (turns) w.pixel = ", UMBRAGE_HIGHP vec2 pixel", w.of_pixel = ", pixel";
+    constexpr map_grid grid = SetUp::grid;
+    if (grid.columns * grid.rows == 1) return w;
+    const std::string columns = std::to_string(grid.columns) + ".0";
+    if (layers) w.chooses_map = {"UMBRAGE_HIGHP float layer = number;"};
+    else {
+        w.chooses_map = {"UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(" + columns + ", 1.0 / " + columns +
+                         "), vec2(terms.x, terms.y));"};
+        w.chooses = {&glsl::map_tile};
+    }
+    return w;
+}
+
+/// Result of the frame's text: a visibility, or a color.
+struct frame_result {
+    std::string_view head;   ///< comment, type and name of the function, up to its first parameters
+    std::string_view type;   ///< float or vec3
+    std::string_view lit;    ///< value of the type before any map is looked up
+    std::string look;        ///< result at `at` and `slope`
+    std::string_view blend;  ///< blend of `sum` and `next` by `slope.z`
+};
+
+/// GLSL version of blended: the one text of all shadows.
+/// @param statements     those of the words, where the result depends on a map
+[[nodiscard]] inline std::string frame_text(const frame_result& of, const frame_words& w,
+                                            const std::vector<std::string>& statements) {
+    const std::string type = "UMBRAGE_HIGHP " + std::string(of.type) + ' ';
+    std::string text = std::string(of.head) + w.fields +
+                       "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
+                       "UMBRAGE_HIGHP vec3 normal" +
+                       w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
+                       w.of_set_up +
+                       "terms, world, normal);\n"
+                       "    UMBRAGE_HIGHP vec4 at = places[0];\n"
+                       "    UMBRAGE_HIGHP vec4 slope = places[1];\n";
+    const auto add = [&](const char* margin, std::string_view line) { text.append(margin).append(line) += '\n'; };
+    const auto look_up = [&](const char* margin, const char* name) {
+        add(margin, "UMBRAGE_HIGHP float number = at.w;");
+        for (const std::string& line : statements) add(margin, line);
+        add(margin, type + name + " = " + of.look + ';');
     };
-    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
-    static constexpr map_grid grid{3, 2};
-    static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{true, glsl::cube_tile.name};
-
-    [[nodiscard]] clip_space clip() const { return light.clip; }
-    [[nodiscard]] std::vector<light_space<double>> lights() const {
-        const auto faces = make_point_light(light);
-        return {faces.begin(), faces.end()};
+    if (w.most_places == 1) look_up("    ", "sum");
+    else {
+        // Compilers do not know how often the loop turns, so that the filter's instructions stand once.
+        add("", "#if __VERSION__ >= 130");
+        add("    ", "int count = places[3].z > 0.0 ? 2 : 1;");
+        add("", "#else");
+        add("    ", "const int count = 2;");
+        add("", "#endif");
+        add("    ", type + "sum = " + std::string(of.lit) + ';');
+        add("    ", "for (int i = 0; i < count; ++i) {");
+        add("        ", "if (slope.z > 0.0) {");
+        look_up("            ", "next");
+        add("            ", "sum = " + std::string(of.blend) + ';');
+        add("        ", "}");
+        add("        ", "at = places[2];");
+        add("        ", "slope = places[3];");
+        add("    ", "}");
     }
-    /// @throws std::invalid_argument  a map_size other than the light's
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
-        const glm::dmat4 projection = make_point_light(light)[0].projection;
-        const double half = 0.5 * light.map_size, inner = half - light.border;
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
-        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
-        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
-        glm::dmat4 m(0);
-        m[0][0] = m[1][1] = inner;
-        m[2] = {half, half, depth.x, 1.0};
-        m[3][2] = depth.y;
-        return {glm::vec4(light.position - origin, 0.0), glm::mat4(m), glm::mat4(plane_matrix(m))};
-    }
+    return text + "    return sum;\n}\n";
+}
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const glm::vec3 way = world - glm::vec3(u.position);
-        const int face = cube_face(way);
-        const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, there));
-        return look(map_place{face, at, receiver_slope(u.planes, across, there)});
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
-    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
-    UMBRAGE_HIGHP vec3 there = umbrage_cube_face_point(face, way);
-    UMBRAGE_HIGHP vec3 across = umbrage_cube_face_point(face, normal);
-    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
-)GLSL" + choice.first("face") +
-               "    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, "
-               "there));\n";
-    }
-    static constexpr const auto& needs = glsl::list<&glsl::cube_face, &glsl::cube_face_point, &glsl::project_coordinate,
-                                                    &glsl::shadow_coordinate, &glsl::receiver_slope, &glsl::cube_tile>;
-};
+}  // namespace umbrage::detail
 
-/// Setup of a point light.
-template <real T>
-struct set_up_for<point_light<T>> {
-    using type = cube_maps;
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/shadow/look.hpp
-// Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
+// ---- umbrage/shadow/place_images.hpp
+// Visibility of an image of receivers, from their places. Receivers of one map go through the filter's fast form
+// together.
 //
-// Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
-// the receiver's plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) have
-// texels of their own.
+// One map: an image of its places, filtered at once. Several maps: tiles of 64 x 64 receivers. A tile whose receivers
+// all have one place in one map is filtered straight into the result. Others are filtered once per map and place, where
+// receivers of other maps lie outside and cost nothing, and then blended as `blended` does.
+
+namespace umbrage::detail {
+
+/// Places as images, one of each number, as fast forms take them.
+template <bool Sloped>
+struct place_planes {
+    image<float> x, y, depth, slope_x, slope_y;
+
+    explicit place_planes(glm::ivec2 size) : x(size), y(size), depth(size) {
+        if (Sloped) slope_x = image<float>(size), slope_y = image<float>(size);
+    }
+    UMBRAGE_INLINE void set(glm::ivec2 p, const map_place& place) {
+        x[p] = place.at.x, y[p] = place.at.y, depth[p] = place.at.z;
+        if constexpr (Sloped) slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
+    }
+};
+
+/// Receivers as a filter takes them: with their planes, or without.
+template <bool Sloped>
+using place_receivers = std::conditional_t<Sloped, sloped_receivers, receiver_planes>;
+
+/// First rows and columns of planes, as receivers.
+/// @param x   column of each receiver, texels: that of the planes, or another
+template <bool Sloped>
+[[nodiscard]] place_receivers<Sloped> receivers_of(const place_planes<Sloped>& planes, const image<float>& x,
+                                                   glm::ivec2 size) {
+    const auto part = [&](const image<float>& plane) { return plane.view().region({0, 0}, size); };
+    const receiver_planes at{part(x), part(planes.y), part(planes.depth)};
+    if constexpr (Sloped) return {at, part(planes.slope_x), part(planes.slope_y)};
+    else return at;
+}
+
+/// Filter of a shadow, ready for one of its maps.
+template <class SetUp, class Filter, class Encoding, class ParallelFor>
+[[nodiscard]] row_filter<place_receivers<along_plane<SetUp, Filter>>> make_place_filter(
+    image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding, double count,
+    ParallelFor&& parallel) {
+    if constexpr (prefilter<Filter>)
+        return [own, filter](const receiver_planes& at, image_view<float> out, int first, int last) {
+            const auto rows = [&](int, const auto& use) { use(first, last); };
+            umbrage::visibility(own, filter, at, out, rows, SetUp::outside);
+        };
+    else
+        return make_row_filter<place_receivers<along_plane<SetUp, Filter>>>(own, encoding, filter, count, parallel,
+                                                                            SetUp::outside);
+}
+
+/// Tile of receivers with places in several maps.
+template <class SetUp, class Filter>
+class place_tile {
+public:
+    static constexpr int side = 64;
+
+    place_tile() {
+        for (auto& n : numbers_) n = image<std::int8_t>(glm::ivec2(side));
+        for (auto& w : weights_) w = image<float>(glm::ivec2(side));
+    }
+    /// Begins a tile.
+    void clear() { alone_ = true, used_ = {}; }
+    UMBRAGE_INLINE void set(glm::ivec2 p, const std::array<map_place, std::size_t(most_places<SetUp>)>& places) {
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const map_place& place = places[k];
+            const bool counts = place.weight > 0.0f, outside = place.at.x >= 65536.0f || place.at.x <= -65536.0f;
+            numbers_[k][p] = static_cast<std::int8_t>(!counts ? -1 : outside ? maps : place.number);
+            if (!counts) continue;
+            alone_ = alone_ && k == 0;
+            planes_[k].set(p, place);
+            weights_[k][p] = place.weight;
+            used_[k][static_cast<std::size_t>(numbers_[k][p])] = true;
+        }
+    }
+    /// Filters and blends the rows from `first` on.
+    /// @param filters   filter of each of the light's maps
+    void filter(const auto& filters, int first, image_view<float> out) {
+        const auto in_map = [&](int number, const planes& of, const image<float>& x, image_view<float> to) {
+            filters[std::size_t(number)](receivers_of<sloped>(of, x, out.size), to, first, out.size.y);
+        };
+        if (const int only = only_map(); only >= 0) return in_map(only, planes_[0], planes_[0].x, out);
+        for (std::size_t k = 0; k < planes_.size(); ++k)
+            for (int number = 0; number <= maps; ++number) {
+                if (!used_[k][static_cast<std::size_t>(number)]) continue;
+                if (number < maps) {
+                    select(k, number, first, out.size);
+                    in_map(number, planes_[k], selected_, seen_.view().region({0, 0}, out.size));
+                }
+                blend(k, number, first, out);
+            }
+    }
+
+private:
+    static constexpr bool sloped = along_plane<SetUp, Filter>;
+    using planes = place_planes<sloped>;
+    static constexpr std::size_t most = std::size_t(most_places<SetUp>);
+    static constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;  ///< places outside count as one more, lit
+    static_assert(maps < 127, "a tile counts up to 126 maps");
+
+    /// Number of the map that holds the one place of all receivers, or -1.
+    [[nodiscard]] int only_map() const {
+        int count = 0, only = -1;
+        for (int m = 0; m <= maps; ++m)
+            if (used_[0][static_cast<std::size_t>(m)]) ++count, only = m;
+        return alone_ && count == 1 && only < maps ? only : -1;
+    }
+    /// Moves the receivers of other maps outside.
+    void select(std::size_t k, int number, int first, glm::ivec2 size) {
+        for (int row = first; row < size.y; ++row) {
+            const auto* const of = numbers_[k].view().row(row);
+            const float* const from = planes_[k].x.view().row(row);
+            float* const to = selected_.view().row(row);
+            for (int i = 0; i < size.x; ++i) to[i] = of[i] == number ? from[i] : 65536.0f;
+        }
+    }
+    void blend(std::size_t k, int number, int first, image_view<float> out) const {
+        for (glm::ivec2 p(0, first); p.y < out.size.y; ++p.y)
+            for (p.x = 0; p.x < out.size.x; ++p.x) {
+                if (numbers_[k][p] != number) continue;
+                const float weight = weights_[k][p], next = number == maps ? 1.0f : seen_[p];
+                out[p] = weight < 1.0f ? out[p] + (next - out[p]) * weight : next;
+            }
+    }
+
+    std::array<planes, most> planes_ = make(std::make_index_sequence<most>());
+    std::array<image<std::int8_t>, most> numbers_;
+    std::array<image<float>, most> weights_;
+    image<float> selected_{glm::ivec2(side)}, seen_{glm::ivec2(side)};
+    std::array<std::array<bool, std::size_t(maps + 1)>, most> used_{};
+    bool alone_ = true;  ///< each receiver has one place
+
+    template <std::size_t... K>
+    static std::array<planes, most> make(std::index_sequence<K...>) {
+        return {((void)K, planes(glm::ivec2(side)))...};
+    }
+};
+
+/// Visibility of an image of receivers.
+/// @param places      (pixel) -> places of the receiver, biased
+/// @param map_size    size of one map, texels
+/// @param filter_of   (number) -> filter of a map
+template <class SetUp, class FilterOf, class Encoding, class Places, class ParallelFor>
+void visibility_of_places(image_view<const typename Encoding::texel> map, glm::ivec2 map_size,
+                          const FilterOf& filter_of, const Encoding& encoding, const Places& places,
+                          image_view<float> out, ParallelFor&& parallel) {
+    using Filter = decltype(filter_of(0));
+    constexpr bool sloped = along_plane<SetUp, Filter>;
+    const auto ready = [&](image_view<const typename Encoding::texel> own, int number, double count) {
+        return make_place_filter<SetUp>(own, filter_of(number), encoding, count, parallel);
+    };
+    if constexpr (SetUp::grid.columns * SetUp::grid.rows == 1 && most_places<SetUp> == 1) {
+        place_planes<sloped> planes(out.size);
+        const auto rows = ready(map, 0, area_of(out.size));
+        parallel(out.size.y, [&](int first, int last) {
+            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
+                for (p.x = 0; p.x < out.size.x; ++p.x) planes.set(p, places(p)[0]);
+            rows(receivers_of<sloped>(planes, planes.x, out.size), out, first, last);
+        });
+    } else {
+        constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;
+        std::vector<row_filter<place_receivers<sloped>>> filters;
+        for (int number = 0; number < maps; ++number) {
+            const auto own = map.region(first_texel(number, SetUp::grid, map_size), map_size);
+            filters.push_back(ready(own, number, area_of(out.size) / maps));
+        }
+        using tile_type = place_tile<SetUp, Filter>;
+        parallel(out.size.y, [&](int first, int last) {
+            tile_type tile;
+            for (int y = first, end = 0; y < last; y = end) {
+                // Rotations of discs repeat every 16 rows, so tiles begin at multiples of 16.
+                const int before = y % 16;
+                end = lesser(last, y - before + tile_type::side);
+                for (int x = 0; x < out.size.x; x += tile_type::side) {
+                    const glm::ivec2 from(x, y - before), size(lesser(tile_type::side, out.size.x - x), end - from.y);
+                    tile.clear();
+                    for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
+                        for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
+                    tile.filter(filters, before, out.region(from, size));
+                }
+            }
+        });
+    }
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/shadow/uniform_block.hpp
+// Uniform block of a shadow: what its setup, its filter and its encoding tell the lookup, in C++ and in shaders.
 
 namespace umbrage {
 
-/// Texels of a prefiltered map, used in place of an encoding.
-template <prefilter Prefilter>
-struct moment_texels {
-    using texel = typename Prefilter::texel;
-
-    depth_direction direction = depth_direction::forward;
-    [[nodiscard]] constexpr decoding_error error() const { return {}; }
+/// Uniform block of a shadow's shader: copy its bytes into the buffer.
+/// @tparam Matrices   matrices with the softness of each map, 16 a matrix
+template <shadow_set_up SetUp, int Matrices = 0>
+struct shadow_uniforms {
+    typename SetUp::uniforms maps;
+    std::array<glm::mat4, std::size_t(Matrices)> softness;
+    shadow_terms terms;
+};
+template <shadow_set_up SetUp>
+struct shadow_uniforms<SetUp, 0> {
+    typename SetUp::uniforms maps;
+    shadow_terms terms;
 };
 
 namespace detail {
 
-/// Filter that takes a coordinate and a receiver, perhaps a pixel, and numbers of its own. It compares in either
-/// direction of depth.
-template <class Filter>
-concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
-    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f);
-};
-
-/// Filter whose radius differs from receiver to receiver. One bias for all receivers would be large.
-template <class Filter>
-concept contact_hardening =
-    point_filter<Filter> && std::same_as<numbers_of<const Filter>, std::tuple<const penumbra_params&>>;
-
-/// Prefilter whose texels a shader decodes and writes.
-template <class Prefilter>
-concept known_prefilter = prefilter<Prefilter> && with_numbers<Prefilter> && requires {
-    { Prefilter::snippet } -> std::convertible_to<const glsl::snippet*>;
-    { Prefilter::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Prefilter::writer_numbers } -> std::convertible_to<int>;  // of its numbers, how many the writer takes
-};
-
-/// Filter that reads a disc of one radius. Its bias is acne_free_disc_bias.
-template <class Filter>
-concept disc_filter =
-    point_filter<Filter> && !contact_hardening<Filter> && width_of_numbers<Filter> < 4 && requires(const Filter& f) {
-    f.farthest_point();
-};
-
-/// Filter whose disc has another rotation in each pixel.
-template <class Filter>
-concept turning = point_filter<Filter> && requires(const Filter& f, const any_fetch& fetch) {
-    f(fetch, glm::vec2(), 0.0f, glm::ivec2());
-};
-
-template <class Filter>
-struct encoding_for {
-    using type = depth32f;
-};
-template <prefilter Prefilter>
-struct encoding_for<Prefilter> {
-    using type = moment_texels<Prefilter>;
-};
-
-}  // namespace detail
-
-/// Filter that a shadow takes.
-template <class Filter>
-concept shadow_filter = detail::point_filter<Filter> || detail::known_prefilter<Filter>;
-
-/// Encoding that a shadow takes: one of depths, or a prefilter's own moments.
-template <class Encoding, class Filter>
-concept shadow_encoding = (!prefilter<Filter> && known_encoding<Encoding>) ||
-                          (prefilter<Filter> && std::same_as<Encoding, typename detail::encoding_for<Filter>::type>);
-
-namespace detail {
-
-/// Distance along an axis from a receiver to the farthest texel that counts, texels.
-[[nodiscard]] constexpr float reach_of(const auto& filter) {
-    if constexpr (requires { filter.reach(); }) return filter.reach();
-    else return 1.0f;  // a prefilter reads the four texels around it
+/// Refuses uniforms that are infinite or NaN in float.
+inline void require_finite_uniforms(std::span<const float> uniforms) {
+    for (const float number : uniforms)
+        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
+                number, "Tiny near planes and huge coordinates overflow.");
 }
 
-/// Checks that a shadow takes a filter and an encoding, with a readable error message.
-template <class Filter, class Encoding>
-consteval bool shadow_takes() {
-    static_assert(
-        with_numbers<Filter>,
-        "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
-        "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
-    static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
-                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
-                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
-    static_assert(shadow_encoding<Encoding, Filter>,
-                  "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
-    return true;
+/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
+template <class Filter>
+[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
+                                             clip_space clip, bent_lines bends) {
+    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
+    const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
+    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.
+    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - 0x1p-23;
+    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + bends.error,
+            terms_of(filter, more)};
 }
 
-/// Component of filter_terms behind a filter's numbers. That of a disc's filter is its farthest point, for the bias.
-template <class Filter>
-inline constexpr glm::length_t component_for_disc = width_of_numbers<Filter>;
-
-/// Numbers of a filter, as the uniform block holds them.
-/// @param more   texels that the rasterizer and rounding add to a reach
-template <class Filter>
-[[nodiscard]] constexpr glm::vec4 terms_of(const Filter& filter, float more) {
-    glm::vec4 all = packed_numbers(filter);
-    if constexpr (disc_filter<Filter>) all[component_for_disc<Filter>] = filter.farthest_point() + more;
+/// Uniform block of a shadow.
+/// @param off   error of its map's depths
+template <shadow_set_up SetUp, class Filter>
+[[nodiscard]] auto make_shadow_uniforms(const SetUp& set_up, glm::ivec2 map_size, const Filter& filter,
+                                        decoding_error off, glm::dvec3 origin) {
+    constexpr int matrices = softness_matrices<SetUp, Filter>;
+    shadow_uniforms<SetUp, matrices> all{};
+    all.maps = set_up.make_uniforms(map_size, origin);
+    all.terms = make_shadow_terms(map_size, filter, off, set_up.clip(), bends_of<SetUp>);
+    if constexpr (contact_hardening<Filter>) {
+        const auto each = softness_of_maps(set_up, map_size, softness_of(filter).light_size);
+        all.terms.filter_terms.x = each.front();
+        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
+    }
+    std::array<float, sizeof all / sizeof(float)> numbers;
+    std::memcpy(numbers.data(), &all, sizeof all);
+    require_finite_uniforms(numbers);
     return all;
 }
 
-/// Bias of a receiver, in depth.
-template <class Filter>
-[[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
-    if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
-    else if constexpr (disc_filter<Filter>)
-        return acne_free_disc_bias(slope, terms.filter_terms[component_for_disc<Filter>], terms.error);
-    else return acne_free_bias(slope, terms.reach, terms.error);
-}
-
-/// Visibility of a receiver in one map, by a filter.
-/// @param own        this map alone
-/// @param receiver   x and y in texels of the map, z depth with the bias already applied
-template <outside_map Outside, class Filter, class Encoding>
-[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
-                         glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
-    const glm::vec2 coord(receiver);
-    const auto on = [&](const auto& map) {
-        if constexpr (prefilter<Filter>) {
-            const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
-            return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
-        } else if constexpr (contact_hardening<Filter>) {
-            const auto along = apply_receiver_plane(decoded(map, encoding), slope, coord, encoding.direction);
-            return filtered(filter, along, coord, receiver.z, pixel);
-        } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
-    };
-    if constexpr (Outside == outside_map::clamped) return on(clamped(own));
-    else return on(bordered_texels<typename Encoding::texel>{own});
-}
-
-/// A component of filter_terms in GLSL.
-[[nodiscard]] inline std::string filter_term(int component) { return std::string("filter_terms.") + "xyzw"[component]; }
-
-/// GLSL version of terms_of: a filter's numbers, from the first on, as arguments after others.
-/// @param count   how many of them
-template <class Filter>
-[[nodiscard]] std::string numbers_text(int count) {
-    std::string all;
-    int at = 0;
-    const auto add = [&]<class Number>(std::type_identity<Number>) {
-        if (count-- <= 0) return;
-        const std::string_view type = glsl::number_type<Number>;
-        std::string terms = filter_term(at++);
-        for (int i = 1; i < width_of_number<Number>; ++i) terms += ", " + filter_term(at++);
-        all += ", " + (type == "float" ? terms : std::string(type) + '(' + terms + ')');
-    };
-    [&]<class... Numbers>(std::type_identity<std::tuple<const Numbers&...>>) {
-        (add(std::type_identity<Numbers>()), ...);
-    }(std::type_identity<numbers_of<const Filter>>());
-    return all;
-}
-
-/// Arguments of a filter's function after coordinate and receiver, in GLSL.
-template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
-}
-
-/// Snippet that computes bias_of.
-template <class Filter>
-[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
-}
-/// GLSL version of bias_of: a statement that uses `slope` and `terms`.
-template <class Filter>
-[[nodiscard]] std::string bias_text() {
-    std::string reach = "terms.z";
-    if constexpr (contact_hardening<Filter>) reach = "0.5";
-    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return std::string("    UMBRAGE_HIGHP float bias = umbrage_") + std::string(bias_snippet<Filter>().name) +
-           "(slope, " + reach + ", terms.w);\n";
-}
-
-/// GLSL version of look: umbrage_look, for one filter and its map.
-/// @param terms          declaration of shadow_terms
-/// @param pixel          declaration of a pixel, for filters with a rotated disc
-template <class Filter>
-[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
-    std::string text =
-        "\n// umbrage_look: visibility of a receiver in one map\n"
-        "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
-    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
-    if (contact_hardening<Filter>)
-        text +=
-            "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
-            "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
-    text.append(bias_text<Filter>());
-    text.append("    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
-    text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
-    text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{"look", std::move(text), {&bias_snippet<Filter>(), &glsl::biased, filter.snippet}};
-    if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
-    return look;
-}
-
-/// Text of a setup with one more argument in each call of umbrage_look.
-[[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
-    for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
-        i = text.find(";\n", i) - 1;
-        text.insert(i, std::string(", ").append(argument));
+/// Filter of one map, as it is by itself: contact hardening has the softness of that map.
+template <class SetUp, class Filter>
+[[nodiscard]] Filter filter_of_map(const Filter& filter,
+                                   const shadow_uniforms<SetUp, softness_matrices<SetUp, Filter>>& uniforms,
+                                   [[maybe_unused]] int number) {
+    if constexpr (!contact_hardening<Filter>) return filter;
+    else if constexpr (softness_matrices<SetUp, Filter> == 0)
+        return with_per_code(filter, uniforms.terms.filter_terms.x);
+    else {
+        const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];
+        return with_per_code(filter, map_softness(sixteen, static_cast<float>(number % 16)));
     }
-    return text;
-}
-
-/// Binding of a filter's map in a shader.
-template <class Filter, class Encoding>
-[[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
-    glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};
-    if constexpr (prefilter<Filter>) return map;
-    else return glsl::stored_as(encoding, std::move(map));
 }
 
 }  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/shadow/single_map.hpp
-// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
-//
-//     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
-//
-
-namespace umbrage {
-
-/// Setup of one map.
-struct single_map {
-    light_space<double> light;
-
-    template <real T>
-    explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
-
-    struct uniforms {
-        glm::mat4 to_texels;  ///< texture_matrix
-        glm::mat4 planes;     ///< plane_matrix of to_texels
-    };
-    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
-    static constexpr map_grid grid{1, 1};
-    static constexpr outside_map outside = outside_map::bordered;
-    static constexpr glsl::map_choice tiles{};
-
-    [[nodiscard]] clip_space clip() const { return light.clip; }
-    [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        const glm::dmat4 to_texels = texture_matrix(detail::relative_to(origin, light), map_size);
-        return {glm::mat4(to_texels), glm::mat4(plane_matrix(to_texels))};
-    }
-
-    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, world));
-        return {0, at, receiver_slope(u.planes, normal, world)};
-    }
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        return look(place(u, world, normal));
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice&) {
-        return R"GLSL(
-    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
-    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world));
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
-};
-
-/// Setup of a light with one map.
-template <real T>
-struct set_up_for<light_space<T>> {
-    using type = single_map;
-};
-
 }  // namespace umbrage
 
 // ---- umbrage/shadow/shadow.hpp
@@ -26357,25 +28894,14 @@ struct set_up_for<light_space<T>> {
 //     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
 //     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
 //     sun.draw(map, {positions, triangles});
+//     sun.draw(map, tree, model_matrices);                   // a forest
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: texture_matrix, shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias,
-// biased, and the filter on bordered(map).
+// These functions are its steps: make_anchored_map, anchored_place, acne_free_bias, biased, and the filter on
+// apply_receiver_plane of bordered(map).
 
 namespace umbrage {
-
-/// Origin of a frame in the world. A shader gets positions relative to it.
-struct frame_origin {
-    glm::dvec3 origin{0};
-};
-
-/// Uniform block of a shadow's shader: copy its bytes into the buffer.
-template <shadow_set_up SetUp>
-struct shadow_uniforms {
-    typename SetUp::uniforms maps;
-    shadow_terms terms;
-};
 
 namespace detail {
 
@@ -26383,6 +28909,8 @@ namespace detail {
 template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
+    require(clip.subpixel_bits >= 3 && clip.subpixel_bits <= 16, "shadow", "light.clip.subpixel_bits", "from 3 to 16",
+            clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
@@ -26400,11 +28928,14 @@ void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
     if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
 }
 
-/// Refuses uniforms that are infinite or NaN in float.
-inline void require_finite_uniforms(std::span<const float> uniforms) {
-    for (const float number : uniforms)
-        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
-                number, "Tiny near planes and huge coordinates overflow.");
+/// Views of a setup's depth passes.
+template <shadow_set_up SetUp>
+[[nodiscard]] std::vector<depth_view> depth_views_of(const SetUp& set_up, glm::dvec3 origin) {
+    std::vector<depth_view> all;
+    for (const light_space<double>& light : set_up.lights())
+        if constexpr (has_bent_lines<SetUp>) all.push_back(make_bent_view(light, origin));
+        else all.push_back(make_depth_view(light, origin));
+    return all;
 }
 
 /// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
@@ -26412,17 +28943,6 @@ void set_direction(auto& encoding, depth_direction direction) {
     if constexpr (requires { encoding.edge; })
         if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
     encoding.direction = direction;
-}
-
-/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
-template <class Filter>
-[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
-                                             depth_direction direction, bent_lines bends) {
-    const float size = static_cast<float>(greater(map_size.x, map_size.y));
-    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // 2^-24 size: a coordinate's rounding
-    const double error = direction == depth_direction::forward ? off.below : off.above;
-    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
-            terms_of(filter, more)};
 }
 
 }  // namespace detail
@@ -26435,34 +28955,47 @@ template <class Filter>
 template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
     static_assert(detail::shadow_takes<Filter, Encoding>());
+    static constexpr bool hardens = detail::contact_hardening<Filter>;
 
 public:
     using texel = typename Encoding::texel;
-    using uniforms_type = shadow_uniforms<SetUp>;
-    static_assert(!detail::contact_hardening<Filter> || detail::bends_of<SetUp>().reach == 0.0f,
+    using uniforms_type = shadow_uniforms<SetUp, detail::softness_matrices<SetUp, Filter>>;
+    static_assert(!hardens || !has_bent_lines<SetUp>,
                   "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
     /// @param map_size   size of one map, texels, each >= 1
-    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
+    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth. Contact hardening
+    ///                   wants the size of the light: make_penumbra_params(light_size)
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
+    /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
+    ///                   units. Take one near the camera where the world is a thousand times larger than what the
+    ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
     ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
-    ///                                filter's number out of range
+    ///                                filter's number out of range. A light so far from the origin that floats have no
+    ///                                digits left; uniforms that would be infinite or NaN in float
     template <class Light>
-    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
-        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
+    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
+           glm::dvec3 origin = glm::dvec3(0))
+        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
         detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        detail::require_shadow(set_up_.clip(), map_size, filter_);
+        if constexpr (hardens) detail::require_light_size(filter_);
+        detail::require_shadow(set_up_.clip(), map_size, filter_of(0));
         detail::require_maps(set_up_, map_size, detail::reach_of(filter_));
-        uniforms_ = uniforms();
+        uniforms_ = detail::make_shadow_uniforms(set_up_, map_size_, filter_, encoding_.error(), origin_);
     }
 
     [[nodiscard]] const SetUp& set_up() const { return set_up_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
+    /// @param number   number of the map, from 0
+    [[nodiscard]] Filter filter_of(int number) const {
+        return detail::filter_of_map<SetUp>(filter_, uniforms_, number);
+    }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Size of the image or texture that holds all maps, texels.
@@ -26475,22 +29008,53 @@ public:
         else return encoding_.cleared();
     }
 
-    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
+    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays. Parallel
+    /// rays keep casters before the near plane, as the vertex function does.
     /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
     /// @param mesh     casters, world units
     /// @param parallel cuts the rows into pieces, see parallel.hpp
-    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
+    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses; under contact
+    ///                                hardening and parallel rays, casters before the near plane
     template <class ParallelFor = serial>
-    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const
+        requires(!std::is_convertible_v<ParallelFor, std::span<const glm::mat4>>) {
+        const glm::mat4 in_place(1);
+        draw(depths, mesh, std::span(&in_place, 1), parallel);
+    }
+
+    /// Draws many instances of a mesh. Faces on both sides cast shadows, so mirrored instances need no care.
+    /// @param mesh        casters, in the units and axes that the instances place in the world
+    /// @param instances   model to world, one matrix each; one that is not finite draws nothing
+    /// Other parameters as for a single mesh.
+    template <class ParallelFor = serial>
+    void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances,
+              ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        if constexpr (requires { set_up_.draw(depths, mesh, parallel); }) set_up_.draw(depths, mesh, parallel);
+        if constexpr (requires { set_up_.draw(depths, mesh, instances, origin_, parallel); })
+            set_up_.draw(depths, mesh, instances, origin_, parallel);
         else {
-            const auto lights = set_up_.lights();
-            for (std::size_t i = 0; i < lights.size(); ++i)
-                rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
-                                glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
-                                parallel);
+            int number = 0;
+            for (const light_space<double>& of_world : set_up_.lights()) {
+                const auto own = depths.region(detail::first_texel(number++, SetUp::grid, map_size_), map_size_);
+                const light_space<double> light = detail::relative_to(origin_, of_world);
+                const bool clamps = detail::has_parallel_rays(light);
+                rasterize_depth(own, mesh, instances, light.projection * light.view, light.clip, cull_mode::none,
+                                parallel, clamps ? near_plane::clamps : near_plane::clips);
+                if constexpr (hardens)
+                    detail::require(!clamps || !detail::has_clamped_casters(mesh, instances, light), "shadow::draw",
+                                    "mesh", "behind the light's near plane, as contact hardening needs its distance",
+                                    "casters before it", "Give the fit its casters.");
+            }
         }
+    }
+
+    /// Views of the depth pass on a GPU, one a map: what the vertex function of bind_vertex_pass takes.
+    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(set_up_, origin_); }
+
+    /// The same shadow for another origin of positions.
+    /// @throws std::invalid_argument  as the constructor
+    [[nodiscard]] shadow relative_to(glm::dvec3 origin) const {
+        return shadow(set_up_, map_size_, filter_, encoding_, origin);
     }
 
     /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
@@ -26505,8 +29069,9 @@ public:
     /// Visibility of a receiver.
     /// @param map      image of size(), texels of the encoding, drawn for this light
     /// @param world    world position of the receiver
-    /// @param normal   surface normal, any length, for the smallest bias on its plane. Zero: a slope of 0, for maps
-    ///                 whose depth pass was biased (make_polygon_offset)
+    /// @param normal   surface normal, any length, for the plane along which texels are compared. That of the triangle:
+    ///                 an interpolated one shadows smooth surfaces. Zero: a slope of 0, for maps whose depth pass was
+    ///                 biased (make_polygon_offset)
     /// @param pixel    pixel that decides the rotation of discs and contact hardening
     /// @return         visibility in [0, 1]: 0 in shadow, 1 lit
     /// @edge           outside all maps, behind the light, beyond the far plane, or a NaN position: 1
@@ -26515,9 +29080,9 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
+        return detail::blended(SetUp::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
             const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-            return detail::look<SetUp::outside>(own, filter_, encoding_, receiver(place), place.slope, pixel);
+            return detail::look<SetUp>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
         });
     }
 
@@ -26533,53 +29098,57 @@ public:
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
 
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
-    /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
-    /// light_units_at converts it to world units.
+    /// (peter-panning). A caster farther above the point, if it is parallel to the surface or faces the light, darkens
+    /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
+    /// of slope to the bias.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
+    ///           takes the place of |slope|
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
-        static_cast<void>(
-            SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
-                shadow_terms terms = uniforms_.terms;
-                terms.error += detail::bias_of<Filter>(terms, place.slope);
-                distance = detail::greater(distance, detail::bias_of<Filter>(terms, place.slope));
-                return 0.0f;
-            }));
+        const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
+        const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;
+        for (const map_place& place : SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)) {
+            shadow_terms terms = uniforms_.terms;
+            terms.error += detail::bias_of<SetUp, Filter>(terms, place) + static_cast<float>(farther);
+            if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
+        }
         return distance;
     }
 
-    /// Uniform block for the shader of in_shader.hpp.
-    /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
-    ///                make the light in double
-    /// @throws std::invalid_argument  uniforms that would be infinite or NaN in float
-    [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        const uniforms_type all{set_up_.make_uniforms(map_size_, frame.origin),
-                                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
-                                                          detail::bends_of<SetUp>())};
-        std::array<float, sizeof all / sizeof(float)> numbers;
-        std::memcpy(numbers.data(), &all, sizeof all);
-        detail::require_finite_uniforms(numbers);
-        return all;
+    /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
+    /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
+    /// @return   narrowest and widest, world units. Outside all maps: 0
+    /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
+    [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
+                                            glm::vec3 normal) const requires detail::contact_hardening<Filter> {
+        const map_place place = SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
+        const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
+        if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
+        const light_space<double> light = set_up_.lights()[static_cast<std::size_t>(place.number)];
+        const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
+        return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
 
+    /// Uniform block for the shader of in_shader.hpp.
+    [[nodiscard]] const uniforms_type& uniforms() const { return uniforms_; }
+
 private:
-    /// Coordinate of a place, in texels, and its depth with the bias applied.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        const comparison is_lit{encoding_.direction};
-        const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
-        return {place.at.x, place.at.y, biased(place.at.z, bias, is_lit)};
+        return detail::receiver_of<SetUp, Filter>(uniforms_.terms, place, encoding_.direction);
     }
 
     SetUp set_up_;
     glm::ivec2 map_size_;
     Filter filter_;
     Encoding encoding_;
+    glm::dvec3 origin_;
     uniforms_type uniforms_{};
 };
 
 template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
-shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
+shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {}, glm::dvec3 = glm::dvec3(0))
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
 template <shadow_set_up SetUp, class Filter, class Encoding>
@@ -26591,35 +29160,14 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
-    if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
-        // One lookup per receiver: finds all places first, then filters them by the filter's fast form.
-        const auto for_each_place = [&](const auto& use) {
-            parallel(out.size.y, [&](int first, int last) {
-                for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-                    for (p.x = 0; p.x < out.size.x; ++p.x) use(p, SetUp::place(uniforms_.maps, points[p], normals[p]));
-            });
-        };
-        if constexpr (detail::contact_hardening<Filter>) {
-            image<float> x(points.size), y(points.size), depth(points.size), slope_x(points.size), slope_y(points.size);
-            for_each_place([&](glm::ivec2 p, const map_place& place) {
-                const glm::vec3 r = receiver(place);
-                x[p] = r.x, y[p] = r.y, depth[p] = r.z, slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
-            });
-            umbrage::visibility(map, encoding_, sloped_receivers{{x, y, depth}, slope_x, slope_y}, filter_, out,
-                                parallel, SetUp::outside);
-        } else {
-            image<glm::vec3> receivers(points.size);
-            for_each_place([&](glm::ivec2 p, const map_place& place) { receivers[p] = receiver(place); });
-            if constexpr (prefilter<Filter>)
-                umbrage::visibility(map, filter_, receivers, out, parallel, SetUp::outside);
-            else umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
-        }
-    } else {
-        parallel(out.size.y, [&](int first, int last) {
-            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-                for (p.x = 0; p.x < out.size.x; ++p.x) out[p] = (*this)(map, points[p], normals[p], p);
-        });
-    }
+    const auto places = [&](glm::ivec2 p) {
+        auto all = SetUp::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
+        for (map_place& place : all)
+            if (place.weight > 0.0f) place.at.z = receiver(place).z;
+        return all;
+    };
+    const auto filter_of_map = [&](int number) { return filter_of(number); };
+    detail::visibility_of_places<SetUp>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
 }
 
 }  // namespace umbrage
@@ -26628,7 +29176,7 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
 // Shader functions for a shadow's depth pass: vertices in clip space, and the texels of packed depths or moments.
 //
 //     std::string vertex = source(version::v330, {bind_vertex_pass(lamp, "lamp")});
-//     // gl_Position = umbrage_vertex_lamp(clip_from_world, world)
+//     // gl_Position = umbrage_vertex_lamp(to_clip, world, anchor), with a view of lamp.depth_views()
 //     std::string fragment = source(version::v330, {bind_depth_pass(lamp, "lamp")});
 //     // color = umbrage_write_lamp(gl_FragCoord.z)
 //
@@ -26685,26 +29233,27 @@ template <prefilter Prefilter>
     return {"vertex", std::move(source), std::move(needs)};
 }
 
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
-/// Vertex function of a setup with a vertex_place of its own.
+/// Vertex function of a setup with a vertex_function of its own.
 template <class SetUp>
 [[nodiscard]] own_text vertex_text_of() {
-    return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
+    std::string parameters, arguments;
+    for (const auto& a : bends_of<SetUp>.vertex->arguments) {
+        const std::string type = a.components == 1 ? "float " : "vec" + std::to_string(a.components) + ' ';
+        parameters.append(", UMBRAGE_HIGHP ").append(type).append(a.name);
+        arguments.append(", ").append(a.name);
+    }
+    const snippet& calls = *bends_of<SetUp>.vertex->calls;
+    return vertex_text(
+        parameters, "    return umbrage_" + std::string(calls.name) + "(to_clip, world" + arguments + ");\n", {&calls});
 }
 
 /// Vertex function of other setups: a product with the light's matrix.
 /// @param pancakes   true for casters clamped to the near plane
 /// @param at_near    depth of the near plane in clip space
 [[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
-    std::string place = "umbrage_shadow_coordinate(to_clip, world)";
+    std::string place = "umbrage_anchored_vertex(to_clip, world, anchor)";
     if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
-    return vertex_text("", "    return " + place + ";\n", {&shadow_coordinate, &pancake});
+    return vertex_text(", UMBRAGE_HIGHP vec4 anchor", "    return " + place + ";\n", {&anchored_vertex, &pancake});
 }
 
 }  // namespace detail
@@ -26730,26 +29279,27 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world).
+/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world, anchor).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, clamp casters to the
-/// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
-/// number): the light's projection, the vertex, the light's position and the number of the half. They need a
-/// tessellated mesh.
+/// to_clip and anchor are those of one of depth_views(). A receiver's bias covers what this function rounds. A matrix
+/// of your own, projection * view in float, loses more: 2^-21 of the light's distance from the origin of positions.
+/// Directional lights, warped ones too, clamp casters to the near plane (pancaking), for APIs and hardware without
+/// depth clamp. Dual paraboloids also take the number of the half, and need a tessellated mesh.
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
-/// @exactness     B, n = 6; dual paraboloids C
+/// @exactness     B, n = 20; dual paraboloids C
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (requires { SetUp::vertex; }) item.texts = {detail::vertex_text_of<SetUp>()};
+    if constexpr (has_bent_lines<SetUp>) item.texts = {detail::vertex_text_of<SetUp>()};
     else {
         const light_space<double> light = of.set_up().lights().front();
         const int at_near = static_cast<int>(near_depth(light.clip));
-        item.texts = {detail::vertex_text_of_lights(detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
+        item.texts = {
+            detail::vertex_text_of_lights(umbrage::detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
     }
     return item;
 }
@@ -26808,7 +29358,7 @@ template <class SetUp, class Filter, class Encoding>
     else {
         const decoding_error both = encoding.error();
         float tolerance = 0x1p-18f;
-        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>().error)) + 0x1p-19)
+        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>.error)) + 0x1p-19)
             tolerance *= 2.0f;
         return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
     }
@@ -26857,11 +29407,11 @@ template <class SetUp, class Filter, class Encoding>
     const shadow_terms terms = of.uniforms().terms;
     const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
     const comparison is_lit{of.encoding().direction};
-    const float bias = detail::bias_of<Filter>(terms, glm::vec2(0));
+    const float bias = detail::bias_of<SetUp, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<SetUp::outside>(own, of.filter(), of.encoding(),
-                                            glm::vec3(coord, biased(depth, bias, is_lit)), glm::vec2(0), {}) > 0.5f;
+        return detail::look<SetUp>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
+                                   glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);
@@ -26909,7 +29459,7 @@ template <class SetUp, class Filter, class Encoding>
                   "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
                   "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
                   "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec2(0.0, 0.0)" +
+                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
                   pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
               {&glsl::cleared_depth}},
              {"reading",
@@ -26980,58 +29530,47 @@ namespace umbrage {
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
     const auto uniforms = of.uniforms();
-    glm::vec3 color(0);
-    for (glm::length_t channel = 0; channel < 3; ++channel)
-        color[channel] = SetUp::visibility(uniforms.maps, uniforms.terms, world, normal, [&](const map_place& place) {
-            const float bias = detail::bias_of<Filter>(uniforms.terms, place.slope);
-            const auto number = static_cast<float>(place.number);
-            return probe_color(place.at, uniforms.terms.map_size, bias, number, of.encoding().direction)[channel];
-        });
+    const auto places = SetUp::places(uniforms.maps, uniforms.terms, world, normal);
+    const glm::vec3 color = detail::blended(places, [&](const map_place& place) {
+        const float bias = detail::bias_of<SetUp, Filter>(uniforms.terms, place);
+        const auto number = static_cast<float>(place.number);
+        return probe_color(place.at, uniforms.terms.map_size, bias, number, of.encoding().direction);
+    });
     return probe_inputs(color, world, normal);
 }
 
 namespace detail {
 
 /// GLSL version of probe: umbrage_point_color, after the functions that it calls.
-/// @param terms       declarations of shadow_terms
-/// @param fields      declarations of the setup's uniforms
-/// @param arguments   names of the setup's uniforms, for a call
 template <class SetUp, class Filter>
-[[nodiscard]] std::vector<glsl::own_text> probe_texts(const std::string& terms, const std::string& fields,
-                                                      const std::string& arguments) {
-    glsl::own_text place{"place_color",
-                         "\n// umbrage_place_color: one channel of a receiver's debug color in one map\n"
-                         "UMBRAGE_HIGHP float umbrage_place_color(UMBRAGE_HIGHP float number, " +
-                             terms +
-                             "UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float channel) {\n" +
-                             bias_text<Filter>() +
-                             "    UMBRAGE_HIGHP vec3 color = umbrage_probe_color(at, vec2(terms.x, terms.y), bias, "
-                             "number);\n"
-                             "    UMBRAGE_HIGHP float later = channel < 1.5 ? color.y : color.z;\n"
-                             "    return channel < 0.5 ? color.x : later;\n}\n",
-                         {&bias_snippet<Filter>(), &glsl::probe_color}};
-    std::string body = with_argument(SetUp::text(glsl::map_choice{}), "channel");
-    const std::string number = SetUp::grid.columns * SetUp::grid.rows > 1 ? "layer" : "0.0";
-    const std::string_view look = "umbrage_look(map";
-    for (auto i = body.find(look); i != body.npos; i = body.find(look))
-        body.replace(i, look.size(), "umbrage_place_color(" + number);
-    glsl::own_text channel{"channel_color",
-                           "\n// umbrage_channel_color: one channel of a point's debug color\n"
-                           "UMBRAGE_HIGHP float umbrage_channel_color(" +
-                               fields + terms +
-                               "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP float channel) {" +
-                               body + "}\n"};
-    channel.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-    const std::string of = "umbrage_channel_color(" + arguments + "terms, filter_terms, world, normal, ";
-    return {std::move(place),
-            std::move(channel),
+[[nodiscard]] std::vector<glsl::own_text> probe_texts(frame_words w) {
+    w.pixel = {}, w.of_pixel = {};
+    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+    const frame_result color{.head =
+                                 "\n// umbrage_blended_color: debug color of a point of the world\n"
+                                 "UMBRAGE_HIGHP vec3 umbrage_blended_color(",
+                             .type = "vec3",
+                             .lit = "vec3(1.0, 1.0, 1.0)",
+                             .look = "umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w))",
+                             .blend =
+                                 "vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), "
+                                 "umbrage_blend_cascades(sum.y, next.y, slope.z), "
+                                 "umbrage_blend_cascades(sum.z, next.z, slope.z))"};
+    return {{"place_color",
+             "\n// umbrage_place_color: a receiver's debug color in one map\n"
+             "UMBRAGE_HIGHP vec3 umbrage_place_color(" +
+                 terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<SetUp, Filter>() +
+                 "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);\n}\n",
+             {&bias_snippet<SetUp, Filter>(), &glsl::probe_color}},
+            {"blended_color", frame_text(color, w, {}), w.needs()},
             {"point_color",
-             "\n// umbrage_point_color: debug color of a point of the world\n"
+             "\n// umbrage_point_color: debug color of a point of the world, or what is wrong with it\n"
              "UMBRAGE_HIGHP vec3 umbrage_point_color(" +
-                 fields + terms +
+                 w.fields + terms +
                  "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {\n"
-                 "    UMBRAGE_HIGHP vec3 color = vec3(" +
-                 of + "0.0), " + of + "1.0), " + of + "2.0));\n" +
+                 "    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(" +
+                 w.names +
+                 "terms, filter_terms, world, normal);\n"
                  "    return umbrage_probe_inputs(color, world, normal);\n}\n",
              {&glsl::cleared_depth, &glsl::probe_inputs}}};
 }
@@ -27050,6 +29589,10 @@ template <class SetUp, class Filter>
 // hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
 // map and the sampler.
 //
+// bind(sun, "sun", {.map = texture::shadow, .linear = true}) takes a comparison sampler that filters linearly, and
+// fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
+// and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
+//
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
 // reads its map (calibration.hpp).
@@ -27063,37 +29606,57 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
+    bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
 namespace detail {
 
-/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
-                                                 const map_choice& choice, bool debug) {
-    constexpr bool turns = umbrage::detail::turning<Filter>;
-    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    std::string fields, arguments;
-    for (const uniform_field& f : SetUp::fields) {
-        fields += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-        arguments += std::string(f.name) + ", ";
+/// Refuses depth textures for texels of several channels, and comparison samplers where depths are needed.
+template <class Filter, class Encoding>
+void require_texture(const binding& map, const Filter& filter) {
+    constexpr bool needs_depths = umbrage::detail::contact_hardening<Filter> || prefilter<Filter>;
+    umbrage::detail::require(!needs_depths || !compares(map.texture), "glsl::bind", "of.filter()",
+                             "one that needs no depths, as slots.map is a comparison sampler", filter.name);
+    if constexpr (!prefilter<Filter>) {
+        const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+        umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
+                                 "depth32f, as slots.map is a comparison sampler", Encoding::name);
+        umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",
+                                 "of one channel, as slots.map is a depth texture", Encoding::name);
     }
-    own_text door{"shadow",
-                  "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
-                  "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-                      fields + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
-                      (turns ? umbrage::detail::with_argument(SetUp::text(choice), "pixel") : SetUp::text(choice)) +
-                      "}\n"};
-    door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-    std::vector<own_text> all{umbrage::detail::look_text(filter, terms, pixel), std::move(door)};
+}
+
+/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
+/// @param layers   true for maps in an array, false for an atlas
+/// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
+                                                 bool debug, const linear_form& linear = {}) {
+    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<SetUp, Filter>);
+    const auto words = umbrage::detail::frame_words_of<SetUp>(layers, umbrage::detail::turning<Filter>, soft);
+    const umbrage::detail::frame_result visibility{
+        .head =
+            "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
+            "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, ",
+        .type = "float",
+        .lit = "1.0",
+        .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
+                words.of_pixel + ")",
+        .blend = "umbrage_blend_cascades(sum, next, slope.z)"};
+    std::vector<std::string> statements = words.chooses_map;
+    statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
+    own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
+    door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
+    door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
+    std::vector<own_text> all{umbrage::detail::look_text<SetUp>(filter, terms, words.pixel, linear), std::move(door)};
     if (!debug) return all;
-    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(terms, fields, arguments))
-        all.push_back(std::move(text));
-    const bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
-    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(
-             encoding, terms, turns ? ", vec2(0.5, 0.5)" : "", several ? choice.first("number") : std::string()))
+    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(words)) all.push_back(std::move(text));
+    const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    std::string choice;
+    for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
+    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(encoding, terms, pixel, choice))
         all.push_back(std::move(text));
     return all;
 }
@@ -27116,7 +29679,7 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(several ? layers || kind == texture::atlas : plain, "glsl::bind", "slots.map",
                              several ? "atlas, array, depth_array or shadow_array, as the shadow has several maps"
                                      : "texture_2d, depth or shadow, as the shadow has one map",
-                             static_cast<int>(kind));
+                             detail::name_of(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
     const auto slot = [](int number, const char* argument) {
         umbrage::detail::require(number >= 0, "glsl::bind", argument, "0 or above", number);
@@ -27125,14 +29688,23 @@ template <class SetUp, class Filter, class Encoding>
     slot(slots.texture, "slots.texture");
     slot(slots.sampler, "slots.sampler");
     slot(slots.set, "slots.set");
-    binding map = umbrage::detail::binding_of<Filter>(of.encoding());
+    binding map = umbrage::detail::binding_of<SetUp, Filter>(of.encoding());
     map.texture = kind;
+    detail::require_texture<Filter, Encoding>(map, of.filter());
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts =
-        detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers ? map_choice{} : SetUp::tiles, slots.debug);
+    linear_form linear;
+    if (slots.linear) {
+        linear = linear_form_of(of.filter());
+        umbrage::detail::require(detail::compares(kind) && map.receiver_plane, "glsl::bind", "slots.linear",
+                                 "false where slots.map is no comparison sampler, and for paraboloids", slots.linear);
+        umbrage::detail::require(linear.what != nullptr, "glsl::bind", "of.filter()",
+                                 "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
+                                 of.filter().name);
+    }
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
@@ -27156,6 +29728,8 @@ template <class SetUp, class Filter, class Encoding>
              .arguments = {{"number", 1}}});
     }
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
+    for (int i = 0; i < umbrage::detail::softness_matrices<SetUp, Filter>; ++i)
+        declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);
     return item;
@@ -27163,200 +29737,9 @@ template <class SetUp, class Filter, class Encoding>
 
 }  // namespace umbrage::glsl
 
-// ---- umbrage/shadow/paraboloid_maps.hpp
-// Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
-// They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
-//
-//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
-//     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
-//
-
-namespace umbrage {
-
-/// Setup of two paraboloid maps.
-struct paraboloid_maps {
-    dual_paraboloid_light<double> light;
-
-    template <real T>
-    explicit paraboloid_maps(const dual_paraboloid_light<T>& l)
-        : light{glm::dvec3(l.position), double(l.range), l.map_size, l.border, l.clip} {
-        static_cast<void>(make_dual_paraboloid_light(light));  // checks the light
-    }
-
-    struct uniforms {
-        glm::vec4 position;  ///< position of the light; w: depth per world unit, 1 / range, or reversed -1 / range
-        glm::vec4 halves;    ///< x: map_size - 2 border; y: border; z: 2 / (range x); w: depth at the light
-    };
-    static constexpr uniform_field fields[]{{"position", false}, {"halves", false}};
-    static constexpr map_grid grid{2, 1};
-    static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
-    static constexpr bent_lines bends{tessellation_reach<float>, 1.0f / 4096.0f};
-    static constexpr glsl::vertex_place vertex{
-        ", UMBRAGE_HIGHP vec3 position, UMBRAGE_HIGHP float number",
-        "    UMBRAGE_HIGHP vec4 p = umbrage_dual_paraboloid_position(world - position, number);\n"
-        "    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 place =\n"
-        "        to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;\n"
-        "    return place;\n",
-        &glsl::dual_paraboloid_position};
-
-    [[nodiscard]] clip_space clip() const { return light.clip; }
-    [[nodiscard]] std::vector<light_space<double>> lights() const { return {2, make_dual_paraboloid_light(light)}; }
-    template <class ParallelFor>
-    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel) const {
-        const light_space<double> space = make_dual_paraboloid_light(light);
-        const light_space<float> single{glm::mat4(space.view), glm::mat4(space.projection), space.clip};
-        const auto cut = tessellate(mesh, {.position = glm::vec3(light.position),
-                                           .angle = float(paraboloid_edge_angle(light.map_size, light.border)),
-                                           .range = float(light.range),
-                                           .depth_error = bends.error});
-        const glm::ivec2 size(light.map_size);
-        for (const int map : {0, 1})
-            rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
-    }
-    /// @throws std::invalid_argument  a map_size other than the light's
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
-        const double inner = light.map_size - 2 * light.border;
-        const bool forward = light.clip.direction == depth_direction::forward;
-        return {glm::vec4(glm::dvec4(light.position - origin, (forward ? 1.0 : -1.0) / light.range)),
-                glm::vec4(glm::dvec4(inner, light.border, 2.0 / (light.range * inner), forward ? 0.0 : 1.0))};
-    }
-
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const glm::vec3 way = world - glm::vec3(u.position), found = dual_paraboloid_coordinate(way);
-        const glm::vec2 at = glm::vec2(found) * u.halves.x + u.halves.y;
-        const float depth = distance_depth(way, u.position.w) + u.halves.w;
-        return look(map_place{int(found.z), glm::vec3(at, depth), dual_paraboloid_slope(way, normal, u.halves.z)});
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
-    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
-    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
-)GLSL" + choice.first("found.z") +
-               "    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, depth), slope);\n";
-    }
-    static constexpr const auto& needs = glsl::list<&glsl::dual_paraboloid_coordinate, &glsl::distance_depth,
-                                                    &glsl::dual_paraboloid_slope, &glsl::cascade_tile>;
-};
-
-/// Setup of a light with paraboloid maps.
-template <real T>
-struct set_up_for<dual_paraboloid_light<T>> {
-    using type = paraboloid_maps;
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/shadow/tetrahedron_map.hpp
-// Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
-// vary less in size.
-//
-//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
-//     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
-//
-
-namespace umbrage {
-
-/// Setup of a tetrahedron's four views.
-struct tetrahedron_map {
-    tetrahedron_light<double> light;
-
-    template <real T>
-    explicit tetrahedron_map(const tetrahedron_light<T>& l)
-        : light{glm::dvec3(l.position), double(l.z_near), double(l.z_far), l.map_size, l.border, l.clip} {
-        static_cast<void>(make_tetrahedron_light(light));  // checks the light
-    }
-
-    struct uniforms {
-        glm::vec4 position;   ///< position of the light; w: half the map's size, texels
-        glm::mat4 to_texels;  ///< matrix from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
-                              ///< relative to the map's center
-        glm::mat4 planes;     ///< plane_matrix of to_texels
-    };
-    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
-    static constexpr map_grid grid{};
-    static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{};
-
-    [[nodiscard]] clip_space clip() const { return light.clip; }
-    [[nodiscard]] std::vector<light_space<double>> lights() const {
-        const auto faces = make_tetrahedron_light(light);
-        return {faces.begin(), faces.end()};
-    }
-    template <class ParallelFor>
-    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel) const {
-        std::array<light_space<float>, 4> faces;
-        const auto all = lights();
-        for (std::size_t i = 0; i < 4; ++i)
-            faces[i] = {glm::mat4(all[i].view), glm::mat4(all[i].projection), all[i].clip};
-        rasterize_tetrahedron(depths, mesh, faces, cull_mode::none, parallel);
-    }
-    /// @throws std::invalid_argument  map_size other than the light's
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
-        const glm::dmat4 projection = make_tetrahedron_light(light)[0].projection;
-        const double half = 0.5 * light.map_size, scale = half - 3.0 * light.border, base = light.border - half;
-        const double up = -std::sqrt(1.0 / 3.0), away = std::sqrt(2.0 / 3.0);    // components of the face's normal
-        const double along = light.clip.hand == handedness::right ? -1.0 : 1.0;  // sign of view z in front of a face
-        glm::dvec2 depth(along * projection[2][2], projection[3][2]);            // depth w = x w + y
-        if (light.clip.range == depth_range::minus_one_to_one) depth = {0.5 * depth.x + 0.5, 0.5 * depth.y};
-        const double side =
-            scale / std::sqrt(6.0);  // (aside, away) / (2 away - sqrt(2) up), the divisor being sqrt(6) w
-        glm::dmat4 m(0);
-        m[0][0] = side;
-        m[1] = {0.0, base * up, depth.x * up, up};
-        m[2] = {0.0, side + base * away, depth.x * away, away};
-        m[3][2] = depth.y;
-        return {glm::vec4(glm::dvec4(light.position - origin, half)), glm::mat4(m), glm::mat4(plane_matrix(m))};
-    }
-
-    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 way = world - glm::vec3(u.position);
-        const int face = tetrahedron_face(way);
-        const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
-        const glm::vec3 on_first = project_coordinate(shadow_coordinate(u.to_texels, there));
-        const glm::vec2 at = tetrahedron_turned(face, glm::vec2(on_first)) + u.position.w;
-        return {0, glm::vec3(at, on_first.z), tetrahedron_turned(face, receiver_slope(u.planes, across, there))};
-    }
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        return look(place(u, world, normal));
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice&) {
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
-    UMBRAGE_HIGHP vec3 there = umbrage_tetrahedron_face_point(face, way);
-    UMBRAGE_HIGHP vec3 across = umbrage_tetrahedron_face_point(face, normal);
-    UMBRAGE_HIGHP vec3 on_first = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
-    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(on_first.x, on_first.y)) + position.w;
-    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
-    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, on_first.z), slope);
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::tetrahedron_face, &glsl::tetrahedron_face_point, &glsl::tetrahedron_turned,
-                   &glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
-};
-
-/// Setup of a light with the map of a tetrahedron.
-template <real T>
-struct set_up_for<tetrahedron_light<T>> {
-    using type = tetrahedron_map;
-};
-
-}  // namespace umbrage
-
 // ---- umbrage/shadow/warped_maps.hpp
 // Warped cascades of a directional light (LiSPSM, TSM, PSM), up to four, with one map per cascade. The distance along
-// the camera's axis chooses a receiver's map. Near that map's end the next one blends in.
+// the camera's axis chooses a receiver's map. The next map blends in near that map's end.
 //
 //     const auto cascades = umbrage::make_warped_cascades<4>(
 //         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
@@ -27390,18 +29773,20 @@ struct warped_maps {
     }
 
     struct uniforms {
-        glm::mat4 to_texels[4];  ///< texture_matrix of each map
-        glm::mat4 planes[4];     ///< plane_matrix of each
-        glm::mat4 fades;         ///< one column per map: scale and offset for cascade_fade
-        glm::vec4 ahead;         ///< distance along the camera's axis: dot(ahead.xyz, world) + ahead.w
-        glm::vec4 ends;          ///< xyz: ends of the first three cascades; w: number of the last one
+        std::array<glm::mat4, 4> to_texels, planes;  ///< those of each map's anchored_map
+        glm::mat4 rounding;                          ///< one column per map: its rounding
+        glm::mat4 fades;                             ///< one column per map: scale and offset for cascade_fade
+        glm::vec4 added;                             ///< w of each map's anchor
+        glm::vec4 anchor;                            ///< xyz: position of the camera, the anchor of all maps
+        glm::vec4 ahead;  ///< distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+        glm::vec4 ends;   ///< xyz: ends of the first three cascades; w: number of the last one
     };
-    static constexpr uniform_field fields[]{{"to_texels_0"}, {"to_texels_1"},  {"to_texels_2"}, {"to_texels_3"},
-                                            {"planes_0"},    {"planes_1"},     {"planes_2"},    {"planes_3"},
-                                            {"fades"},       {"ahead", false}, {"ends", false}};
+    static constexpr uniform_field fields[]{{"to_texels_0"},  {"to_texels_1"}, {"to_texels_2"},  {"to_texels_3"},
+                                            {"planes_0"},     {"planes_1"},    {"planes_2"},     {"planes_3"},
+                                            {"rounding"},     {"fades"},       {"added", false}, {"anchor", false},
+                                            {"ahead", false}, {"ends", false}};
     static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr glsl::map_choice tiles{true, glsl::cascade_tile.name, "vec2(terms.x, terms.y)"};
 
     /// @throws std::invalid_argument  no cascade, or more than there are maps
     [[nodiscard]] clip_space clip() const {
@@ -27418,64 +29803,28 @@ struct warped_maps {
         require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
-        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, origin - position)));
+        u.anchor = glm::vec4(glm::vec3(position - origin), 0.0f);
+        const glm::dvec3 anchor(u.anchor);
+        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, anchor + origin - position)));
         for (std::size_t i = 0; i < 4; ++i) {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
-            const glm::dmat4 to_texels = texture_matrix(detail::relative_to(origin, c.light), map_size);
-            u.to_texels[i] = glm::mat4(to_texels), u.planes[i] = glm::mat4(plane_matrix(to_texels));
+            const glm::dmat4 here = texture_matrix(detail::relative_to(origin, c.light), map_size);
+            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size);
+            u.to_texels[i] = map.to_texels, u.planes[i] = map.planes;
+            u.rounding[column] = map.rounding, u.added[column] = map.anchor.w;
             u.fades[column] = glm::vec4(glm::dvec4(detail::fade_of(c.begin, c.end, fade), 0.0, 0.0));
             if (i + 1 < cascades.size()) u.ends[column] = float(c.end);
         }
         return u;
     }
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const auto in_map = [&](float number) {
-            const auto i = static_cast<std::size_t>(number);
-            return look(map_place{int(number), project_coordinate(shadow_coordinate(u.to_texels[i], world)),
-                                  receiver_slope(u.planes[i], normal, world)});
-        };
-        const float depth = u.ahead.x * world.x + u.ahead.y * world.y + u.ahead.z * world.z + u.ahead.w;
-        const float number = cascade_by_depth(depth, glm::vec3(u.ends));
-        const glm::vec4 own = cascade_column(u.fades, number);
-        const float nearer = in_map(number), weight = cascade_fade(depth, own.x, own.y);
-        if (!(weight > 0.0f)) return nearer;
-        return blend_cascades(nearer, number < u.ends.w ? in_map(number + 1.0f) : 1.0f, weight);
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.fades, u.added, u.anchor, u.ahead, u.ends, terms,
+                                  world, normal);
     }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        std::string in_map;
-        for (const char i : {'1', '2', '3'})
-            in_map = in_map + "    if (number > " + char(i - 1) + ".5) {\n        to_texels = to_texels_" + i +
-                     ";\n        planes = planes_" + i + ";\n    }\n";
-        const std::string look =
-            "umbrage_look(map, terms, filter_terms, umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, "
-            "world)), umbrage_receiver_slope(planes, normal, world));\n";
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * world.x + ahead.y * world.y + ahead.z * world.z + ahead.w;
-    UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
-    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
-    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
-    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
-    UMBRAGE_HIGHP mat4 planes = planes_0;
-)GLSL" + in_map +
-               choice.first("number") + "    UMBRAGE_HIGHP float nearer = " + look +
-               R"GLSL(    bool last = number >= ends.w;
-    number = min(number + 1.0, ends.w);
-)GLSL" + in_map +
-               choice.again("number") +
-               R"GLSL(    UMBRAGE_HIGHP float farther = 1.0;
-    if (weight > 0.0 && !last) {
-        farther = )GLSL" +
-               look + R"GLSL(    }
-    return weight > 0.0 ? umbrage_blend_cascades(nearer, farther, weight) : nearer;
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::shadow_coordinate, &glsl::project_coordinate, &glsl::receiver_slope, &glsl::cascade_by_depth,
-                   &glsl::cascade_column, &glsl::cascade_fade, &glsl::blend_cascades, &glsl::cascade_tile>;
+    static constexpr const glsl::snippet* placing = &glsl::warped_maps_places;
 
 private:
     void require_cascades() const {

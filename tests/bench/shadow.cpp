@@ -70,14 +70,14 @@ const bench::registration rows([] {
     const auto map = std::make_shared<image<float>>(spot.size(), spot.cleared());
     spot.draw(*map, {s->vertices, s->triangles});
 
-    const glm::dmat4 precise = texture_matrix(light, map_size);
-    const glm::mat4 to_texels(precise), planes(plane_matrix(precise));
-    const float error = float(depth32f{}.error().below) + 0x1p-22f;
-    const float reach = tent.reach() + rasterizer_snap<float> + 0x1p-24f * 1024.0f;
+    const anchored_map lamp = make_anchored_map(light, map_size);
+    const float error = float(depth32f{}.error().below - 0x1p-23);
+    const float reach = tent.reach() + rasterizer_snap<float> + 0x1p-21f * 1024.0f;
     const auto receiver = [=](glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 at = project_coordinate(shadow_coordinate(to_texels, world));
-        const float bias = acne_free_bias(receiver_slope(planes, normal, world), reach, error);
-        return glm::vec3(at.x, at.y, biased(at.z, bias, comparison{}));
+        const glm::vec3 way = world - glm::vec3(lamp.anchor);
+        const map_place place = anchored_place(lamp.to_texels, lamp.planes, lamp.anchor, lamp.rounding, way, normal);
+        const float bias = acne_free_bias(place.slope, reach, error + place.rounding);
+        return glm::vec3(place.at.x, place.at.y, biased(place.at.z, bias, comparison{}));
     };
     bench::add({.work = "shadow, spot, tent 3, whole image 1920 x 1080",
                 .peer = "the parts by hand",
@@ -126,14 +126,16 @@ const bench::registration rows([] {
     sun.draw(*maps, {s->vertices, s->triangles});
     const auto u = sun.uniforms();
     const auto in_cascades = [=](glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 turned(shadow_coordinate(u.maps.rotation, world)),
+        const glm::vec3 turned(shadow_coordinate(u.maps.rotation, world - glm::vec3(u.maps.anchor))),
             across(shadow_coordinate(u.maps.rotation, normal));
         const glm::vec4 at =
             cascade_by_projection(turned, u.maps.scales, u.maps.offsets, glm::vec2(map_size), u.terms.reach);
         const float number = at.w < 3.0f ? at.w : 3.0f;
-        const glm::vec2 slope = cascade_slope(across, cascade_column(u.maps.scales, number));
+        const glm::vec4 scale = cascade_column(u.maps.scales, number);
+        const glm::vec2 slope = cascade_slope(across, scale);
+        const float rounding = (glm::abs(slope.x) + glm::abs(slope.y)) * scale.w + u.maps.blending.z;
         const auto own = maps->view().region(cascade_tile(int(number), map_size), map_size);
-        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error), comparison{});
+        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error + rounding), comparison{});
         return tent(decoded(bordered(own), depth32f{}), glm::vec2(at), depth);
     };
     bench::add(

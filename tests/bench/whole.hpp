@@ -161,7 +161,7 @@ void for_each_filter(const Use& use) {
     use("castano<5>", umbrage::filters::castano<5>);
     use("disc 16", umbrage::filters::disc{.points = 16});
     if constexpr (!std::is_same_v<Light, umbrage::dual_paraboloid_light<float>>)
-        use("pcss 16", umbrage::filters::pcss{.softness = {1.0f / 64, 16, 96}});
+        use("pcss 16", umbrage::filters::pcss{.softness = umbrage::make_penumbra_params(0.1f, 1.0f, 6.0f)});
 }
 
 /// Depths of all maps. They are those of every filter.

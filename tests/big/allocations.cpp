@@ -231,7 +231,8 @@ std::vector<function> functions(const arguments& a) {
              return blob_of(out);
          }},
         {"shadow: draw, store, visibility", [lit](const hook& h) { return lit(filters::tent<3>, h); }},
-        {"shadow along planes", [lit](const hook& h) { return lit(filters::pcss{}, h); }},
+        {"shadow along planes",
+         [lit](const hook& h) { return lit(filters::pcss{.softness = make_penumbra_params(0.1f, 1.0f, 6.0f)}, h); }},
     };
 }
 

@@ -79,7 +79,7 @@ template <class Texel, class Use>
             for (int x = first.x; x < first.x + patch; ++x) map.view().row(y)[x] = texel_of(x, y);
     for (const image_view<const Texel> each :
          {image_view<const Texel>(map.view()), image_view<const Texel>(map.upside_down())})
-        if (!detail::form_takes<detail::block_form<filters::pcf_2x2>>(each, true, {patch, rows}) || !use(each))
+        if (!detail::form_takes<detail::block_form<filters::pcf_2x2>>(each, true, patch * rows) || !use(each))
             return false;
     return true;
 }

@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     umbrage::image<float> depths({in.within(0, 140), in.within(0, 3)}, a);
     for (std::size_t i = 0; i < depths.texels().size(); i += std::size_t(in.within(1, 40)))
         depths.texels()[i] = in.number(-0.5f, 1.5f);
-    const int tried = in.within(0, 19);
+    const int tried = in.within(0, int(encodings::size) - 1);
     int count = 0;
     for_each_encoding([&](auto encoding) {
         encoding = {.direction = direction};

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>
-#include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
 
 #include "input.hpp"
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         if (in.chance(4)) map.origin = words(in);
         if (in.chance(4)) map.texture_size = words(in);
         if (in.chance(8)) map.parameters = words(in), map.arguments = words(in), map.texel = words(in);
-        fuzz::answered([&] { items.push_back(in.chance(3) ? glsl::bound(what) : bind(what, words(in), map)); });
+        fuzz::answered([&] { items.push_back(in.chance(3) ? glsl::bound(what) : glsl::bind(what, words(in), map)); });
     }
     const glsl::version version = glsl::versions[in.bits() % std::size(glsl::versions)];
     fuzz::answered([&] { must_be_whole(glsl::text(items, version)); });

@@ -52,8 +52,7 @@ void compare(fuzz::input& in, image_view<const float> depths, const Encoding& en
                 if constexpr (std::is_null_pointer_v<Slope>)
                     return detail::filtered(filter, texels, glm::vec2(r), r.z, p);
                 else
-                    return detail::filtered(filter,
-                                            apply_receiver_plane(texels, slope(p), glm::vec2(r), encoding.direction),
+                    return detail::filtered(filter, apply_receiver_plane(texels, slope(p), r, encoding.direction),
                                             glm::vec2(r), r.z, p);
             };
             const float one =

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Rooms are the folders of include/umbrage. Fails when a header includes one of a room that is not below its own.
+# Rooms are the folders of include/umbrage, and above all of them that of the npm package's sources. Fails when a header includes
+# one of a room that is not below its own.
 cmake_minimum_required(VERSION 3.21)
 set(floors core simd,depth,light,shade,view filter bias images shader shadow) # from the ground up
 set(floor 0)
@@ -14,8 +15,11 @@ endforeach()
 
 set(arrows "")
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE}/umbrage ${INCLUDE}/umbrage/*/*.hpp)
-foreach(header IN LISTS headers)
-    string(REGEX MATCH "^[a-z_]+" room ${header})
+file(GLOB package RELATIVE ${INCLUDE}/umbrage ${INCLUDE}/../single_include/npm/source/*.[ch]pp)
+set(floor_of_package ${floor})
+foreach(header IN LISTS headers package)
+    string(REGEX REPLACE "^([.]+/)+single_include/npm/source/" "package/" header_in_room ${header})
+    string(REGEX MATCH "^[a-z_]+" room ${header_in_room})
     if(NOT DEFINED floor_of_${room})
         message(SEND_ERROR "${header}: a new room; say in tests/lint/layers.cmake on which floor ${room}/ lies")
         continue()
@@ -34,7 +38,7 @@ foreach(header IN LISTS headers)
 endforeach()
 list(REMOVE_DUPLICATES arrows)
 list(LENGTH arrows count)
-if(count LESS 10)
+if(count LESS 10 OR NOT "package -> shadow" IN_LIST arrows)
     message(FATAL_ERROR "Rooms seem not to include each other: does this test still look at them?")
 endif()
 message(STATUS "${count} arrows between rooms, each downward")

@@ -202,7 +202,7 @@ TEST_CASE("every snippet of tier A, but the filters of the list, has a run in pr
 }
 
 TEST_CASE("every snippet is in its header's list or of a value, and every header's list in the registry") {
-    const std::string registry = "include/umbrage/shader/registry.hpp", listed = read(root / registry);
+    const std::string registry = "include/umbrage/registry.hpp", listed = read(root / registry);
     for (const std::string& header : headers) {
         const std::string text = text_of(header), path = "include/umbrage/" + header + ".hpp";
         const std::string list = fs::path(header).filename().string() + "_snippets", members = list_in(text, list);

@@ -4,7 +4,7 @@
 #
 #     cmake -D ROOT=source-folder -P root.cmake
 file(GLOB found RELATIVE ${ROOT} ${ROOT}/*)
-set(known include tests examples single_include CMakeLists.txt CMakePresets.json CMakeUserPresets.json LICENSE Makefile)
+set(known include tests examples single_include CITATION.cff CMakeLists.txt CMakePresets.json CMakeUserPresets.json LICENSE Makefile)
 set(strangers ${found})
 list(FILTER strangers EXCLUDE REGEX "^([.].*|build.*|[A-Z]+[.]md)$")
 list(REMOVE_ITEM strangers ${known})

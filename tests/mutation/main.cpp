@@ -24,7 +24,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include "compare.hpp"
 #include "mutants.hpp"

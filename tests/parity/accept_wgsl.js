@@ -2,7 +2,7 @@
 //
 // Whether Tint and naga accept WGSL:  node accept_wgsl.js NODE_MODULES DRIVER SHADER...
 //
-// DRIVER is the Vulkan loader's description of a driver, for Dawn. A folder is one shader in many files. Exit status: 0 they do, 1 one does not, 77 neither is
+// DRIVER is the Vulkan loader's description of a driver, for Dawn. Of a folder each file is a shader. Exit status: 0 they do, 1 one does not, 77 neither is
 // here.
 'use strict';
 const fs = require('fs');
@@ -27,10 +27,7 @@ async function naga() {
     return async source => { translate({ from: 'wgsl', to: 'spirv', source }); };
 }
 
-function read(shader) {
-    if (!fs.statSync(shader).isDirectory()) return fs.readFileSync(shader, 'utf8');
-    return fs.readdirSync(shader).map(file => read(path.join(shader, file))).join('');
-}
+const files_of = shader => fs.statSync(shader).isDirectory() ? fs.readdirSync(shader).map(file => path.join(shader, file)) : [shader];
 
 (async () => {
     const here = name => fs.existsSync(path.join(modules, name));
@@ -40,14 +37,17 @@ function read(shader) {
     let refused = 0;
     for (const [name, accept] of Object.entries(compilers))
         for (const shader of shaders) {
-            const text = read(shader);
-            try {
-                await accept(text);
-                console.log(`${name} accepts ${text.match(/^fn /gm).length} functions of ${shader}`);
-            } catch (error) {
-                ++refused;
-                console.log(`${name} refuses ${shader}: ${error.formatted || error.message}`);
+            const files = files_of(shader);
+            let functions = 0;
+            for (const file of files) {
+                const text = fs.readFileSync(file, 'utf8');
+                functions += text.match(/^fn /gm).length;
+                try { await accept(text); } catch (error) {
+                    ++refused;
+                    console.log(`${name} refuses ${file}: ${error.formatted || error.message}`);
+                }
             }
+            console.log(`${name} read ${functions} functions of ${shader}, in ${files.length} files`);
         }
     if (!Object.keys(compilers).length) console.log('SKIPPED: neither webgpu nor naga-wasm in ' + modules);
     process.exit(refused ? 1 : Object.keys(compilers).length ? 0 : 77);

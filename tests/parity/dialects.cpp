@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 #include "shader.hpp"
 #include "spirv.hpp"

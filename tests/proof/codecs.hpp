@@ -201,7 +201,7 @@ template <class Encoding>
     return failures;
 }
 
-// Formats of others, and writers for their readers.
+// Formats of others, GPUs among them, and writers for their readers.
 
 template <class Encoding>
 using is_foreign = std::bool_constant<!umbrage::has_edge<Encoding> && (Encoding{}.error().above > 0)>;
@@ -225,7 +225,9 @@ inline constexpr faults faults_of<umbrage::base255_repaired>{{2, 2}, {0, 0}, 1.0
 /// Texture with the result of the writer's snippet.
 template <class Format>
 [[nodiscard]] auto texel_written(const Format& format, float depth, unorm_store store) {
-    if constexpr (Format::writes == umbrage::store_format::values) {
+    if constexpr (Format::writes == umbrage::store_format::depth) {
+        return Format::target::store(umbrage::saturate(depth), store);  // by the depth pass itself
+    } else if constexpr (Format::writes == umbrage::store_format::values) {
         return Format::target::store(format.write(depth), store);
     } else {
         const auto bytes = format.encode(depth);

@@ -18,8 +18,10 @@ TEST_CASE_TEMPLATE_DEFINE("foreign formats: every k / 2^24, whether the store ro
         const auto at_one = proof::look_at<Format>(store, proof::nth_depth, one, one + 1);
         CHECK(at_one.failures == 0);
         CHECK(at_one.disorder == (proof::faults_of<Format>.one < 1.0f));
-        if (Format{}.error(store).above >= 0x1p-23)  // finer ones show between the lattice only
-            CHECK(below.error > 0.999 * Format{}.error(store).above);
+        const double stated = Format{}.error(store).above;
+        const bool is_sampled = Format::writes == umbrage::store_format::depth;  // which rounds once more, to a float
+        if (stated >= 0x1p-23)  // finer ones show between the lattice only
+            CHECK(below.error > 0.999 * stated - (is_sampled ? 0x1p-25 : 0.0));
     }
 }
 TEST_CASE_TEMPLATE_APPLY(lattice, proof::foreign);

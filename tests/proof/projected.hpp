@@ -28,8 +28,8 @@ namespace proof {
 /// Distance to the image of the edge from a to b, both homogeneous; infinite where that lies behind.
 [[nodiscard]] inline double distance_to_edge(glm::dvec2 at, glm::dvec4 a, glm::dvec4 b) {
     if (a.w > b.w) std::swap(a, b);
-    constexpr double behind = 1e-3;
-    if (b.w < behind) return HUGE_VAL;
+    if (!(b.w > 0)) return HUGE_VAL;
+    const double behind = 1e-4 * b.w;
     if (a.w < behind) a += (b - a) * ((behind - a.w) / (b.w - a.w));
     const glm::dvec2 first = glm::dvec2(a) / a.w, way = glm::dvec2(b) / b.w - first, to = at - first;
     const double share = std::clamp(glm::dot(to, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);

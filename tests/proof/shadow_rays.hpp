@@ -28,6 +28,7 @@ public:
         clip_.range = n & 1 ? umbrage::depth_range::minus_one_to_one : umbrage::depth_range::zero_to_one;
         clip_.direction = n & 2 ? umbrage::depth_direction::reversed : umbrage::depth_direction::forward;
         clip_.origin = n & 4 ? umbrage::texture_origin::top : umbrage::texture_origin::bottom;
+        clip_.subpixel_bits = 8;  // as draw has
         clip_.hand = n & 8 ? umbrage::handedness::left : umbrage::handedness::right;
         const glm::vec3 eye = around(real(2, 6));
         camera_ = {.position = eye,

@@ -96,7 +96,7 @@ int main() try {
     const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filters::disc{});
     const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filters::pcf_2x2{});
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filters::pcf_2x2{});
-    const shadow soft(shadow_scene::fitted(clip), {200, 300}, filters::pcss{.softness = {0.05f, 1.0f, 8.0f}});
+    const shadow soft(shadow_scene::fitted(clip), {200, 300}, shadow_scene::sized(filters::pcss{}));
     const shadow smooth(shadow_scene::fitted(clip), {200, 300}, prefilters::vsm{});
     const shadow sampled(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
     const receivers of;
@@ -145,32 +145,38 @@ int main() try {
         two.format = GL_RG;
         check(reads(v, smooth, two, 0, map_reading::right, of));
 
-        const auto matrix_of = [](const auto& s, bool whole) {
-            const light_space<double> light = s.set_up().lights().front();
-            return glm::mat4(whole ? light.projection * light.view : light.projection);
+        const auto literal_of = [](const glm::vec4& a) {
+            char text[96];
+            std::snprintf(text, sizeof text, "vec4(%.9e, %.9e, %.9e, %.9e)", double(a.x), double(a.y), double(a.z),
+                          double(a.w));
+            return std::string(text);
         };
-        const glm::mat4 to_sun = matrix_of(sampled, true), to_spot = matrix_of(spot, true),
-                        to_halves = matrix_of(halves, false);
+        const depth_view to_sun = sampled.depth_views()[0], to_spot = spot.depth_views()[0],
+                         to_halves = halves.depth_views()[0];
         const float at_near = near_depth(sampled.set_up().clip());
         check(vertices_agree(
-            v, sampled, texture(calibration_map(sampled)), literal(to_sun) + ", world * 4.0",
-            [&](glm::vec3 p) { return pancake(shadow_coordinate(to_sun, p * 4.0f), at_near); }, of));
+            v, sampled, texture(calibration_map(sampled)),
+            literal(to_sun.to_clip) + ", world * 4.0, " + literal_of(to_sun.anchor),
+            [&](glm::vec3 p) { return pancake(anchored_vertex(to_sun.to_clip, p * 4.0f, to_sun.anchor), at_near); },
+            of));
         check(vertices_agree(
-            v, spot, texture(known), literal(to_spot) + ", world",
-            [&](glm::vec3 p) { return shadow_coordinate(to_spot, p); }, of));
+            v, spot, texture(known), literal(to_spot.to_clip) + ", world, " + literal_of(to_spot.anchor),
+            [&](glm::vec3 p) { return anchored_vertex(to_spot.to_clip, p, to_spot.anchor); }, of));
         const glm::vec3 bulb_position(0.5f, 8.0f, 0.25f);
         const auto half_place = [&](glm::vec3 p) { return dual_paraboloid_position(p - bulb_position, 1.0f); };
         check(vertices_agree(
-            v, halves, texture(calibration_map(halves)), literal(to_halves) + ", world, vec3(0.5, 8.0, 0.25), 1.0",
+            v, halves, texture(calibration_map(halves)),
+            literal(to_halves.to_clip) + ", world, vec4(0.5, 8.0, 0.25, 0.0), 1.0",
             [&](glm::vec3 p) {
                 const glm::vec4 q = half_place(p);
-                return to_halves[3] * q.w + to_halves[0] * q.x + to_halves[1] * q.y + to_halves[2] * q.z;
+                const glm::mat4& m = to_halves.to_clip;
+                return m[3] * q.w + m[0] * q.x + m[1] * q.y + m[2] * q.z;
             },
             of,
             [&](glm::vec3 p) {  // its square root and 22 operations more, of what adds up to a component
                 const glm::vec4 q = glm::abs(half_place(p));
                 glm::vec4 s(0);
-                for (glm::length_t c = 0; c < 4; ++c) s += glm::abs(to_halves[c]) * q[c];
+                for (glm::length_t c = 0; c < 4; ++c) s += glm::abs(to_halves.to_clip[c]) * q[c];
                 return 0x1p-23f * 22.0f * std::max({s.x, s.y, s.z, s.w});
             }));
 

@@ -34,6 +34,7 @@ struct texture_data {
     glm::ivec3 size{0, 0, 1};
     const void* texels = nullptr;
     GLenum compares = 0;  ///< the sampler's function
+    GLint filter = GL_NEAREST;
 };
 
 /// The receivers' places and normals.
@@ -87,7 +88,7 @@ inline GLuint upload(const texture_data& t) {
     glGenTextures(1, &id);
     glBindTexture(t.kind, id);
     for (const auto filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(t.kind, GLenum(filter), GL_NEAREST);
+        glTexParameteri(t.kind, GLenum(filter), t.filter);
     for (const auto wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(t.kind, GLenum(wrap), GL_CLAMP_TO_EDGE);
     if (t.compares != 0) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows in shaders: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a cube in one; soft
-// shadows and prefiltered maps in another; seven cascades, a tetrahedron and paraboloids in a third; warped cascades,
-// pages, in an atlas and in an array, and a filter of a user's own in a fourth. OpenGL and C++ have to say the same of
-// each receiver.
+// Shadows in shaders, a few to a text: a cascaded sun, a spot packed into bytes, one under a comparison sampler and a
+// cube; warped cascades, pages, in an atlas and in an array; a filter and a setup of a user's own; soft shadows of four
+// setups; prefiltered maps; a cube and a sun under comparison samplers; seven cascades, a tetrahedron and paraboloids;
+// a linear comparison sampler; depth textures of 16 and 24 bits. OpenGL and C++ have to say the same of each receiver.
 //
 //     shadows_in_gl          prints how many receivers differ, in each dialect; 1 when some do
 //     shadows_in_gl --fault  one number of each block is wrong: all must differ
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -17,6 +18,7 @@
 
 #include "../../examples/viewer/headless.hpp"
 #include "../unit/shadow/own_filter.hpp"
+#include "../unit/shadow/own_set_up.hpp"
 #include "../unit/shadow/scene.hpp"
 #include "drawn_in_gl.hpp"
 
@@ -54,6 +56,30 @@ image<float> layers_of(const Shadow& s, const image<float>& atlas) {
     return layers;
 }
 
+/// tent<3> by a linear comparison sampler: each 2 x 2 texels are compared with the plane's depth where they meet.
+template <class Shadow>
+float by_sampler(const Shadow& s, const image<float>& map, glm::vec3 world, glm::vec3 normal) {
+    const auto u = s.uniforms();
+    const map_place place = s.set_up().places(u.maps, u.terms, world, normal)[0];
+    const glm::vec2 coord(place.at), x = coord - 0.5f, texel = glm::floor(x), moved = x - texel;
+    const float z = place.at.z,
+                receiver = z > 1.0f ? z : z - acne_free_bias(place.slope, 1.0f, u.terms.error + place.rounding);
+    if (!in_filter_domain(coord, receiver)) return 1;
+    const auto weight = [](int i, float by) {
+        const float here = tent_row<3>.weight(i), before = tent_row<3>.weight(i - 1);
+        return here + by * (before - here);
+    };
+    float sum = 0;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) {
+            const glm::vec2 meet = texel + glm::vec2(i / 2 * 2, j / 2 * 2) - 0.5f;
+            const float reference = plane_reference(receiver, place.slope, coord, meet);
+            sum += weight(i, moved.x) * weight(j, moved.y) *
+                   lit(bordered(map), glm::ivec2(texel) + glm::ivec2(i - 1, j - 1), reference);
+        }
+    return sum / 256.0f;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -68,16 +94,19 @@ int main(int argc, char** argv) try {
     const auto spot_map = shadow_scene::drawn(spot);
     const auto layers = layers_of(sun, sun_map);
 
-    const filters::pcss contact{.softness = {0.05f, 1.0f, 8.0f}};
+    const auto contact = shadow_scene::sized(filters::pcss{});
     const shadow soft(shadow_scene::fitted(clip), {200, 300}, contact);
     const shadow soft_sun(shadow_scene::cascades(clip), {256, 256}, contact);
+    const shadow soft_bulb(shadow_scene::bulb(clip), {256, 256}, shadow_scene::sized(filters::dpcf{}));
+    const shadow soft_pages(shadow_scene::pages(clip), {80, 80}, contact);
+    const auto soft_bulb_map = shadow_scene::drawn(soft_bulb), soft_pages_map = shadow_scene::drawn(soft_pages);
     const shadow variance(shadow_scene::spot(clip), {256, 256}, prefilters::vsm{});
     const shadow powers(shadow_scene::bulb(clip), {256, 256}, prefilters::evsm4{});
     const auto soft_map = shadow_scene::drawn(soft), soft_sun_map = shadow_scene::drawn(soft_sun);
     const auto variance_map = shadow_scene::drawn(variance);
     const auto powers_map = shadow_scene::drawn(powers);
 
-    const shadow seven(shadow_scene::cascades<7>(clip), {128, 128}, filters::pcf_2x2{});
+    const shadow seven(shadow_scene::cascades<7>(clip), {256, 256}, filters::pcf_2x2{});
     const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filters::tent<3>);
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filters::pcf_2x2{});
     const auto seven_map = shadow_scene::drawn(seven), sides_map = shadow_scene::drawn(sides),
@@ -86,9 +115,26 @@ int main(int argc, char** argv) try {
     const shadow bent(shadow_scene::warped<4>(clip), {256, 256}, filters::tent<3>);
     const shadow paged(shadow_scene::pages(clip), {80, 80}, filters::disc{});
     const shadow own_filter(shadow_scene::cascades(clip), {256, 256}, own::two_taps{});
-    const auto own_map = shadow_scene::drawn(own_filter);
+    const shadow own_set_up(own::up_and_down{{0.5, 8, 0.25}, clip}, {256, 256}, filters::tent<3>);
+    const auto own_map = shadow_scene::drawn(own_filter), both_map = shadow_scene::drawn(own_set_up);
     const auto bent_map = shadow_scene::drawn(bent), paged_map = shadow_scene::drawn(paged);
     const auto pages = layers_of(paged, paged_map);
+
+    const shadow shorts(shadow_scene::spot(clip), {256, 128}, filters::tent<3>, depth16{});
+    const shadow words(shadow_scene::fitted(clip), {200, 300}, filters::pcf_2x2{}, depth24{});
+    const auto shorts_map = shadow_scene::drawn(shorts);
+    const auto words_map = shadow_scene::drawn(words);
+    auto uploaded = words_map;  // 32 bits whose first 24 are the texel's
+    for (std::uint32_t& k : uploaded.texels()) k = k << 8 | k >> 16;
+
+    const shadow sampled_bulb(shadow_scene::bulb(clip), {256, 256}, filters::tent<3>);
+    const shadow sampled_sun(shadow_scene::cascades(clip), {256, 256}, filters::castano<5>);
+    const auto sampled_bulb_map = shadow_scene::drawn(sampled_bulb), sampled_sun_map = shadow_scene::drawn(sampled_sun);
+    const auto sampled_faces = layers_of(sampled_bulb, sampled_bulb_map);
+    const auto sampled_cascades = layers_of(sampled_sun, sampled_sun_map);
+
+    const shadow fitted(shadow_scene::fitted(clip), {200, 300}, filters::tent<3>);
+    const auto fitted_map = shadow_scene::drawn(fitted);
 
     const receivers of;
     bool good = true;
@@ -143,9 +189,13 @@ int main(int argc, char** argv) try {
                                   bind(paged, "layers", {.block = 2, .texture = 3, .map = glsl::texture::array}),
                                   array_of_pages, paged_map));
         }
-        chosen.push_back(make("mine", own_filter, bind(own_filter, "mine", {.block = 3, .texture = 4}),
-                              one_channel(own_map), own_map));
         good = agree(v, std::move(chosen), of, fault) && good;
+
+        std::vector<tried> own;
+        own.push_back(make("mine", own_filter, bind(own_filter, "mine"), one_channel(own_map), own_map));
+        own.push_back(make("both", own_set_up, bind(own_set_up, "both", {.block = 1, .texture = 2}),
+                           one_channel(both_map), both_map));
+        good = agree(v, std::move(own), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats
 
         const auto floats = [](const auto& map, GLint stored, GLenum channels) {
@@ -156,11 +206,18 @@ int main(int argc, char** argv) try {
         smooth.push_back(make("soft", soft, bind(soft, "soft"), floats(soft_map, GL_R32F, GL_RED), soft_map));
         smooth.push_back(make("soft_sun", soft_sun, bind(soft_sun, "soft_sun", {.block = 1, .texture = 2}),
                               floats(soft_sun_map, GL_R32F, GL_RED), soft_sun_map));
-        smooth.push_back(make("variance", variance, bind(variance, "variance", {.block = 2, .texture = 3}),
-                              floats(variance_map, GL_RG32F, GL_RG), variance_map));
-        smooth.push_back(make("powers", powers, bind(powers, "powers", {.block = 3, .texture = 4}),
-                              floats(powers_map, GL_RGBA32F, GL_RGBA), powers_map));
+        smooth.push_back(make("soft_bulb", soft_bulb, bind(soft_bulb, "soft_bulb", {.block = 2, .texture = 3}),
+                              floats(soft_bulb_map, GL_R32F, GL_RED), soft_bulb_map));
+        smooth.push_back(make("soft_pages", soft_pages, bind(soft_pages, "soft_pages", {.block = 3, .texture = 4}),
+                              floats(soft_pages_map, GL_R32F, GL_RED), soft_pages_map));
         good = agree(v, std::move(smooth), of, fault) && good;
+
+        std::vector<tried> moments;
+        moments.push_back(make("variance", variance, bind(variance, "variance"), floats(variance_map, GL_RG32F, GL_RG),
+                               variance_map));
+        moments.push_back(make("powers", powers, bind(powers, "powers", {.block = 1, .texture = 2}),
+                               floats(powers_map, GL_RGBA32F, GL_RGBA), powers_map));
+        good = agree(v, std::move(moments), of, fault) && good;
 
         std::vector<tried> others;
         others.push_back(make("seven", seven, bind(seven, "seven"), floats(seven_map, GL_R32F, GL_RED), seven_map));
@@ -169,6 +226,60 @@ int main(int argc, char** argv) try {
         others.push_back(make("halves", halves, bind(halves, "halves", {.block = 2, .texture = 3}),
                               floats(halves_map, GL_R32F, GL_RED), halves_map));
         good = agree(v, std::move(others), of, fault) && good;
+
+        const auto compared_layers = [](const image<float>& maps) {
+            return texture_data{.kind = GL_TEXTURE_2D_ARRAY,
+                                .internal = GL_DEPTH_COMPONENT32F,
+                                .format = GL_DEPTH_COMPONENT,
+                                .size = {256, 256, maps.size().y / 256},
+                                .texels = maps.texels().data(),
+                                .compares = GL_LEQUAL};
+        };
+        std::vector<tried> arrays;
+        arrays.push_back(make("sampled_bulb", sampled_bulb,
+                              bind(sampled_bulb, "sampled_bulb", {.map = glsl::texture::shadow_array}),
+                              compared_layers(sampled_faces), sampled_bulb_map));
+        arrays.push_back(
+            make("sampled_sun", sampled_sun,
+                 bind(sampled_sun, "sampled_sun", {.block = 1, .texture = 2, .map = glsl::texture::shadow_array}),
+                 compared_layers(sampled_cascades), sampled_sun_map));
+        good = agree(v, std::move(arrays), of, fault) && good;
+
+        // softpipe compares with a filtered depth, it does not filter comparisons
+        const bool filters_depths =
+            std::string_view(reinterpret_cast<const char*>(glGetString(GL_RENDERER))).find("softpipe") == 0;
+        std::vector<tried> linear;
+        linear.push_back({"linear",
+                          bind(fitted, "linear", {.map = glsl::texture::shadow, .linear = true}),
+                          make("linear", fitted, bind(fitted, "linear"), {}, fitted_map).block,
+                          {.internal = GL_DEPTH_COMPONENT32F,
+                           .format = GL_DEPTH_COMPONENT,
+                           .size = {fitted_map.size(), 1},
+                           .texels = fitted_map.texels().data(),
+                           .compares = GL_LEQUAL,
+                           .filter = GL_LINEAR},
+                          [&](glm::vec3 world, glm::vec3 normal, glm::ivec2) {
+                              return by_sampler(fitted, fitted_map, world, normal);
+                          },
+                          "umbrage_linear(world, normal)",
+                          [](glm::vec3) { return 1.0f / 64.0f; }});
+        if (!filters_depths) good = agree(v, std::move(linear), of, fault) && good;
+
+        const auto compared = [](const auto& map, GLint stored, GLenum type) {
+            return texture_data{.internal = stored,
+                                .format = GL_DEPTH_COMPONENT,
+                                .type = type,
+                                .size = {map.size(), 1},
+                                .texels = map.texels().data(),
+                                .compares = GL_LEQUAL};
+        };
+        std::vector<tried> integers;
+        integers.push_back(make("shorts", shorts, bind(shorts, "shorts", {.map = glsl::texture::shadow}),
+                                compared(shorts_map, GL_DEPTH_COMPONENT16, GL_UNSIGNED_SHORT), shorts_map));
+        integers.push_back(make("words", words,
+                                bind(words, "words", {.block = 1, .texture = 2, .map = glsl::texture::shadow}),
+                                compared(uploaded, GL_DEPTH_COMPONENT24, GL_UNSIGNED_INT), words_map));
+        good = agree(v, std::move(integers), of, fault) && good;
     }
     return good ? 0 : 1;
 } catch (const viewer::no_context& e) {

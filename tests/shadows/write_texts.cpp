@@ -43,9 +43,7 @@ struct member {
 /// Fields of a shadow's block.
 template <class SetUp>
 std::vector<member> block_of(std::vector<member> all) {
-    using block = shadow_uniforms<SetUp>;
-    for (member& m : all) m.offset += offsetof(block, maps);
-    const std::size_t terms = offsetof(block, terms);
+    const std::size_t terms = sizeof(typename SetUp::uniforms);  // the setup's fields come first, without gaps
     all.push_back({"terms", terms + offsetof(shadow_terms, map_size), 4});
     all.push_back({"filter_terms", terms + offsetof(shadow_terms, filter_terms), 4});
     return all;
@@ -85,31 +83,29 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     const filters::hard filter;
     const shadow spot(shadow_scene::spot(clip), {256, 128}, filter);
     const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::tent<3>);
-    const shadow eight(shadow_scene::cascades<7>(clip), {128, 128}, filters::disc{});
+    const shadow eight(shadow_scene::cascades<7>(clip), {256, 256}, filters::disc{});
     const shadow bulb(shadow_scene::bulb(clip), {256, 256}, filter);
     const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filter);
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filter);
-    using single = single_map::uniforms;
-    write_block(folder, bind(spot, "spot"), block_of<single_map>({MEMBER(single, to_texels), MEMBER(single, planes)}));
+    std::vector<member> of_anchored{MEMBER(anchored_map, to_texels), MEMBER(anchored_map, planes),
+                                    MEMBER(anchored_map, anchor), MEMBER(anchored_map, rounding)};
+    write_block(folder, bind(spot, "spot"), block_of<single_map>(of_anchored));
+    write_block(folder, bind(bulb, "bulb"), block_of<cube_maps>(of_anchored));
+    of_anchored.push_back({"center", sizeof(anchored_map), 4});
+    write_block(folder, bind(sides, "sides"), block_of<tetrahedron_map>(of_anchored));
     using four = cascaded_maps<1>::uniforms;
     write_block(folder, bind(sun, "sun"),
-                block_of<cascaded_maps<1>>(
-                    {MEMBER(four, rotation), MEMBER(four, scales), MEMBER(four, offsets), MEMBER(four, blending)}));
+                block_of<cascaded_maps<1>>({MEMBER(four, rotation), MEMBER(four, scales), MEMBER(four, offsets),
+                                            MEMBER(four, anchor), MEMBER(four, blending)}));
     using both = cascaded_maps<2>::uniforms;
     write_block(folder, bind(eight, "eight"),
                 block_of<cascaded_maps<2>>({MEMBER(both, rotation), MEMBER(both, scales), MEMBER(both, offsets),
                                             MEMBER(both, farther_scales), MEMBER(both, farther_offsets),
-                                            MEMBER(both, blending)}));
-    using cube = cube_maps::uniforms;
-    write_block(folder, bind(bulb, "bulb"),
-                block_of<cube_maps>({MEMBER(cube, position), MEMBER(cube, to_texels), MEMBER(cube, planes)}));
-    using tetrahedron = tetrahedron_map::uniforms;
-    write_block(folder, bind(sides, "sides"),
-                block_of<tetrahedron_map>(
-                    {MEMBER(tetrahedron, position), MEMBER(tetrahedron, to_texels), MEMBER(tetrahedron, planes)}));
+                                            MEMBER(both, anchor), MEMBER(both, blending)}));
     using paraboloids = paraboloid_maps::uniforms;
     write_block(folder, bind(halves, "halves"),
-                block_of<paraboloid_maps>({MEMBER(paraboloids, position), MEMBER(paraboloids, halves)}));
+                block_of<paraboloid_maps>(
+                    {MEMBER(paraboloids, position), MEMBER(paraboloids, halves), MEMBER(paraboloids, rounding)}));
     // arrays in C++, members with a number each in shaders
     const auto numbered = [](const std::string& name, std::size_t offset, std::size_t count) {
         std::vector<member> all;
@@ -120,12 +116,15 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     using warped = warped_maps::uniforms;
     std::vector<member> of_warps = numbered("to_texels", offsetof(warped, to_texels), 4);
     for (const member& m : numbered("planes", offsetof(warped, planes), 4)) of_warps.push_back(m);
-    for (const member& m : {MEMBER(warped, fades), MEMBER(warped, ahead), MEMBER(warped, ends)}) of_warps.push_back(m);
+    for (const member& m : {MEMBER(warped, rounding), MEMBER(warped, fades), MEMBER(warped, added),
+                            MEMBER(warped, anchor), MEMBER(warped, ahead), MEMBER(warped, ends)})
+        of_warps.push_back(m);
     const shadow bent(shadow_scene::warped(clip), {256, 256}, filter);
     write_block(folder, bind(bent, "bent"), block_of<warped_maps>(of_warps));
     using adaptive = adaptive_maps::uniforms;
     std::vector<member> of_pages{MEMBER(adaptive, to_root), MEMBER(adaptive, planes)};
     for (const member& m : numbered("cells", offsetof(adaptive, cells), 8)) of_pages.push_back(m);
+    of_pages.push_back(MEMBER(adaptive, anchor));
     of_pages.push_back(MEMBER(adaptive, pages));
     const shadow paged(shadow_scene::pages(clip), {80, 80}, filter);
     write_block(folder, bind(paged, "paged"), block_of<adaptive_maps>(of_pages));
@@ -140,15 +139,15 @@ void write_all(const fs::path& folder, clip_space clip) {
     const auto add = [&](std::vector<bound>& all, const auto& s, const std::string& name,
                          glsl::shadow_slots slots = {}) {
         slots.block = next++, slots.texture = next++, slots.sampler = next++, slots.debug = true;
-        all.push_back(bind(s, name, slots));
+        all.push_back(glsl::bind(s, name, slots));
     };
     const auto add_spot = [&](const auto& filter, const auto&... encoding) {
         add(plain, shadow(shadow_scene::spot(reversed), {256, 128}, filter, encoding...),
             "spot" + std::to_string(next));
     };
     add_spot(filters::tent<3>, rg<11>{});
-    add_spot(filters::pcss{});
-    add_spot(filters::dpcf{});
+    add_spot(shadow_scene::sized(filters::pcss{}));
+    add_spot(shadow_scene::sized(filters::dpcf{}));
     add_spot(prefilters::vsm{});
     add_spot(prefilters::esm{});
     add_spot(prefilters::evsm2{});
@@ -158,7 +157,7 @@ void write_all(const fs::path& folder, clip_space clip) {
     const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::disc{});
     add(with_arrays, lamp, "lamp", {.map = glsl::texture::shadow});
     add(with_arrays, sun, "sun", {.map = glsl::texture::depth_array});
-    add(with_arrays, shadow(shadow_scene::cascades<7>(clip), {128, 128}, filters::pcf_2x2{}), "eight",
+    add(with_arrays, shadow(shadow_scene::cascades<7>(clip), {256, 256}, filters::pcf_2x2{}), "eight",
         {.map = glsl::texture::shadow_array});
     add(plain, sun, "atlas");
     add(plain, shadow(shadow_scene::bulb(clip), {256, 256}, filters::hard{}), "bulb");

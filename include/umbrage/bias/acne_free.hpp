@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Smallest depth bias without shadow acne, from the receiver's slope, the filter's reach and the map's encoding.
+// Depth bias without shadow acne for a filter's whole kernel, from the receiver's slope, the filter's reach and the
+// map's encoding. It is at most 10 % above the smallest.
 //
 //     umbrage::filters::box filter{.radius = 2};
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // depth per texel
@@ -34,7 +35,7 @@ namespace umbrage {
 template <real T, int SubTexelBits = 8>
 inline constexpr T rasterizer_snap = T(2) / T(1 << SubTexelBits);
 
-/// Smallest depth bias without shadow acne, for filters that read whole rows and columns.
+/// Depth bias without shadow acne, for filters that read whole rows and columns: at most 10 % above the smallest.
 ///
 /// @param slope   change of the receiver's depth per texel, in x and y, from plane_slope or receiver_plane_slope
 /// @param reach   filter radius, in texels. Add 2^-12 texel per 4096 texels of map size for coordinates that round. Add
@@ -54,7 +55,7 @@ template <real T>
     return clamp_bias(reach * sum + (error + T(0x1p-23)));
 }
 
-/// Smallest depth bias without shadow acne, for filters that read a disc.
+/// Depth bias without shadow acne, for filters that read a disc: at most 10 % above the smallest.
 ///
 /// @param slope          as for acne_free_bias
 /// @param error          as for acne_free_bias
@@ -71,7 +72,7 @@ template <real T>
     return clamp_bias(radius * length + (sum * T(0.5078125) + (error + T(0x1p-23))));
 }
 
-/// Smallest depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
+/// Depth bias for a filter over a map with an encoding. The encoding's depth direction selects its error.
 /// @param slope      change of depth per texel in x and y
 /// @param filter     a filter of filters.hpp, for its reach
 /// @param encoding   an encoding of encodings.hpp, for its error
@@ -90,7 +91,7 @@ template <real T>
 /// @param bias           bias of the receiver, in depth
 /// @param caster_slope   change of the caster's depth per texel. It is 0 for a caster that faces the light
 /// @param reach          filter radius, in texels
-/// @return               depth, 0 to 1. Casters at least this far from the receiver shadow it as without bias
+/// @return               depth, 0 to 1. A caster at least this far from the receiver casts its full shadow
 /// @edge                 infinite values or NaN: 1
 /// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|) + 2^-23
 /// @detaches             light leaks in on a floor at the foot of an upright wall, over a width of bias sin(t).
@@ -106,12 +107,12 @@ namespace glsl {
 
 inline constexpr snippet acne_free_bias{
     .name = "acne_free_bias",
-    .summary = "smallest bias without acne, from slope, reach and error",
+    .summary = "bias without acne, from slope, reach and error",
     .exactness = tier::b,
     .operations = 4,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
-// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+// umbrage_acne_free_bias: bias in depth without shadow acne, 0.0 to 1.0
 //   slope  change of depth per texel, in x and y
 //   reach  filter radius, in texels
 //   error  largest error of a decoded depth towards the light
@@ -126,12 +127,12 @@ UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIG
 
 inline constexpr snippet acne_free_disc_bias{
     .name = "acne_free_disc_bias",
-    .summary = "smallest bias without acne, for filters that read a disc",
+    .summary = "bias without acne, for filters that read a disc",
     .exactness = tier::c,
     .operations = 13,
     .needs = list<&clamp_bias>,
     .source = R"GLSL(
-// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+// umbrage_acne_free_disc_bias: bias in depth without shadow acne for a disc, 0.0 to 1.0
 //   slope   change of depth per texel, in x and y
 //   radius  distance to the disc's farthest point, in texels
 //   error   largest error of a decoded depth towards the light

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Conversion between texels, world units and depth at a point, for directional and spot lights alike.
+// Conversion between texels, world units and depth at a point, for directional, spot and point lights alike.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light
+//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light; a cube's cube_view_z
 //     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimeters
 //
 // A texel's footprint across the light grows with w, the distance along a spot's axis. Depth per world unit falls with
@@ -34,6 +34,7 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/point/point_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {
@@ -62,6 +63,15 @@ template <real T>
     detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
                     "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
     return {edge, depth};
+}
+
+/// World size of a texel and depth per world unit, for a point light's cube at w = 1.
+/// @param light   point light. All faces have the same units, and w is cube_view_z, the distance along a face's axis
+/// @return        as for a light_space
+/// @throws std::invalid_argument  a light that make_point_light refuses; units that are not finite and above 0
+template <real T>
+[[nodiscard]] glm::vec<2, T> make_light_units(const point_light<T>& light) {
+    return make_light_units(make_point_light(light)[0], glm::ivec2(light.map_size));
 }
 
 /// Sizes that a bias is measured with, at a point of a map.

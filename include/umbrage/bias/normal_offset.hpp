@@ -20,7 +20,7 @@
 
 namespace umbrage {
 
-/// Offset along the normal under grazing light that keeps planes free of shadow acne.
+/// Length of the normal offset that avoids acne on a plane lit at a grazing angle.
 /// @param reach         filter radius in texels, as for acne_free_bias
 /// @param texel_world   edge of a texel's footprint, world units
 /// @return        world units

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Receiver plane depth bias: each texel is compared with the depth of the receiver's plane at the texel's center.
-// So a filter of any reach needs no bias. The slope comes from plane_slope or from screen-space derivatives.
+// Receiver plane depth bias: each texel is compared with the receiver, or with its plane at the texel's center where
+// that is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from
+// plane_slope or from screen-space derivatives.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
-//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
+//     float receiver = p.z - umbrage::acne_free_bias(slope, 0.5f, error);
+//     glm::vec3 at(coord, receiver);
+//     float visibility = filter(umbrage::apply_receiver_plane(fetch, slope, at), coord, receiver);
 //
-// In a shader bind the filter with {.receiver_plane = true}. It then takes slope and coord after the map.
+// The plane alone would darken both sides of a concave edge, where it runs behind the other wall.
+// In a shader bind the filter with {.receiver_plane = true}. It then takes slope and at after the map.
 // Also called: receiver plane bias, RPDB (receiver_plane_slope, apply_receiver_plane).
 // See also: acne_free.hpp, one bias for the whole kernel.
 #pragma once
@@ -20,6 +24,7 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
+#include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
 
@@ -51,36 +56,64 @@ template <real T>
     return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
 }
 
-/// Stored depth, moved along the receiver's plane from its texel to the receiver.
-///
-/// @param stored   depth from the map
-/// @param slope    slope of the receiver's plane, depth per texel, -2 to 2
-/// @param coord    receiver position in the map, in texels
-/// @param texel    index of the stored depth's texel
-/// @param cleared  depth of the far plane: 1, or 0 for reversed depth
-/// @return         depth to compare with the receiver
-/// @edge           stored depth within 2^-64 of cleared: unchanged
-/// @formula        stored - slope . (texel + 1/2 - coord)
-/// @exactness      B, n = 8
+namespace detail {
+
+/// The one of two depths that is nearer to the light; the receiver's where the plane's is NaN.
+/// @param forward   true where depth grows away from the light
 template <real T>
-[[nodiscard]] constexpr T apply_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord,
-                                               glm::vec<2, T> texel, T cleared = T(1)) {
-    const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
-    const T before = stored - cleared;
-    const bool is_cleared = before < T(0x1p-64) && before > T(-0x1p-64);
-    return is_cleared ? stored : stored - (slope.x * x + slope.y * y);
+[[nodiscard]] constexpr T nearer_to_light(T receiver, T plane, bool forward) {
+    return !is_nan(plane) && (forward ? plane < receiver : plane > receiver) ? plane : receiver;
 }
 
-/// Fetch callable that applies the receiver's plane to every texel.
+}  // namespace detail
+
+/// Depth that a texel is compared with: the receiver's, or its plane's at the texel where that is nearer to the light.
+///
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param slope      slope of the receiver's plane, depth per texel, -2 to 2
+/// @param coord      receiver position in the map, in texels
+/// @param texel      index of the texel
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @edge             a NaN in any other argument than receiver: returns receiver. Below 2^-126 hardware may give either
+/// @formula          min(receiver + slope . (texel - (coord - 1/2)), receiver); max for reversed depth
+/// @exactness        B, n = 8
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T plane_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
+                                          Compare is_lit = {}) {
+    const T x = texel.x - (coord.x - T(0.5)), y = texel.y - (coord.y - T(0.5));
+    return detail::nearer_to_light(receiver, (receiver + slope.x * x) + slope.y * y, is_lit(T(0), T(1)));
+}
+
+/// plane_reference in a map whose border is lit: outside, a depth that lies before every stored one.
+/// @param inside     index of the nearest texel in the map
+/// Other parameters as for plane_reference.
+/// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which
+///                   inside is not texel
+/// @exactness        B, n = 8
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T bordered_plane_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> coord,
+                                                   glm::vec<2, T> texel, glm::vec<2, T> inside, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T lights = forward ? T(-0x1p24) : T(0x1p24);
+    const T x = inside.x == texel.x ? slope.x * (texel.x - (coord.x - T(0.5))) : lights;
+    const T y = inside.y == texel.y ? slope.y * (texel.y - (coord.y - T(0.5))) : lights;
+    return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
+}
+
+/// Fetch callable that compares every texel along the receiver's plane: a texel that is lit there has the depth of the
+/// far plane, any other its own. A filter's own comparison then decides alike, and a search finds depths as stored.
 /// @param fetch       ivec2 texel -> stored depth
 /// @param slope       change of depth per texel in x and y, from receiver_plane_slope
-/// @param coord       position that the filter is called with, in texels
+/// @param at          position that the filter is called with, in texels, and the receiver that it gets
 /// @param direction   depth direction of the map, which gives its cleared depth
+/// @exactness         B, n = 8: a comparison with plane_reference
 template <std::invocable<glm::ivec2> Fetch>
-[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
+[[nodiscard]] auto apply_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec3 at,
                                         depth_direction direction = depth_direction::forward) {
-    return [=, cleared = cleared_depth(direction)](glm::ivec2 texel) {
-        return apply_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), cleared);
+    return [=, is_lit = comparison{direction}](glm::ivec2 texel) {
+        const auto stored = static_cast<float>(fetch(texel));
+        const float reference = plane_reference(at.z, slope, glm::vec2(at), glm::vec2(texel), is_lit);
+        return is_lit(reference, stored) ? cleared_depth(direction) : stored;
     };
 }
 
@@ -111,29 +144,74 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_H
 )GLSL",
 };
 
-inline constexpr snippet apply_receiver_plane{
-    .name = "apply_receiver_plane",
-    .summary = "stored depth moved along the receiver's plane to it",
+inline constexpr snippet plane_reference{
+    .name = "plane_reference",
+    .summary = "depth that a texel is compared with, by the receiver's plane",
     .exactness = tier::b,
     .operations = 8,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
-//   stored  depth of the texel
+// umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
 //   slope   slope of the receiver's plane, per texel
-//   coord   receiver position, in texels
+//   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
-UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
-                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
-    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
-    return cleared ? stored : depth;
+UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
+                                            UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &apply_receiver_plane};
+inline constexpr snippet bordered_plane_reference{
+    .name = "bordered_plane_reference",
+    .summary = "plane_reference in a map whose border is lit",
+    .exactness = tier::b,
+    .operations = 8,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
+//   slope, at, texel   as for umbrage_plane_reference
+//   inside             index of the nearest texel in the map
+UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
+                                                     UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
+    UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moves = slope * (texel - (vec2(at.x, at.y) - 0.5));
+    UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
+    UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
+}
+)GLSL",
+};
+
+inline constexpr snippet apply_receiver_plane{
+    .name = "apply_receiver_plane",
+    .summary = "stored depth, or the far plane's if lit along the receiver's plane",
+    .exactness = tier::b,
+    .operations = 8,
+    .needs = list<&cleared_depth, &compare, &plane_reference>,
+    .source = R"GLSL(
+// umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                                 UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float lit = umbrage_compare(umbrage_plane_reference(slope, at, texel), stored);
+    return lit > 0.5 ? umbrage_cleared_depth() : stored;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &plane_reference,
+                                                          &bordered_plane_reference, &apply_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -6,7 +6,7 @@
 //     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
 //     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
 //
-// See also: acne_free.hpp for the smallest bias; distance_slope.hpp for dual paraboloid maps.
+// See also: acne_free.hpp for a bias without acne; distance_slope.hpp for dual paraboloid maps.
 #pragma once
 
 #include <cmath>
@@ -25,6 +25,26 @@
 
 namespace umbrage {
 
+namespace detail {
+
+/// Body of plane_matrix. Errors name `function` and `argument`.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix, const char* function,
+                                             const char* argument, const char* condition) {
+    using wide = std::common_type_t<T, double>;  // double, but dependent: GLM's matrices cost compile time
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
+    require(all_finite(texture_matrix) && all_finite(m), function, argument, condition, texture_matrix);
+    return m;
+}
+
+/// plane_matrix of a light's map, for a shadow.
+[[nodiscard]] inline glm::dmat4 plane_matrix_of_shadow(const glm::dmat4& texture_matrix) {
+    return plane_matrix(texture_matrix, "shadow", "light and origin",
+                        "such that the map's matrix has a finite inverse");
+}
+
+}  // namespace detail
+
 /// Matrix that transforms planes as a texture matrix transforms points. A plane stays a plane, under a spot light too.
 ///
 /// @param texture_matrix   matrix from the world to texels
@@ -33,11 +53,7 @@ namespace umbrage {
 /// @formula                transpose(inverse(texture_matrix))
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
-    using wide = std::common_type_t<T, double>;  // double, but dependent: GLM's matrices cost compile time
-    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::mat<4, 4, wide>(texture_matrix))));
-    detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
-                    "finite, with a finite inverse", texture_matrix);
-    return m;
+    return detail::plane_matrix(texture_matrix, "plane_matrix", "texture_matrix", "finite, with a finite inverse");
 }
 
 /// Slope clamped to the range that matters to a bias.
@@ -124,7 +140,7 @@ inline constexpr snippet clamp_slope{
     .source = R"GLSL(
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 )GLSL",
 };
@@ -142,9 +158,9 @@ inline constexpr snippet plane_slope{
 //   world         point on the plane
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
-                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 )GLSL",
@@ -161,7 +177,7 @@ inline constexpr snippet receiver_slope{
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     return none ? vec2(0.0, 0.0) : slope;
 }
 )GLSL",
@@ -178,9 +194,9 @@ inline constexpr snippet cascade_slope{
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
     return none ? vec2(0.0, 0.0) : slope;
 }

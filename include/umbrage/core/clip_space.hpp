@@ -45,6 +45,10 @@ struct clip_space {
     depth_range range = depth_range::unset;
     depth_direction direction = depth_direction::forward;
     texture_origin origin = texture_origin::bottom;
+    /// Bits of the grid within a texel to which the rasterizer moves vertices, which a shadow's bias covers: 4 is what
+    /// OpenGL, OpenGL ES and Vulkan promise, 8 what Direct3D has. Ask yours for SUBPIXEL_BITS or subPixelPrecisionBits;
+    /// with 8 in place of 4 each bias is 15/128 texel of slope smaller.
+    int subpixel_bits = 4;
 
     friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
 };
@@ -57,7 +61,7 @@ inline constexpr clip_space vulkan_clip_space{.range = depth_range::zero_to_one}
 
 /// Left-handed world as in D3DXMatrixLookAtLH, with z/w in [0, 1] and the first texel at the top.
 inline constexpr clip_space direct3d_clip_space{
-    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top};
+    .hand = handedness::left, .range = depth_range::zero_to_one, .origin = texture_origin::top, .subpixel_bits = 8};
 
 /// Right-handed world with z/w in [0, 1] and the first texel at the top. It fits WebGPU in three.js and glTF viewers.
 /// It also fits right-handed worlds under Direct3D. For a left-handed world in WebGPU or Metal use direct3d_clip_space.
@@ -65,7 +69,8 @@ inline constexpr clip_space webgpu_clip_space{.range = depth_range::zero_to_one,
 /// Clip space of Metal, the same as that of WebGPU.
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
-/// Left-handed world with y up, reversed depth and the first texel at the top.
+/// Left-handed world with y up, reversed depth and the first texel at the top. It counts on 4 sub-pixel bits, as Unity
+/// draws with Metal and Vulkan too.
 /// Under OpenGL z/w is in [-1, 1], depth is forward, and the first texel is at the bottom.
 inline constexpr clip_space unity_clip_space{.hand = handedness::left,
                                              .range = depth_range::zero_to_one,
@@ -81,7 +86,7 @@ inline constexpr clip_space unreal_clip_space = unity_clip_space;
 inline constexpr clip_space godot_clip_space{.range = depth_range::zero_to_one, .direction = depth_direction::reversed};
 
 /// Right-handed world with z/w in [0, 1] and the first texel at the bottom. For maps that no API draws, as on the CPU.
-inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one};
+inline constexpr clip_space cpu_clip_space{.range = depth_range::zero_to_one, .subpixel_bits = 8};
 
 /// Name and value of each API's and engine's clip space.
 struct named_clip_space {

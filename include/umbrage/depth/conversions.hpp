@@ -4,7 +4,7 @@
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
 //   radial distance   distance from the light over its range: distance_depth
-//   reversed          1 - depth. Reversed versions keep the digits that 1 - depth would drop
+//   reversed          1 - depth. Reversed versions keep the precision that 1 - depth would lose
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
@@ -116,7 +116,7 @@ template <real T>
 /// Distance along the light's axis from orthographic depth, as of a directional light: z_near .. z_far, not clamped.
 /// @param depth           z/w in [0, 1], 0 at the near plane
 /// @param z_near          near plane, world units, z_near < z_far. Exchange them where depth is reversed
-/// @param z_far           far plane, world units. The exchange keeps all digits
+/// @param z_far           far plane, world units. The exchange keeps all precision
 /// @formula               n + depth (f - n)
 /// @exactness             B, n = 3: sums and a product
 template <real T>

@@ -23,7 +23,7 @@ namespace umbrage {
 
 /// Kind of value that a writer's snippet returns.
 enum class store_format {
-    depth,     ///< float, written to a float target as it is
+    depth,     ///< float, written to a float target or a depth texture as it is
     integers,  ///< integer channels; the target's to_unorm turns them into values to write
     values,    ///< values, written to a UNORM target as they are; its rounding is part of the format
 };

@@ -10,6 +10,8 @@
 #include <string_view>
 
 #include <umbrage/core/list.hpp>
+#include <umbrage/depth/depth16.hpp>
+#include <umbrage/depth/depth24.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
@@ -24,9 +26,9 @@
 namespace umbrage {
 
 /// List of all encodings.
-using encodings =
-    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, rgb10, r16, float_bits,
-            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+using encodings = list_of<depth32f, depth24, depth16, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>,
+                          rgb24, rgb10, r16, float_bits, threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy,
+                          threejs_legacy_repaired, base255, base255_repaired>;
 
 /// Calls use(encoding) once for each encoding of the list, in order.
 template <class Use>

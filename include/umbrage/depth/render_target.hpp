@@ -34,7 +34,7 @@ concept render_target = requires {
     { Target::load(typename Target::texel{}) } -> std::same_as<glm::vec4>;  // as sampled; missing channels are 0
 };
 
-/// Float target, or a float depth buffer.
+/// Float target, or a float depth texture.
 struct float_target {
     using texel = float;
     static constexpr int channels = 1;
@@ -42,6 +42,37 @@ struct float_target {
     static constexpr const glsl::snippet* to_unorm = nullptr;
 
     [[nodiscard]] static glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
+};
+
+/// Depth texture of 16 or 24 bits. The GPU converts depths to them, and back where a shader samples or compares.
+///
+/// A texel of 24 bits has the depth in its low bits, as in Vulkan and Direct3D. Its high bits may hold a stencil.
+/// OpenGL's UNSIGNED_INT_24_8 has the depth in the high bits.
+template <int Bits>
+struct depth_texture {
+    static_assert(Bits == 16 || Bits == 24, "depth textures of integers have 16 or 24 bits");
+    using texel = std::conditional_t<Bits == 16, std::uint16_t, std::uint32_t>;
+    static constexpr int bits = Bits, channels = 1;
+    static constexpr std::string_view format = Bits == 16 ? "DEPTH_COMPONENT16" : "DEPTH_COMPONENT24";
+    static constexpr const glsl::snippet* to_unorm = nullptr;
+    static constexpr std::uint32_t most = (std::uint32_t(1) << Bits) - 1;
+
+    /// Texel of a depth.
+    /// @param depth   in [0, 1]
+    /// @param mode    GPUs round to nearest. Vulkan and OpenGL let them truncate
+    [[nodiscard]] static constexpr texel store(float depth, unorm_store mode = {}) {
+        const double scaled = double(depth) * most;  // a double has the product's 48 bits
+        return static_cast<texel>(mode == unorm_store::rounds ? scaled + 0.5 : scaled);
+    }
+    /// Depth that sampling returns: k / (2^Bits - 1), rounded to a float.
+    [[nodiscard]] static constexpr float depth_of(texel t) { return static_cast<float>((t & most) * (1.0 / most)); }
+    [[nodiscard]] static glm::vec4 load(texel t) { return {depth_of(t), 0, 0, 0}; }
+
+    /// Largest error of a sampled depth: half a step where the texture rounds, a step where it truncates, and the
+    /// rounding to a float.
+    [[nodiscard]] static constexpr double error(unorm_store mode) {
+        return (mode == unorm_store::rounds ? 0.5 : 1.0) / most + 0x1p-25;
+    }
 };
 
 namespace detail {

@@ -14,7 +14,7 @@
 
 namespace umbrage {
 
-/// Visibility that every filter of a given reach returns where depth bounds decide it.
+/// Early exit of a filter: 1 or 0 if the depth bounds already decide the result, otherwise -1.
 /// @param bounds     returns the bounds at a texel: glm::vec2(glm::ivec2). They are the smallest and the largest depth
 ///                   of the texels that the filter may read. The smallest is NaN where one of those texels is NaN
 /// @param coord      receiver in texels of the shadow map, as passed to the filter

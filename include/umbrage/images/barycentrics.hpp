@@ -70,9 +70,9 @@ private:
                      clip_space clip, unsigned triangle)
         : top_(clip.origin == texture_origin::top ? size.y : 0),
           down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
-        const detail::projection project(world_to_clip, clip, size, function);
+        const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
         detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
-        const glm::uvec3& t = mesh.triangles[triangle];
+        const glm::uvec3 t = mesh.triangles[triangle];
         detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
                         "indices of positions", t);
         for (glm::length_t i = 0; i < 3; ++i)

@@ -55,8 +55,8 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }
-    rasterize_depth(depth, {{placed.data(), placed.size()}, {drawn.data(), drawn.size()}}, glm::mat4(1), light.clip,
-                    cull_mode::none, std::forward<ParallelFor>(parallel));
+    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
+                    std::forward<ParallelFor>(parallel));
 }
 
 }  // namespace umbrage

@@ -124,11 +124,12 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
     const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
     const auto& directed = in_direction(filter, direction_of(encoding, filter));
-    for_each_receiver(receivers, out, parallel, [&](glm::vec2 coord, float depth, glm::ivec2 pixel) {
+    const auto alone = [&](glm::vec2 coord, float depth, glm::ivec2 pixel) {
         const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
         const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
         return filtered(directed, decoded(clamped(texels), encoding), glm::vec2(at), depth, pixel);
-    });
+    };
+    parallel(out.size.y, [&](int first, int last) { filter_each(receivers, out, first, last, alone); });
 }
 
 }  // namespace detail

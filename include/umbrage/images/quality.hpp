@@ -53,7 +53,7 @@ template <real T>
 template <real T>
 [[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
     const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares: no difference loses digits
+    // t +- 2 det as sums of squares: no difference loses precision
     return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
 }
 

@@ -44,7 +44,7 @@ namespace umbrage {
 namespace detail {
 
 template <class ParallelFor>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::dmat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
     snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
     if (clip.origin == texture_origin::top && !depth.empty())
@@ -53,6 +53,22 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
         if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
         else snapped.for_each_batch(parallel, depth_target<false>(depth));
     });
+}
+
+/// @param to_clip_of   (model) -> its matrix to clip space, in double
+template <class ToClip, class ParallelFor>
+void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                         const ToClip& to_clip_of, clip_space clip, cull_mode cull, ParallelFor&& parallel,
+                         near_plane at_near) {
+    std::vector<glm::dmat4> to_clip, turned;  // no instance is in both
+    to_clip.reserve(instances.size());
+    for (const glm::mat4& model : instances) {
+        const bool turns = cull != cull_mode::none && is_mirrored(model);
+        (turns ? turned : to_clip).push_back(to_clip_of(model));
+    }
+    rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
+    if (!turned.empty())
+        rasterize_depth(depth, mesh, {turned.data(), turned.size()}, clip, mirrored(cull), parallel, at_near);
 }
 
 }  // namespace detail
@@ -76,21 +92,40 @@ template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
                      near_plane at_near = near_plane::clips) {
+    rasterize_depth(depth, mesh, glm::dmat4(world_to_clip), clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+/// @exactness   coverage and depth B: products in double
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::dmat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
     detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
 }
 
 /// Renders many instances of a mesh, whose vertices are not copied.
 ///
 /// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
-/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order
+/// @param cull        faces of the mesh to leave out, also where an instance mirrors it
+/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order.
+///                    Passes of mirrored instances cull the other faces (is_mirrored)
 /// Other parameters as for the pass of a single mesh.
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
                      const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
                      ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
-    std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
-    for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
-    detail::rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
+    const auto to_clip = [&](const glm::mat4& model) { return glm::dmat4(model_to_clip(world_to_clip, model)); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::dmat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    const auto to_clip = [&](const glm::mat4& model) { return world_to_clip * glm::dmat4(model); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
 }
 
 /// Calls a function for each covered sample between the near and the far plane, triangle by triangle.
@@ -103,7 +138,8 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
+    const glm::dmat4 to_clip(world_to_clip);
+    detail::snapped_mesh snapped(size, mesh, {&to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {

@@ -26,6 +26,12 @@ struct receiver_planes {
     image_view<const float> x, y, depth;
 };
 
+/// Receivers with their planes, as five images of one size.
+struct sloped_receivers {
+    receiver_planes at;                        ///< x and y in texels of the map, depth with a bias for rounding only
+    image_view<const float> slope_x, slope_y;  ///< change of depth per texel: plane_slope
+};
+
 /// Receivers as a camera's depth image.
 struct depth_receivers {
     image_view<const float> depth;  ///< from the camera's depth pass, in [0, 1]
@@ -82,6 +88,12 @@ namespace detail {
     require_size(receivers.x.size, receivers.depth.size, function, "receivers.x.size", "the depths' size");
     require_size(receivers.y.size, receivers.depth.size, function, "receivers.y.size", "the depths' size");
     return receivers.depth.size;
+}
+[[nodiscard]] inline glm::ivec2 size_of(const sloped_receivers& receivers, const char* function) {
+    const glm::ivec2 size = size_of(receivers.at, function);
+    require_size(receivers.slope_x.size, size, function, "receivers.slope_x.size", "that of receivers.at");
+    require_size(receivers.slope_y.size, size, function, "receivers.slope_y.size", "that of receivers.at");
+    return size;
 }
 
 }  // namespace detail

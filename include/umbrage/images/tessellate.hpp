@@ -82,8 +82,9 @@ private:
         return {0, sag > sag_ ? sag : 0};
     }
 
-    /// An edge from its nearer end, and the share of it up to where the angle's bisector meets it. The share is at most
-    /// 1/2, and has digits however far the other end is. Both are the same for both orders of the ends.
+    /// An edge, ordered from near to far, and the fraction of its length at which the bisector of the viewing angle
+    /// cuts it. The fraction is at most 1/2 and stays accurate for a very distant end. Swapping the ends changes
+    /// nothing.
     struct divided_edge {
         glm::dvec3 close, distant;
         double share;

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,14 +50,19 @@ namespace detail {
 template <real T>
 inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
 
-/// Reports a box that is not finite, or whose low is above its high.
-template <real T>
-void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
-    const member_check must{function, argument};
+/// Calls must(met, member, condition, value) for each condition of a box.
+template <real T, class Must>
+void check(const bounding_box<T>& box, Must&& must) {
     must(all_finite(box.low), "low", "finite", box.low);
     must(all_finite(box.high), "high", "finite", box.high);
     must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
          glm::mat<2, 3, T>(box.low, box.high));
+}
+
+/// Reports a box that is not finite, or whose low is above its high.
+template <real T>
+void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
+    check(box, member_check{function, argument});
 }
 
 /// Reports a box that was not given, or that require_box reports.
@@ -116,7 +123,7 @@ template <real T>
 namespace detail {
 
 /// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
-/// keep its digits if the other is far away.
+/// keep its precision if the other is far away.
 [[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
     return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
                                            : p + (q - p) * (at_p / (at_p - at_q));
@@ -217,11 +224,22 @@ template <class Use = detail::on_use>
 
 namespace detail {
 
+/// First unmet condition of the bounds that a hull was made of. The fit that takes the hull reports it.
+struct first_fault {
+    std::string member, condition, got;  ///< empty without a fault
+
+    template <class Value>
+    void operator()(bool met, std::string_view checked, std::string_view wanted, const Value& value) {
+        if (!met && condition.empty()) member = checked, condition = wanted, got = printed(value);
+    }
+};
+
 /// Implementation of hull.
 template <class Use = on_use>
 struct rounded_hull {
     std::vector<glm::dvec3> points;
     double radius = 0.0;  ///< radius of the ball around each point, world units
+    first_fault fault;    ///< of an invalid box or frustum, which gives no points
 
     rounded_hull() = default;
     template <real T>
@@ -231,18 +249,31 @@ struct rounded_hull {
     template <real T>
     rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
     template <real T>
-    rounded_hull(const bounding_box<T>& box) : rounded_hull(corners_for("hull", box)) {}
+    rounded_hull(const bounding_box<T>& box) {
+        add_corners(box);
+    }
     template <real T>
-    rounded_hull(const frustum<T>& f) : rounded_hull(corners_for("hull", f)) {}
+    rounded_hull(const frustum<T>& f) {
+        add_corners(f);
+    }
     rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
     rounded_hull(const convex_body<Use>& p) {
         for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+
+private:
+    void add_corners(const auto& bounds) {
+        check(bounds, fault);
+        if (!fault.condition.empty()) return;
+        const eight_corners c = corners_for("hull", bounds);
+        points.assign(c.begin(), c.end());
     }
 };
 
 }  // namespace detail
 
 /// Convex hull of points with a ball around each: the shape that a directional light is fitted to.
+/// A fit refuses the hull of an invalid box or frustum.
 using hull = detail::rounded_hull<>;
 
 }  // namespace umbrage

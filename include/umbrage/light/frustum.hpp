@@ -59,11 +59,10 @@ struct member_check {
     }
 };
 
-/// Reports an invalid frustum: see its members.
-template <real T>
-void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
-    const member_check must{function, argument};
-    constexpr T widest(0x1p20);  // beyond, the sides' corners are too far away for digits of the scene between them
+/// Calls must(met, member, condition, value) for each condition of a frustum: see its members.
+template <real T, class Must>
+void check(const frustum<T>& f, Must&& must) {
+    constexpr T widest(0x1p20);  // beyond, double is too coarse for a scene between corners so far away
     const auto opens = [](T tangent, T size) {
         return is_finite(tangent) && tangent <= widest && (tangent > T(0) || (tangent == T(0) && size > T(0)));
     };
@@ -81,6 +80,12 @@ void require_frustum(const frustum<T>& f, const char* function, const char* argu
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);
     must(f.direction != glm::vec<3, T>(0), "direction", "of a length above 0", f.direction);
+}
+
+/// Reports an invalid frustum.
+template <real T>
+void require_frustum(const frustum<T>& f, const char* function, const char* argument) {
+    check(f, member_check{function, argument});
 }
 
 template <real T>

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include <glm/geometric.hpp>
@@ -154,6 +155,25 @@ template <real T>
     m[2][3] = forward;
     require(is_finite(m[3][2]), function, planes, "farther apart, or nearer to 0", glm::vec<2, T>(z_near, z_far));
     return m;
+}
+
+/// Refuses a near plane so near that forward depth in float is too coarse at the far plane. There the smallest bias
+/// that covers rounding, 7 units of 2^-24, would span an eighth of z_far or more. Reversed depth keeps its precision.
+template <real T>
+void require_digits(T z_near, T z_far, clip_space clip, const char* function) {
+    const double limit = 56 * 0x1p-24 * double(z_far);
+    if (clip.direction == depth_direction::reversed || !is_finite(z_far) || double(z_near) >= limit) return;
+    refuse(function, "z_near", "at least " + printed(limit) + " (56 2^-24 z_far) with forward depth", z_near,
+           "Take a larger z_near, or reversed depth.");
+}
+
+/// Refuses a spot light's angle that its map cannot hold. Beyond the widest one, texels on the axis are too wide.
+template <real T>
+void require_cone(T outer_angle_radians, const char* function) {
+    constexpr T widest(1.5);
+    require(outer_angle_radians > T(0) && outer_angle_radians <= widest, function, "outer_angle_radians",
+            "above 0 and at most 1.5 (86 degrees)", outer_angle_radians,
+            "Is it in degrees? For a wider light take a point_light.");
 }
 
 /// Body of orthographic. Errors name `function`, and the arguments that give the box and the planes.

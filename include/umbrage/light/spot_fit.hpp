@@ -30,10 +30,10 @@ struct spot_fit {
     glm::vec<3, T> position{T(0)};
     glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint for the map's up axis; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, below pi / 2
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< from axis to edge of the cone, above 0, at most 1.5
     T z_near = T(0.1);                         ///< smallest distance of the near plane, > 0: the light's own size
     std::optional<hull> receivers{};           ///< required: a box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};  ///< if missing: near plane at the receivers, for near_plane::clamps
+    std::optional<bounding_box<T>> casters{};  ///< if missing: the near plane stays at z_near, and no caster is lost
     T margin = T(0.01);         ///< border on every side, as a fraction of the map and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
     clip_space clip{};          ///< required: clip space of your API or engine, see clip_space.hpp
@@ -80,17 +80,17 @@ template <class = on_use>
 /// A sphere counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost
 /// grows with the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
-/// @throws std::invalid_argument  zero or non-finite direction; angle outside (0, pi / 2); receivers missing or not
-///                                finite; an invalid box of casters; clip unset; matrices that would not be finite; a
-///                                light so far from the receivers or the origin that T has no digits for its map
+/// @throws std::invalid_argument  zero or non-finite direction; angle out of range; receivers missing or not finite;
+///                                an invalid box of casters; clip unset; matrices that would not be finite; a light so
+///                                far from the receivers or the origin that T is too coarse for its map; a near plane
+///                                below 56 2^-24 of the far plane's distance with forward depth
 template <real T = float>
 [[nodiscard]] std::optional<light_space<T>> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
     detail::require_given(fit.clip, function);
     const hull& lit = detail::given(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "above 0 and below pi / 2", angle, "Is it in degrees?");
+    detail::require_cone(angle, function);
     detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
                     "above 0, finite and no denormal", fit.z_near);
     detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "from 0 to 1/2", fit.margin);
@@ -110,9 +110,9 @@ template <real T = float>
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
     const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
-    double z_near = low.z;
+    double z_near = closest;
     if (fit.casters)
-        z_near = detail::lesser(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+        z_near = detail::lesser(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
     z_near = detail::greater(z_near * (1.0 - share), closest);
     const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
     const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
@@ -126,6 +126,7 @@ template <real T = float>
                     "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
+    if (fit.has_far_plane) detail::require_digits(z_near, z_far, fit.clip, function);
     for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
     space.projection = glm::mat<4, 4, T>(projection);
     for (glm::length_t i = 0; i < 2; ++i)

@@ -28,6 +28,10 @@ namespace detail {
 template <class Use = on_use>
 [[nodiscard]] const rounded_hull<Use>& given(const std::optional<rounded_hull<Use>>& receivers, const char* function) {
     require(receivers.has_value(), function, "receivers", "given", "none");
+    const first_fault& fault = receivers->fault;
+    if (!fault.condition.empty())
+        refuse(function, "receivers." + fault.member, fault.condition, fault.got.c_str(),
+               fault.condition == "nowhere above high" ? "A mesh without finite positions has such an empty box." : "");
     require(is_finite(receivers->radius) && receivers->radius >= 0.0, function, "receivers",
             "of a finite radius, 0 or more", receivers->radius);
     for (const glm::dvec3& p : receivers->points) require(all_finite(p), function, "receivers", "finite", p);

@@ -148,6 +148,9 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
                              "1 or 2 where texels are gathered", map.channels);
     umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
                              "map.depth", "of value alone where texels are gathered", map.depth);
+    umbrage::detail::require(asked.role != hook::lit_filtered || !map.receiver_plane || !compares(map.texture),
+                             "glsl::bind", "map.receiver_plane", "false where a sampler weights a region's comparisons",
+                             map.receiver_plane);
     for (const snippet* need : chosen(asked, map).needs) check_hooks(what, *need, map);
 }
 
@@ -164,7 +167,8 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     umbrage::detail::require(!one_channel || map.channels == 1, "glsl::bind", "map.channels", "1 for a depth texture",
                              map.channels);
     umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "map.depth",
-                             "empty for a comparison sampler", map.depth);
+                             "empty for a comparison sampler", map.depth,
+                             "It reads a depth texture: depth32f, depth24 or depth16.");
     const auto expression = [](const std::string& own, const char* argument) {
         umbrage::detail::require(own.empty() || is_one_expression(own), "glsl::bind", argument,
                                  "one expression on one line", own);
@@ -183,8 +187,8 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expressions(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
-    umbrage::detail::require(!map.receiver_plane || !(map.gather || compares(map.texture)), "glsl::bind",
-                             "map.receiver_plane", "false where texels are gathered or compared by the sampler",
+    umbrage::detail::require(!map.receiver_plane || (!map.gather && map.compare.empty()), "glsl::bind",
+                             "map.receiver_plane", "false where texels are gathered or have an own comparison",
                              map.receiver_plane);
     check_hooks(what, what, map);
 }
@@ -236,7 +240,9 @@ struct bound {
     template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
         : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)) {
-        if (map.receiver_plane) map.needs.push_back(apply_receiver_plane);
+        if (!map.receiver_plane) return;
+        map.needs.push_back(detail::is_bordered(map) ? bordered_plane_reference : plane_reference);
+        if (!detail::compares(map.texture)) map.needs.push_back(apply_receiver_plane);
     }
 };
 

@@ -8,6 +8,7 @@
 //
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -37,6 +38,18 @@ namespace umbrage::glsl {
 /// alone does not.
 enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
 
+namespace detail {
+
+/// Name of a texture type, for errors.
+[[nodiscard]] inline const char* name_of(texture kind) {
+    constexpr std::array names{"texture_2d", "atlas", "array",       "cube",   "cube_faces",
+                               "integer",    "depth", "depth_array", "shadow", "shadow_array"};
+    const auto number = static_cast<std::size_t>(kind);
+    return number < names.size() ? names[number] : "none of them";
+}
+
+}  // namespace detail
+
 /// Shadow map for shaders: its texels, and how they compare. Texts in it are in the shader's language.
 struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
@@ -49,9 +62,9 @@ struct binding {
     int channels = 1;       ///< number of channels of `value` that `depth` reads
     std::string compare{};  ///< "exp(40.0 * (stored - receiver))", for example: 1.0 is lit. Empty: by
                             ///< direction. With an own comparison no receiver is beyond the far plane
-    bool receiver_plane = false;   ///< moves each depth along the receiver's plane (apply_receiver_plane). Functions
-                                   ///< take two vec2 after the map: the plane's slope and the receiver's coordinate.
-                                   ///< Not with gather or a comparison sampler
+    bool receiver_plane = false;   ///< compares along the receiver's plane (plane_reference). After the map functions
+                                   ///< take the plane's slope, a vec2, and a vec3 of the receiver's coordinate and its
+                                   ///< depth. Not with gather or an own comparison
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,

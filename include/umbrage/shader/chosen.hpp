@@ -50,6 +50,7 @@ template <class = umbrage::detail::on_use>
             return forward ? s : hooks::reversed_compare;
         case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
         case hook::lit:
+            if (b.receiver_plane) return compares(b.texture) ? hooks::planed_compared_lit : hooks::planed_lit;
             if (!compares(b.texture)) return s;
             return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
         case hook::lit_2x2:
@@ -64,6 +65,7 @@ template <class = umbrage::detail::on_use>
             return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
         case hook::lit_at:
             if (!compares(b.texture) || has_region(b)) return s;
+            if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
             return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
         case hook::depth_at:
             if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;

@@ -25,7 +25,7 @@ struct language {
     std::string_view prelude;  ///< first lines of every text
     texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< a snippet's text, with the words that a map fills in
-    std::string_view receiver_plane;             ///< declarations of receiver_slope and receiver_coord
+    std::string_view receiver_plane;             ///< declarations of receiver_slope and receiver_at
     std::string_view may_reorder{};  ///< the language's name if compilers may fuse or reorder sums; else empty
     bool preprocessor = true;        ///< guards parts against being pasted twice
     std::string_view function = "glsl::text";  ///< function that the user called

@@ -71,8 +71,12 @@ template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string not_declared_in(std::string_view text, const std::string& parameters) {
     std::string rest;
     for (const std::string_view parameter : members(parameters)) {
-        const std::string name = ' ' + std::string(declared(parameter).front());
-        const bool chosen = text.find(name + " = ") != text.npos || text.find(name + ": ") != text.npos;
+        const auto declares = [&](std::string_view name) {
+            const std::string apart = ' ' + std::string(name);
+            return text.find(apart + " = ") != text.npos || text.find(apart + ": ") != text.npos;
+        };
+        const std::vector<std::string_view> names = declared(parameter);  // none of a blank one
+        const bool chosen = !names.empty() && declares(names.front());
         if (!chosen) rest.append(rest.empty() ? "" : ",").append(parameter);
     }
     return rest;
@@ -125,7 +129,7 @@ template <class = umbrage::detail::on_use>
     };
     if (map.arguments.empty()) ours(arguments);
     const bool passes_plane = !receiver_plane.empty() || contains(words_of(text), "receiver_slope");
-    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_coord" : "";
+    const std::string plane = map.receiver_plane && passes_plane ? ", receiver_slope, receiver_at" : "";
     const std::string depth = one_of(map.depth, "value.x");
     const auto list = [&](const std::string& all) {
         return replace_words(all,
@@ -160,8 +164,14 @@ template <class = umbrage::detail::on_use>
         if (word == "UMBRAGE_COMPARE") return of_texture(map.compare);
         if (word == "UMBRAGE_DEPTH")
             return of_texture(map.receiver_plane
-                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_coord, texel)"
+                                  ? "umbrage_apply_receiver_plane(" + depth + ", receiver_slope, receiver_at, texel)"
                                   : depth);
+        if (word == "UMBRAGE_REFERENCE")
+            return of_texture(is_bordered(map)
+                                  ? "umbrage_bordered_plane_reference(receiver_slope, receiver_at, texel, inside)"
+                                  : "umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_STORED") return of_texture(depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(ours(words.lit));

@@ -116,7 +116,7 @@ inline constexpr language glsl_language{
     .prelude = prelude,
     .texture = glsl_texture,
     .translate = [](const snippet& s) { return s.source.str(); },
-    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec2 receiver_coord",
+    .receiver_plane = "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec3 receiver_at",
     .may_reorder = "GLSL below 400 and 320 es"};
 
 [[nodiscard]] constexpr bool is_es(version v) {

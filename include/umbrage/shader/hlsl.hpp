@@ -118,7 +118,7 @@ inline constexpr glsl::detail::language language{
         [](const glsl::snippet& s) {
             return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(akin, s.source.str()).print());
         },
-    .receiver_plane = "float2 receiver_slope, float2 receiver_coord",
+    .receiver_plane = "float2 receiver_slope, float3 receiver_at",
     .function = "hlsl::text",
     .declare = glsl::detail::hlsl_interface};
 

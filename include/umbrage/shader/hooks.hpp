@@ -4,13 +4,17 @@
 // of a plain map. The map fills in these words:
 //   UMBRAGE_MAP map   its parameters
 //   UMBRAGE_ORIGIN    its first texel in the texture
-//   UMBRAGE_DEPTH     the depth of a `value`
+//   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
+//   UMBRAGE_STORED    the depth of a `value`
+//   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
+//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
 //   UMBRAGE_BORDER    the depth outside
 //   UMBRAGE_COMPARE   a user's own comparison
 //   UMBRAGE_UV        texture coordinates for `at`
 // and words that read the texture at `at` or `uv`. See also: texel_hooks.hpp.
 #pragma once
 
+#include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/shader/texel_hooks.hpp>
 
 namespace umbrage::glsl::hooks {
@@ -187,6 +191,51 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
+inline constexpr snippet planed_lit_sampled{
+    .name = "lit_sampled", .summary = "lit_sampled, along a plane", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_sampled: 2x2 comparisons of the sampler around a point
+UMBRAGE_HIGHP float umbrage_lit_sampled(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+)GLSL"};
+
+inline constexpr snippet planed_lit_at{.name = "lit_at",
+                                       .summary = "lit_at, along a plane",
+                                       .exactness = tier::c,
+                                       .within = 1.0f / 128.0f,
+                                       .needs = list<&plane_reference, &planed_lit_sampled>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+}
+)GLSL"};
+
+inline constexpr snippet planed_bordered_lit_at{.name = "lit_at",
+                                                .summary = "lit_at, bordered along a plane",
+                                                .exactness = tier::c,
+                                                .within = 1.0f / 128.0f,
+                                                .needs = list<&plane_reference, &planed_lit_sampled>,
+                                                .role = hook::chosen,
+                                                .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet. Lit outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return 1.0 + inside.x * inside.y * (lit - 1.0);
+}
+)GLSL"};
+
 inline constexpr snippet sampled_depth{.name = "depth_at",
                                        .summary = "depth_at, sampled",
                                        .exactness = tier::c,
@@ -205,8 +254,9 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 inline constexpr const auto& all =
     list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
          &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels,
-         &gathered, &gathered_region, &gathered_bordered, &gathered_bordered_region, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &sampled_depth, &sampled_bordered_depth>;
+         &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
+         &gather_compared, &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
+         &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace umbrage::glsl::hooks

@@ -3,7 +3,7 @@
 // Declarations of a shadow in a shader: its uniform block, its map, and a function of world position and normal.
 //
 // A block consists of mat4 and vec4, whose layout is the same in std140, cbuffers, WGSL and Metal. GLSL 100 to 130 has
-// no blocks. There it is an array of vec4, and glUniform4fv takes the same bytes.
+// no blocks. There the uniforms are an array of vec4, and glUniform4fv takes the same bytes.
 #pragma once
 
 #include <cstddef>

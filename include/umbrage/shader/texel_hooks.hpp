@@ -119,13 +119,55 @@ inline constexpr snippet bordered_lit{.name = "lit",
                                       .needs = list<&lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
-// umbrage_lit: visibility of one comparison with a texel, with the far plane when outside the map
+// umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
+}
+)GLSL"};
+
+// Along the receiver's plane the border lies before every stored depth, so that it needs no comparison of its own.
+
+inline constexpr snippet planed_lit{.name = "lit",
+                                    .summary = "lit, along a plane",
+                                    .needs = list<&texel, &compare>,
+                                    .role = hook::chosen,
+                                    .source = R"GLSL(
+// umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
+}
+)GLSL"};
+
+inline constexpr snippet planed_lit_texel{
+    .name = "lit_texel", .summary = "lit_texel, along a plane", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_LIT_TEXEL;
+}
+)GLSL"};
+
+inline constexpr snippet planed_compared_lit{.name = "lit",
+                                             .summary = "lit, compared along a plane",
+                                             .needs = list<&planed_lit_texel>,
+                                             .role = hook::chosen,
+                                             .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 )GLSL"};
 

@@ -13,17 +13,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include <umbrage/bias/slope.hpp>
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
-#include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/page_places.hpp>
 #include <umbrage/shadow/set_up.hpp>
 
 namespace umbrage {
@@ -53,19 +55,21 @@ struct adaptive_maps {
     }
 
     struct uniforms {
-        glm::mat4 to_root;   ///< page_matrix
-        glm::mat4 planes;    ///< plane_matrix in texels of the deepest level
-        glm::mat4 cells[8];  ///< 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1).
-                             ///< Each number holds two cells: first + 1024 second
-        glm::vec4 pages;     ///< x: size of a page, y: width of its gutter, texels
+        glm::mat4 to_root;  ///< page_matrix
+        glm::mat4 planes;   ///< plane_matrix in texels of the deepest level
+        /// 16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1). Each number holds two
+        /// cells: first + 1024 second
+        std::array<glm::mat4, 8> cells;
+        glm::vec4 anchor;  ///< xyz: middle of the root page
+        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
+                           ///< level and of depths by rounding
     };
-    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},     {"cells_1"},
-                                            {"cells_2"}, {"cells_3"}, {"cells_4"},     {"cells_5"},
-                                            {"cells_6"}, {"cells_7"}, {"pages", false}};
+    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},       {"cells_1"},
+                                            {"cells_2"}, {"cells_3"}, {"cells_4"},       {"cells_5"},
+                                            {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}};
     static constexpr map_grid grid{page_tile_columns, 8};
     static constexpr int deepest_level = 4;
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{true, glsl::page_tile.name};
 
     [[nodiscard]] clip_space clip() const { return root.clip; }
     /// Lights by slot, row by row, up to the last slot that holds a page. An empty slot has the root page's light.
@@ -89,9 +93,20 @@ struct adaptive_maps {
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");
         const light_space<double> here = detail::relative_to(origin, root);
-        const glm::dmat4 in_texels = texture_matrix(here, glm::ivec2(size.texels << deepest_level));
-        uniforms u{glm::mat4(page_matrix(here)), glm::mat4(plane_matrix(in_texels)), {}, {}};
-        u.pages = {size.texels, size.gutter, 0, 0};
+        const glm::ivec2 texels(size.texels << deepest_level);
+        const glm::dmat4 in_texels = texture_matrix(here, texels);
+        const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
+        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
+        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
+        uniforms u{glm::mat4(moved(page_matrix(here))),
+                   glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels))),
+                   {},
+                   {},
+                   {}};
+        u.anchor = glm::vec4(anchor, 0.0f);
+        const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
+        u.pages = glm::vec4(glm::dvec4(size.texels, size.gutter, error.z + coordinate * texels.x,
+                                       error.w + 6.0 * detail::one_rounding));
         int codes[side * side]{};
         for (const auto& [page, slot] : pages) {
             const int wide = side >> page.level,
@@ -100,62 +115,16 @@ struct adaptive_maps {
                 std::fill_n(codes + y * side + page.x * wide, wide, code);
         }
         for (glm::length_t i = 0; i < side * side; i += 2)
-            u.cells[i / 32][i / 8 % 4][i / 2 % 4] = static_cast<float>(codes[i] + 1024 * codes[i + 1]);
+            u.cells[static_cast<std::size_t>(i / 32)][i / 8 % 4][i / 2 % 4] =
+                static_cast<float>(codes[i] + 1024 * codes[i + 1]);
         return u;
     }
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const glm::vec3 in_root(shadow_coordinate(u.to_root, world));
-        const auto within = [](float v) { return !is_nan(v) && v >= 1.0f && v < 2.0f; };
-        const bool inside = within(in_root.x) && within(in_root.y);
-        const glm::vec2 coord = inside ? glm::vec2(in_root) : glm::vec2(1);
-        const int i = static_cast<int>(coord.y * 16.0f - 16.0f) * side + static_cast<int>(coord.x * 16.0f - 16.0f);
-        const auto cell = static_cast<glm::length_t>(i);
-        const int two = static_cast<int>(u.cells[cell / 32][cell / 8 % 4][cell / 2 % 4]);
-        const int code = i % 2 == 0 ? two % 1024 : two / 1024;
-        const float across = static_cast<float>(code / 64 + 1);
-        const glm::vec2 place = coord * across;
-        const glm::vec2 at = inside ? (place - glm::floor(place)) * u.pages.x + u.pages.y : glm::vec2(32768);
-        const glm::vec2 slope = receiver_slope(u.planes, normal, world) * (16.0f / across);
-        return look(map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}});
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, terms, world, normal);
     }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        return R"GLSL(
-    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, world);
-    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
-    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
-    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
-    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
-    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
-    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
-    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
-    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
-    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
-    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
-    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
-    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
-    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
-    UMBRAGE_HIGHP float pair = floor(along * 0.5);
-    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
-    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
-    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
-    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
-    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
-    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
-    UMBRAGE_HIGHP float number = code - before * 64.0;
-    UMBRAGE_HIGHP float across = before + 1.0;
-    UMBRAGE_HIGHP vec2 place = coord * across;
-    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
-    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
-    UMBRAGE_HIGHP vec2 steep = umbrage_receiver_slope(planes, normal, world) * (16.0 / across);
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(steep.x), umbrage_clamp_slope(steep.y));
-)GLSL" + choice.first("number") +
-               "    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, in_root.z), slope);\n";
-    }
-    static constexpr const auto& needs = glsl::list<&glsl::shadow_coordinate, &glsl::cascade_column_8,
-                                                    &glsl::receiver_slope, &glsl::clamp_slope, &glsl::page_tile>;
+    static constexpr const glsl::snippet* placing = &glsl::adaptive_maps_places;
 
 private:
     static constexpr int side = 1 << deepest_level;

@@ -65,7 +65,7 @@ template <class SetUp, class Filter, class Encoding>
     else {
         const decoding_error both = encoding.error();
         float tolerance = 0x1p-18f;
-        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>().error)) + 0x1p-19)
+        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>.error)) + 0x1p-19)
             tolerance *= 2.0f;
         return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
     }
@@ -114,11 +114,11 @@ template <class SetUp, class Filter, class Encoding>
     const shadow_terms terms = of.uniforms().terms;
     const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
     const comparison is_lit{of.encoding().direction};
-    const float bias = detail::bias_of<Filter>(terms, glm::vec2(0));
+    const float bias = detail::bias_of<SetUp, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<SetUp::outside>(own, of.filter(), of.encoding(),
-                                            glm::vec3(coord, biased(depth, bias, is_lit)), glm::vec2(0), {}) > 0.5f;
+        return detail::look<SetUp>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
+                                   glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);
@@ -166,7 +166,7 @@ template <class SetUp, class Filter, class Encoding>
                   "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
                   "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
                   "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec2(0.0, 0.0)" +
+                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
                   pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
               {&glsl::cleared_depth}},
              {"reading",

@@ -7,14 +7,69 @@
 //
 #pragma once
 
-#include <umbrage/bias/slope.hpp>
+#include <array>
+#include <vector>
+
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/point_light.hpp>
-#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/single_map.hpp>
 
 namespace umbrage {
+
+/// Place of a point of the world in a cube's six maps.
+/// @param to_texels                             anchored_map from a face's axes to texels of its map; the anchor is the
+///                                              light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place on the face that it lies before, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const int face = cube_face(way);
+    const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
+    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    place.number = face;
+    return {place};
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_maps_places{
+    .name = "cube_maps_places",
+    .summary = "place of a point of the world in a cube's six maps",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&cube_face, &cube_face_point, &anchored_place>,
+    .source = R"GLSL(
+// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                            UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                            UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+                               umbrage_cube_face_point(face, normal));
+    return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* cube_maps_snippets[]{&cube_maps_places};
+
+}  // namespace glsl
 
 /// Setup of a cube's six maps.
 struct cube_maps {
@@ -26,15 +81,10 @@ struct cube_maps {
         static_cast<void>(make_point_light(light));  // checks the light
     }
 
-    struct uniforms {
-        glm::vec4 position;   ///< position of the light; w: 0
-        glm::mat4 to_texels;  ///< matrix from a face's axes (cube_face_point) to texels of its map
-        glm::mat4 planes;     ///< plane_matrix of to_texels
-    };
-    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
+    using uniforms = anchored_map;  ///< from a face's axes (cube_face_point) to texels of its map
+    static constexpr const auto& fields = single_map::fields;
     static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{true, glsl::cube_tile.name};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -53,32 +103,19 @@ struct cube_maps {
         m[0][0] = m[1][1] = inner;
         m[2] = {half, half, depth.x, 1.0};
         m[3][2] = depth.y;
-        return {glm::vec4(light.position - origin, 0.0), glm::mat4(m), glm::mat4(plane_matrix(m))};
+        return detail::anchored_axes(m, map_size, light.position - origin);
     }
 
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        const glm::vec3 way = world - glm::vec3(u.position);
-        const int face = cube_face(way);
-        const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, there));
-        return look(map_place{face, at, receiver_slope(u.planes, across, there)});
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
     }
-    [[nodiscard]] static std::string text(const glsl::map_choice& choice) {
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
-    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
-    UMBRAGE_HIGHP vec3 there = umbrage_cube_face_point(face, way);
-    UMBRAGE_HIGHP vec3 across = umbrage_cube_face_point(face, normal);
-    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
-)GLSL" + choice.first("face") +
-               "    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, across, "
-               "there));\n";
-    }
-    static constexpr const auto& needs = glsl::list<&glsl::cube_face, &glsl::cube_face_point, &glsl::project_coordinate,
-                                                    &glsl::shadow_coordinate, &glsl::receiver_slope, &glsl::cube_tile>;
+    static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
 };
+
+/// A cube's maps are alike.
+template <>
+inline constexpr bool has_like_maps<cube_maps> = true;
 
 /// Setup of a point light.
 template <real T>

@@ -3,26 +3,23 @@
 // Shader functions for a shadow's depth pass: vertices in clip space, and the texels of packed depths or moments.
 //
 //     std::string vertex = source(version::v330, {bind_vertex_pass(lamp, "lamp")});
-//     // gl_Position = umbrage_vertex_lamp(clip_from_world, world)
+//     // gl_Position = umbrage_vertex_lamp(to_clip, world, anchor), with a view of lamp.depth_views()
 //     std::string fragment = source(version::v330, {bind_depth_pass(lamp, "lamp")});
 //     // color = umbrage_write_lamp(gl_FragCoord.z)
 //
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/light/pancake.hpp>
-#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/bind.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 namespace umbrage::glsl {
@@ -77,26 +74,27 @@ template <prefilter Prefilter>
     return {"vertex", std::move(source), std::move(needs)};
 }
 
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
-/// Vertex function of a setup with a vertex_place of its own.
+/// Vertex function of a setup with a vertex_function of its own.
 template <class SetUp>
 [[nodiscard]] own_text vertex_text_of() {
-    return vertex_text(SetUp::vertex.parameters, SetUp::vertex.statements, {SetUp::vertex.needs});
+    std::string parameters, arguments;
+    for (const auto& a : bends_of<SetUp>.vertex->arguments) {
+        const std::string type = a.components == 1 ? "float " : "vec" + std::to_string(a.components) + ' ';
+        parameters.append(", UMBRAGE_HIGHP ").append(type).append(a.name);
+        arguments.append(", ").append(a.name);
+    }
+    const snippet& calls = *bends_of<SetUp>.vertex->calls;
+    return vertex_text(
+        parameters, "    return umbrage_" + std::string(calls.name) + "(to_clip, world" + arguments + ");\n", {&calls});
 }
 
 /// Vertex function of other setups: a product with the light's matrix.
 /// @param pancakes   true for casters clamped to the near plane
 /// @param at_near    depth of the near plane in clip space
 [[nodiscard]] inline own_text vertex_text_of_lights(bool pancakes, std::string_view at_near) {
-    std::string place = "umbrage_shadow_coordinate(to_clip, world)";
+    std::string place = "umbrage_anchored_vertex(to_clip, world, anchor)";
     if (pancakes) place = "umbrage_pancake(" + place + ", " + std::string(at_near) + ")";
-    return vertex_text("", "    return " + place + ";\n", {&shadow_coordinate, &pancake});
+    return vertex_text(", UMBRAGE_HIGHP vec4 anchor", "    return " + place + ";\n", {&anchored_vertex, &pancake});
 }
 
 }  // namespace detail
@@ -122,26 +120,27 @@ template <class SetUp, class Filter, class Encoding>
     return item;
 }
 
-/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world).
+/// Function for the vertices of a depth pass in clip space: umbrage_vertex_<name>(to_clip, world, anchor).
 ///
-/// to_clip is projection * view of one of set_up().lights(). Directional lights, warped ones too, clamp casters to the
-/// near plane (pancaking), for APIs and hardware without depth clamp. Dual paraboloids take (to_clip, world, position,
-/// number): the light's projection, the vertex, the light's position and the number of the half. They need a
-/// tessellated mesh.
+/// to_clip and anchor are those of one of depth_views(). A receiver's bias covers what this function rounds. A matrix
+/// of your own, projection * view in float, loses more: 2^-21 of the light's distance from the origin of positions.
+/// Directional lights, warped ones too, clamp casters to the near plane (pancaking), for APIs and hardware without
+/// depth clamp. Dual paraboloids also take the number of the half, and need a tessellated mesh.
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
-/// @exactness     B, n = 6; dual paraboloids C
+/// @exactness     B, n = 20; dual paraboloids C
 template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (requires { SetUp::vertex; }) item.texts = {detail::vertex_text_of<SetUp>()};
+    if constexpr (has_bent_lines<SetUp>) item.texts = {detail::vertex_text_of<SetUp>()};
     else {
         const light_space<double> light = of.set_up().lights().front();
         const int at_near = static_cast<int>(near_depth(light.clip));
-        item.texts = {detail::vertex_text_of_lights(detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
+        item.texts = {
+            detail::vertex_text_of_lights(umbrage::detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
     }
     return item;
 }

@@ -10,6 +10,10 @@
 // hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
 // map and the sampler.
 //
+// bind(sun, "sun", {.map = texture::shadow, .linear = true}) takes a comparison sampler that filters linearly, and
+// fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
+// and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
+//
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
 // reads its map (calibration.hpp).
@@ -22,9 +26,11 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/interface.hpp>
 #include <umbrage/shadow/calibration.hpp>
+#include <umbrage/shadow/frame.hpp>
 #include <umbrage/shadow/probe.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
@@ -36,37 +42,57 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
+    bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
 namespace detail {
 
-/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding,
-                                                 const map_choice& choice, bool debug) {
-    constexpr bool turns = umbrage::detail::turning<Filter>;
-    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const std::string pixel = turns ? ", UMBRAGE_HIGHP vec2 pixel" : "";
-    std::string fields, arguments;
-    for (const uniform_field& f : SetUp::fields) {
-        fields += std::string("UMBRAGE_HIGHP ") + (f.matrix ? "mat4 " : "vec4 ") + std::string(f.name) + ", ";
-        arguments += std::string(f.name) + ", ";
+/// Refuses depth textures for texels of several channels, and comparison samplers where depths are needed.
+template <class Filter, class Encoding>
+void require_texture(const binding& map, const Filter& filter) {
+    constexpr bool needs_depths = umbrage::detail::contact_hardening<Filter> || prefilter<Filter>;
+    umbrage::detail::require(!needs_depths || !compares(map.texture), "glsl::bind", "of.filter()",
+                             "one that needs no depths, as slots.map is a comparison sampler", filter.name);
+    if constexpr (!prefilter<Filter>) {
+        const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+        umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
+                                 "depth32f, as slots.map is a comparison sampler", Encoding::name);
+        umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",
+                                 "of one channel, as slots.map is a depth texture", Encoding::name);
     }
-    own_text door{"shadow",
-                  "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
-                  "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, " +
-                      fields + terms + "UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal" + pixel + ") {" +
-                      (turns ? umbrage::detail::with_argument(SetUp::text(choice), "pixel") : SetUp::text(choice)) +
-                      "}\n"};
-    door.needs.assign(std::begin(SetUp::needs), std::end(SetUp::needs));
-    std::vector<own_text> all{umbrage::detail::look_text(filter, terms, pixel), std::move(door)};
+}
+
+/// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
+/// @param layers   true for maps in an array, false for an atlas
+/// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
+                                                 bool debug, const linear_form& linear = {}) {
+    const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
+    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<SetUp, Filter>);
+    const auto words = umbrage::detail::frame_words_of<SetUp>(layers, umbrage::detail::turning<Filter>, soft);
+    const umbrage::detail::frame_result visibility{
+        .head =
+            "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
+            "UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, ",
+        .type = "float",
+        .lit = "1.0",
+        .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
+                words.of_pixel + ")",
+        .blend = "umbrage_blend_cascades(sum, next, slope.z)"};
+    std::vector<std::string> statements = words.chooses_map;
+    statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
+    own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
+    door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
+    door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
+    std::vector<own_text> all{umbrage::detail::look_text<SetUp>(filter, terms, words.pixel, linear), std::move(door)};
     if (!debug) return all;
-    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(terms, fields, arguments))
-        all.push_back(std::move(text));
-    const bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
-    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(
-             encoding, terms, turns ? ", vec2(0.5, 0.5)" : "", several ? choice.first("number") : std::string()))
+    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(words)) all.push_back(std::move(text));
+    const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    std::string choice;
+    for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
+    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(encoding, terms, pixel, choice))
         all.push_back(std::move(text));
     return all;
 }
@@ -89,7 +115,7 @@ template <class SetUp, class Filter, class Encoding>
     umbrage::detail::require(several ? layers || kind == texture::atlas : plain, "glsl::bind", "slots.map",
                              several ? "atlas, array, depth_array or shadow_array, as the shadow has several maps"
                                      : "texture_2d, depth or shadow, as the shadow has one map",
-                             static_cast<int>(kind));
+                             detail::name_of(kind));
     umbrage::detail::require(!name.empty(), "glsl::bind", "name", "given", name);
     const auto slot = [](int number, const char* argument) {
         umbrage::detail::require(number >= 0, "glsl::bind", argument, "0 or above", number);
@@ -98,14 +124,23 @@ template <class SetUp, class Filter, class Encoding>
     slot(slots.texture, "slots.texture");
     slot(slots.sampler, "slots.sampler");
     slot(slots.set, "slots.set");
-    binding map = umbrage::detail::binding_of<Filter>(of.encoding());
+    binding map = umbrage::detail::binding_of<SetUp, Filter>(of.encoding());
     map.texture = kind;
+    detail::require_texture<Filter, Encoding>(map, of.filter());
     map.outside = SetUp::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
-    item.texts =
-        detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers ? map_choice{} : SetUp::tiles, slots.debug);
+    linear_form linear;
+    if (slots.linear) {
+        linear = linear_form_of(of.filter());
+        umbrage::detail::require(detail::compares(kind) && map.receiver_plane, "glsl::bind", "slots.linear",
+                                 "false where slots.map is no comparison sampler, and for paraboloids", slots.linear);
+        umbrage::detail::require(linear.what != nullptr, "glsl::bind", "of.filter()",
+                                 "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
+                                 of.filter().name);
+    }
+    item.texts = detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
@@ -129,6 +164,8 @@ template <class SetUp, class Filter, class Encoding>
              .arguments = {{"number", 1}}});
     }
     for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
+    for (int i = 0; i < umbrage::detail::softness_matrices<SetUp, Filter>; ++i)
+        declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);
     return item;

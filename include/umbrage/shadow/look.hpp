@@ -2,9 +2,9 @@
 //
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
-// Percentage-closer filters (PCF) take the smallest bias for their reach. Contact hardening (PCSS, DPCF) compares along
-// the receiver's plane, as its radius differs from receiver to receiver. Prefiltered maps (VSM, ESM, EVSM, MSM) have
-// texels of their own.
+// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with a bias of
+// half a texel of its slope. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered
+// maps (VSM, ESM, EVSM, MSM), which have texels of their own.
 #pragma once
 
 #include <concepts>
@@ -24,6 +24,7 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/pcf/linear_form.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shader/bind.hpp>
@@ -119,11 +120,11 @@ consteval bool shadow_takes() {
     return true;
 }
 
-/// Component of filter_terms behind a filter's numbers. That of a disc's filter is its farthest point, for the bias.
+/// Component of filter_terms behind a filter's numbers. A disc stores its farthest point there, for the bias.
 template <class Filter>
 inline constexpr glm::length_t component_for_disc = width_of_numbers<Filter>;
 
-/// Numbers of a filter, as the uniform block holds them.
+/// Filter parameters as stored in the uniform block.
 /// @param more   texels that the rasterizer and rounding add to a reach
 template <class Filter>
 [[nodiscard]] constexpr glm::vec4 terms_of(const Filter& filter, float more) {
@@ -132,19 +133,45 @@ template <class Filter>
     return all;
 }
 
-/// Bias of a receiver, in depth.
+/// True where a shadow compares along the receiver's plane.
+template <class SetUp, class Filter>
+inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<SetUp>;
+
+/// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
+/// map's texels miss of a concave edge.
+inline constexpr float plane_slack = 0.5f;
+
+/// Bias of a receiver for a filter's whole reach, in depth.
 template <class Filter>
-[[nodiscard]] float bias_of(const shadow_terms& terms, glm::vec2 slope) {
-    if constexpr (contact_hardening<Filter>) return acne_free_bias(slope, 0.5f, terms.error);
-    else if constexpr (disc_filter<Filter>)
-        return acne_free_disc_bias(slope, terms.filter_terms[component_for_disc<Filter>], terms.error);
-    else return acne_free_bias(slope, terms.reach, terms.error);
+[[nodiscard]] float kernel_bias_of(const shadow_terms& terms, const map_place& place) {
+    const float error = terms.error + place.rounding;
+    if constexpr (disc_filter<Filter>)
+        return acne_free_disc_bias(place.slope, terms.filter_terms[component_for_disc<Filter>], error);
+    else return acne_free_bias(place.slope, terms.reach, error);
+}
+
+/// Bias of a receiver, in depth.
+template <class SetUp, class Filter>
+[[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
+    if constexpr (along_plane<SetUp, Filter>)
+        return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
+    else return kernel_bias_of<Filter>(terms, place);
+}
+
+/// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
+/// bias brings it back.
+template <class SetUp, class Filter>
+[[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
+    const comparison is_lit{direction};
+    const float z = place.at.z;
+    const bool beyond = is_lit.beyond_far_plane(z);
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<SetUp, Filter>(terms, place), is_lit)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
 /// @param own        this map alone
 /// @param receiver   x and y in texels of the map, z depth with the bias already applied
-template <outside_map Outside, class Filter, class Encoding>
+template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
     const glm::vec2 coord(receiver);
@@ -152,12 +179,12 @@ template <outside_map Outside, class Filter, class Encoding>
         if constexpr (prefilter<Filter>) {
             const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
             return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
-        } else if constexpr (contact_hardening<Filter>) {
-            const auto along = apply_receiver_plane(decoded(map, encoding), slope, coord, encoding.direction);
+        } else if constexpr (along_plane<SetUp, Filter>) {
+            const auto along = apply_receiver_plane(decoded(map, encoding), slope, receiver, encoding.direction);
             return filtered(filter, along, coord, receiver.z, pixel);
         } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
     };
-    if constexpr (Outside == outside_map::clamped) return on(clamped(own));
+    if constexpr (SetUp::outside == outside_map::clamped) return on(clamped(own));
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
@@ -190,55 +217,54 @@ template <class Filter>
 }
 
 /// Snippet that computes bias_of.
-template <class Filter>
+template <class SetUp, class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    return disc_filter<Filter> && !along_plane<SetUp, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// GLSL version of bias_of: a statement that uses `slope` and `terms`.
-template <class Filter>
-[[nodiscard]] std::string bias_text() {
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
+/// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
+template <class SetUp, class Filter>
+[[nodiscard]] std::string bias_text(bool linear = false) {
     std::string reach = "terms.z";
-    if constexpr (contact_hardening<Filter>) reach = "0.5";
+    if constexpr (along_plane<SetUp, Filter>) reach = linear ? "1.0" : "0.5";
     else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return std::string("    UMBRAGE_HIGHP float bias = umbrage_") + std::string(bias_snippet<Filter>().name) +
-           "(slope, " + reach + ", terms.w);\n";
+    return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
+           "    UMBRAGE_HIGHP float bias = umbrage_" +
+           std::string(bias_snippet<SetUp, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
 /// @param terms          declaration of shadow_terms
 /// @param pixel          declaration of a pixel, for filters with a rotated disc
-template <class Filter>
-[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel) {
+/// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
+template <class SetUp, class Filter>
+[[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
+                                       const glsl::linear_form& linear = {}) {
+    const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
     std::string text =
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
-    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 slope").append(pixel).append(") {\n");
-    if (contact_hardening<Filter>)
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
+    text.append(bias_text<SetUp, Filter>(linear.what != nullptr));
+    text.append(
+        "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
+    if (along_plane<SetUp, Filter>)
         text +=
-            "    UMBRAGE_HIGHP vec2 receiver_slope = slope;\n"
-            "    UMBRAGE_HIGHP vec2 receiver_coord = vec2(at.x, at.y);\n";
-    text.append(bias_text<Filter>());
-    text.append("    UMBRAGE_HIGHP float receiver = umbrage_biased(at.z, bias);\n    return umbrage_");
-    text.append(filter.snippet->name).append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver");
+            "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
+            "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
+    text.append("    return umbrage_").append(called.name);
+    text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
     text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{"look", std::move(text), {&bias_snippet<Filter>(), &glsl::biased, filter.snippet}};
+    glsl::own_text look{
+        "look", std::move(text), {&bias_snippet<SetUp, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
 }
 
-/// Text of a setup with one more argument in each call of umbrage_look.
-[[nodiscard]] inline std::string with_argument(std::string text, std::string_view argument) {
-    for (auto i = text.find("umbrage_look("); i != text.npos; i = text.find("umbrage_look(", i)) {
-        i = text.find(";\n", i) - 1;
-        text.insert(i, std::string(", ").append(argument));
-    }
-    return text;
-}
-
 /// Binding of a filter's map in a shader.
-template <class Filter, class Encoding>
+template <class SetUp, class Filter, class Encoding>
 [[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
-    glsl::binding map{.direction = encoding.direction, .receiver_plane = contact_hardening<Filter>};
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<SetUp, Filter>};
     if constexpr (prefilter<Filter>) return map;
     else return glsl::stored_as(encoding, std::move(map));
 }

@@ -4,11 +4,12 @@
 // Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <span>
-#include <string>
-#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -25,53 +26,26 @@ namespace umbrage {
 
 /// Last members of every shadow's uniform block.
 struct shadow_terms {
-    glm::vec2 map_size{1};      ///< size of one map, texels
-    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
-    float error = 0;            ///< largest error of a stored depth and a receiver's together, in depth
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius)
+    glm::vec2 map_size{1};  ///< size of one map, texels
+    float reach = 0;        ///< reach of the filter, as its bias counts it, texels
+    float error = 0;        ///< largest error of a stored depth, less the 2^-23 that acne_free_bias adds: rounding is
+                            ///< map_place's
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
 
-/// Place of a receiver in a light's maps.
+/// Place of a receiver in one of a light's maps.
 struct map_place {
-    int number = 0;      ///< number of the map, from 0
-    glm::vec3 at{0};     ///< x and y in texels, z depth
-    glm::vec2 slope{0};  ///< change of depth per texel of the receiver's plane
+    int number = 0;       ///< number of the map, from 0
+    glm::vec3 at{0};      ///< x and y in texels, z depth
+    glm::vec2 slope{0};   ///< change of depth per texel of the receiver's plane
+    float weight = 1.0f;  ///< share in the blend with the places before it, 0 to 1; the first place has 1
+    float rounding = 0;   ///< largest error of `at` and of the casters' depth there by rounding, in depth
 };
 
-namespace glsl {
-
-/// Choice of one of several maps in a shader's text: a layer of an array, or a tile of an atlas.
-struct map_choice {
-    bool atlas = false;
-    std::string_view tile{};                 ///< name of the snippet tile(number, tile_size): a tile's first texel
-    std::string_view tile_size = "terms.x";  ///< size of a tile, texels, in GLSL
-
-    /// Statement of a setup's text that chooses a map by its number. `first` declares a variable, `again` assigns it.
-    [[nodiscard]] std::string first(std::string_view number) const {
-        return std::string("    UMBRAGE_HIGHP ").append(atlas ? "vec2 " : "float ").append(again(number).substr(4));
-    }
-    [[nodiscard]] std::string again(std::string_view number) const {
-        if (!atlas) return std::string("    layer = ").append(number).append(";\n");
-        return std::string("    origin = umbrage_")
-            .append(tile)
-            .append("(")
-            .append(number)
-            .append(", ")
-            .append(tile_size)
-            .append(");\n");
-    }
-};
-
-/// Body of the depth pass' vertex function, for setups that do more than multiply by a matrix. Its GLSL statements use
-/// `to_clip`, `world` and the parameters.
-struct vertex_place {
-    std::string_view parameters, statements;
-    const glsl::snippet* needs;
-};
-
-}  // namespace glsl
+/// Position outside all maps, in texels and depth. Every filter takes it as lit.
+inline const glm::vec3 outside_all_maps{-65536.0f, -65536.0f, 0.0f};
 
 /// Maps of one size, row by row.
 struct map_grid {
@@ -81,34 +55,52 @@ struct map_grid {
 /// Setup of a light's maps.
 ///
 /// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
-/// alike. `visibility` and `text` are the C++ and the GLSL version of one function. C++ calls look(place) where GLSL
-/// calls umbrage_look(map, terms, filter_terms, at, slope), in the map that `choice` chose.
+/// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
+/// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
+/// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
+/// anything.
 ///
-/// Three kinds of setup have more members. A setup with its own depth pass has draw(depths, mesh, parallel). A setup
-/// that bends straight lines has `bends`, a bent_lines, and `vertex`, a vertex_place. A setup whose maps continue
-/// beyond their border by a number of texels has require_reach(reach), which refuses filters that read farther.
+/// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
+/// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
+/// filters that read farther. A setup that bends straight lines specializes bends_of.
 template <class SetUp>
 concept shadow_set_up = std::copyable<SetUp> &&
-    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v,
-             float (*look)(const map_place&), const glsl::map_choice& choice) {
+    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
     { s.clip() } -> std::same_as<clip_space>;
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
     { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
     { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
-    { SetUp::tiles } -> std::convertible_to<glsl::map_choice>;         // tiles of an atlas; empty for one map
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
     {std::span<const uniform_field>(SetUp::fields)};
-    { SetUp::visibility(u, terms, v, v, look) } -> std::same_as<float>;
-    { SetUp::text(choice) } -> std::same_as<std::string>;
-    {std::span<const glsl::snippet* const>(SetUp::needs)};
+    {std::span<const map_place>(SetUp::places(u, terms, v, v))};  // an array of one or two
+    { SetUp::placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
-/// Errors of maps that bend straight lines and planes. Contact hardening compares along planes, so a shadow with such
-/// maps does not take it.
-struct bent_lines {
-    float reach = 0;  ///< largest error of a position, texels
-    float error = 0;  ///< largest error of a depth
+/// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
+/// (mat4 to_clip, vec3 world, arguments...) that returns a position in clip space.
+struct vertex_function {
+    const glsl::snippet* calls;
+    std::array<glsl::interface_function::argument, 2> arguments;
 };
+
+/// Maps that bend straight lines and planes: their errors, and how they draw vertices. Contact hardening compares along
+/// planes, so a shadow with such maps does not take it.
+struct bent_lines {
+    float reach = 0;                          ///< largest error of a position, texels
+    float error = 0;                          ///< largest error of a depth
+    const vertex_function* vertex = nullptr;  ///< nullptr where lines stay straight
+};
+/// Bent lines of a setup's maps: none, unless the setup's header specializes this.
+template <class SetUp>
+inline constexpr bent_lines bends_of{};
+/// True for a setup whose maps bend straight lines.
+template <class SetUp>
+inline constexpr bool has_bent_lines = bends_of<SetUp>.reach > 0.0f;
+
+/// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
+/// softness for each map.
+template <class SetUp>
+inline constexpr bool has_like_maps = SetUp::grid.columns* SetUp::grid.rows == 1;
 
 /// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
@@ -118,18 +110,17 @@ struct set_up_for {
 
 namespace detail {
 
+/// Number of places that a receiver has at most.
+template <class SetUp>
+inline constexpr int most_places = std::tuple_size_v<decltype(SetUp::places(
+    std::declval<const typename SetUp::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+
 /// True when a setup's `uniforms` have the size of its `fields`.
 template <class SetUp>
 consteval bool has_fields() {
     std::size_t vectors = 0;
     for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
     return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
-}
-
-template <class SetUp>
-[[nodiscard]] constexpr bent_lines bends_of() {
-    if constexpr (requires { SetUp::bends; }) return SetUp::bends;
-    else return {};
 }
 
 /// First texel of a map in the image of all maps.

@@ -6,17 +6,19 @@
 //     const umbrage::shadow sun(light, {1024, 1024}, umbrage::filters::tent<3>);
 //     umbrage::image<float> map(sun.size(), sun.cleared());  // on the CPU; a GPU has its own texture
 //     sun.draw(map, {positions, triangles});
+//     sun.draw(map, tree, model_matrices);                   // a forest
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: texture_matrix, shadow_coordinate, project_coordinate, receiver_slope, acne_free_bias,
-// biased, and the filter on bordered(map).
+// These functions are its steps: make_anchored_map, anchored_place, acne_free_bias, biased, and the filter on
+// apply_receiver_plane of bordered(map).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -31,27 +33,19 @@
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/rasterize.hpp>
-#include <umbrage/images/visibility.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/clamped_casters.hpp>
+#include <umbrage/shadow/frame.hpp>
 #include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/place_images.hpp>
 #include <umbrage/shadow/set_up.hpp>
 #include <umbrage/shadow/single_map.hpp>
+#include <umbrage/shadow/softness.hpp>
+#include <umbrage/shadow/uniform_block.hpp>
 
 namespace umbrage {
-
-/// Origin of a frame in the world. A shader gets positions relative to it.
-struct frame_origin {
-    glm::dvec3 origin{0};
-};
-
-/// Uniform block of a shadow's shader: copy its bytes into the buffer.
-template <shadow_set_up SetUp>
-struct shadow_uniforms {
-    typename SetUp::uniforms maps;
-    shadow_terms terms;
-};
 
 namespace detail {
 
@@ -59,6 +53,8 @@ namespace detail {
 template <class Filter>
 void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& filter) {
     require_given(clip, "shadow", "light.clip");
+    require(clip.subpixel_bits >= 3 && clip.subpixel_bits <= 16, "shadow", "light.clip.subpixel_bits", "from 3 to 16",
+            clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
@@ -76,11 +72,14 @@ void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
     if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
 }
 
-/// Refuses uniforms that are infinite or NaN in float.
-inline void require_finite_uniforms(std::span<const float> uniforms) {
-    for (const float number : uniforms)
-        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
-                number, "Tiny near planes and huge coordinates overflow.");
+/// Views of a setup's depth passes.
+template <shadow_set_up SetUp>
+[[nodiscard]] std::vector<depth_view> depth_views_of(const SetUp& set_up, glm::dvec3 origin) {
+    std::vector<depth_view> all;
+    for (const light_space<double>& light : set_up.lights())
+        if constexpr (has_bent_lines<SetUp>) all.push_back(make_bent_view(light, origin));
+        else all.push_back(make_depth_view(light, origin));
+    return all;
 }
 
 /// Gives an encoding the light's direction. An edge at its default changes with it; any other edge stays.
@@ -88,17 +87,6 @@ void set_direction(auto& encoding, depth_direction direction) {
     if constexpr (requires { encoding.edge; })
         if (encoding.edge == safe_edge(encoding.direction)) encoding.edge = safe_edge(direction);
     encoding.direction = direction;
-}
-
-/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
-template <class Filter>
-[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
-                                             depth_direction direction, bent_lines bends) {
-    const float size = static_cast<float>(greater(map_size.x, map_size.y));
-    const float more = rasterizer_snap<float> + 0x1p-24f * size + bends.reach;  // 2^-24 size: a coordinate's rounding
-    const double error = direction == depth_direction::forward ? off.below : off.above;
-    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + 0x1p-22f + bends.error,
-            terms_of(filter, more)};
 }
 
 }  // namespace detail
@@ -111,34 +99,47 @@ template <class Filter>
 template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
     static_assert(detail::shadow_takes<Filter, Encoding>());
+    static constexpr bool hardens = detail::contact_hardening<Filter>;
 
 public:
     using texel = typename Encoding::texel;
-    using uniforms_type = shadow_uniforms<SetUp>;
-    static_assert(!detail::contact_hardening<Filter> || detail::bends_of<SetUp>().reach == 0.0f,
+    using uniforms_type = shadow_uniforms<SetUp, detail::softness_matrices<SetUp, Filter>>;
+    static_assert(!hardens || !has_bent_lines<SetUp>,
                   "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
     static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
     /// @param map_size   size of one map, texels, each >= 1
-    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth
+    /// @param filter     one of filters:: or prefilters::. It gets the light's direction of depth. Contact hardening
+    ///                   wants the size of the light: make_penumbra_params(light_size)
     /// @param encoding   encoding of depths in the map. It gets the light's direction. A prefilter's map holds moments
+    /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
+    ///                   units. Take one near the camera where the world is a thousand times larger than what the
+    ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
     ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
-    ///                                filter's number out of range
+    ///                                filter's number out of range. A light so far from the origin that floats have no
+    ///                                digits left; uniforms that would be infinite or NaN in float
     template <class Light>
-    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {})
-        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding) {
+    shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
+           glm::dvec3 origin = glm::dvec3(0))
+        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
         detail::set_direction(encoding_, set_up_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
-        detail::require_shadow(set_up_.clip(), map_size, filter_);
+        if constexpr (hardens) detail::require_light_size(filter_);
+        detail::require_shadow(set_up_.clip(), map_size, filter_of(0));
         detail::require_maps(set_up_, map_size, detail::reach_of(filter_));
-        uniforms_ = uniforms();
+        uniforms_ = detail::make_shadow_uniforms(set_up_, map_size_, filter_, encoding_.error(), origin_);
     }
 
     [[nodiscard]] const SetUp& set_up() const { return set_up_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
+    /// @param number   number of the map, from 0
+    [[nodiscard]] Filter filter_of(int number) const {
+        return detail::filter_of_map<SetUp>(filter_, uniforms_, number);
+    }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Size of the image or texture that holds all maps, texels.
@@ -151,22 +152,53 @@ public:
         else return encoding_.cleared();
     }
 
-    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays.
+    /// Draws a mesh into the depths of all maps, each with its own view. The depth nearest to the light stays. Parallel
+    /// rays keep casters before the near plane, as the vertex function does.
     /// @param depths   image of size(), cleared to cleared_depth of the light's clip space, or from an earlier draw
     /// @param mesh     casters, world units
     /// @param parallel cuts the rows into pieces, see parallel.hpp
-    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses
+    /// @throws std::invalid_argument  depths of another size; arguments that rasterize_depth refuses; under contact
+    ///                                hardening and parallel rays, casters before the near plane
     template <class ParallelFor = serial>
-    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const {
+    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel = {}) const
+        requires(!std::is_convertible_v<ParallelFor, std::span<const glm::mat4>>) {
+        const glm::mat4 in_place(1);
+        draw(depths, mesh, std::span(&in_place, 1), parallel);
+    }
+
+    /// Draws many instances of a mesh. Faces on both sides cast shadows, so mirrored instances need no care.
+    /// @param mesh        casters, in the units and axes that the instances place in the world
+    /// @param instances   model to world, one matrix each; one that is not finite draws nothing
+    /// Other parameters as for a single mesh.
+    template <class ParallelFor = serial>
+    void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances,
+              ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        if constexpr (requires { set_up_.draw(depths, mesh, parallel); }) set_up_.draw(depths, mesh, parallel);
+        if constexpr (requires { set_up_.draw(depths, mesh, instances, origin_, parallel); })
+            set_up_.draw(depths, mesh, instances, origin_, parallel);
         else {
-            const auto lights = set_up_.lights();
-            for (std::size_t i = 0; i < lights.size(); ++i)
-                rasterize_depth(depths.region(detail::first_texel(int(i), SetUp::grid, map_size_), map_size_), mesh,
-                                glm::mat4(lights[i].projection * lights[i].view), lights[i].clip, cull_mode::none,
-                                parallel);
+            int number = 0;
+            for (const light_space<double>& of_world : set_up_.lights()) {
+                const auto own = depths.region(detail::first_texel(number++, SetUp::grid, map_size_), map_size_);
+                const light_space<double> light = detail::relative_to(origin_, of_world);
+                const bool clamps = detail::has_parallel_rays(light);
+                rasterize_depth(own, mesh, instances, light.projection * light.view, light.clip, cull_mode::none,
+                                parallel, clamps ? near_plane::clamps : near_plane::clips);
+                if constexpr (hardens)
+                    detail::require(!clamps || !detail::has_clamped_casters(mesh, instances, light), "shadow::draw",
+                                    "mesh", "behind the light's near plane, as contact hardening needs its distance",
+                                    "casters before it", "Give the fit its casters.");
+            }
         }
+    }
+
+    /// Views of the depth pass on a GPU, one a map: what the vertex function of bind_vertex_pass takes.
+    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(set_up_, origin_); }
+
+    /// The same shadow for another origin of positions.
+    /// @throws std::invalid_argument  as the constructor
+    [[nodiscard]] shadow relative_to(glm::dvec3 origin) const {
+        return shadow(set_up_, map_size_, filter_, encoding_, origin);
     }
 
     /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
@@ -181,8 +213,9 @@ public:
     /// Visibility of a receiver.
     /// @param map      image of size(), texels of the encoding, drawn for this light
     /// @param world    world position of the receiver
-    /// @param normal   surface normal, any length, for the smallest bias on its plane. Zero: a slope of 0, for maps
-    ///                 whose depth pass was biased (make_polygon_offset)
+    /// @param normal   surface normal, any length, for the plane along which texels are compared. That of the triangle:
+    ///                 an interpolated one shadows smooth surfaces. Zero: a slope of 0, for maps whose depth pass was
+    ///                 biased (make_polygon_offset)
     /// @param pixel    pixel that decides the rotation of discs and contact hardening
     /// @return         visibility in [0, 1]: 0 in shadow, 1 lit
     /// @edge           outside all maps, behind the light, beyond the far plane, or a NaN position: 1
@@ -191,9 +224,9 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
+        return detail::blended(SetUp::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
             const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-            return detail::look<SetUp::outside>(own, filter_, encoding_, receiver(place), place.slope, pixel);
+            return detail::look<SetUp>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
         });
     }
 
@@ -209,53 +242,57 @@ public:
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const;
 
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
-    /// (peter-panning). A caster nearer to the light, if as steep as the surface, darkens the point fully.
-    /// light_units_at converts it to world units.
+    /// (peter-panning). A caster farther above the point, if it is parallel to the surface or faces the light, darkens
+    /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
+    /// of slope to the bias.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
+    ///           takes the place of |slope|
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
-        static_cast<void>(
-            SetUp::visibility(uniforms_.maps, uniforms_.terms, world, normal, [&](const map_place& place) {
-                shadow_terms terms = uniforms_.terms;
-                terms.error += detail::bias_of<Filter>(terms, place.slope);
-                distance = detail::greater(distance, detail::bias_of<Filter>(terms, place.slope));
-                return 0.0f;
-            }));
+        const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
+        const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;
+        for (const map_place& place : SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)) {
+            shadow_terms terms = uniforms_.terms;
+            terms.error += detail::bias_of<SetUp, Filter>(terms, place) + static_cast<float>(farther);
+            if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
+        }
         return distance;
     }
 
-    /// Uniform block for the shader of in_shader.hpp.
-    /// @param frame   origin of the shader's positions. Far from the world's origin pass the camera's position, and
-    ///                make the light in double
-    /// @throws std::invalid_argument  uniforms that would be infinite or NaN in float
-    [[nodiscard]] uniforms_type uniforms(frame_origin frame = {}) const {
-        const uniforms_type all{set_up_.make_uniforms(map_size_, frame.origin),
-                                detail::make_shadow_terms(map_size_, filter_, encoding_.error(), encoding_.direction,
-                                                          detail::bends_of<SetUp>())};
-        std::array<float, sizeof all / sizeof(float)> numbers;
-        std::memcpy(numbers.data(), &all, sizeof all);
-        detail::require_finite_uniforms(numbers);
-        return all;
+    /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
+    /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
+    /// @return   narrowest and widest, world units. Outside all maps: 0
+    /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
+    [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
+                                            glm::vec3 normal) const requires detail::contact_hardening<Filter> {
+        const map_place place = SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
+        const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
+        if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
+        const light_space<double> light = set_up_.lights()[static_cast<std::size_t>(place.number)];
+        const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
+        return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
 
+    /// Uniform block for the shader of in_shader.hpp.
+    [[nodiscard]] const uniforms_type& uniforms() const { return uniforms_; }
+
 private:
-    /// Coordinate of a place, in texels, and its depth with the bias applied.
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        const comparison is_lit{encoding_.direction};
-        const float bias = detail::bias_of<Filter>(uniforms_.terms, place.slope);
-        return {place.at.x, place.at.y, biased(place.at.z, bias, is_lit)};
+        return detail::receiver_of<SetUp, Filter>(uniforms_.terms, place, encoding_.direction);
     }
 
     SetUp set_up_;
     glm::ivec2 map_size_;
     Filter filter_;
     Encoding encoding_;
+    glm::dvec3 origin_;
     uniforms_type uniforms_{};
 };
 
 template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
-shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {})
+shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {}, glm::dvec3 = glm::dvec3(0))
     -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
 
 template <shadow_set_up SetUp, class Filter, class Encoding>
@@ -267,35 +304,14 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
-    if constexpr (requires { SetUp::place(uniforms_.maps, glm::vec3(), glm::vec3()); }) {
-        // One lookup per receiver: finds all places first, then filters them by the filter's fast form.
-        const auto for_each_place = [&](const auto& use) {
-            parallel(out.size.y, [&](int first, int last) {
-                for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-                    for (p.x = 0; p.x < out.size.x; ++p.x) use(p, SetUp::place(uniforms_.maps, points[p], normals[p]));
-            });
-        };
-        if constexpr (detail::contact_hardening<Filter>) {
-            image<float> x(points.size), y(points.size), depth(points.size), slope_x(points.size), slope_y(points.size);
-            for_each_place([&](glm::ivec2 p, const map_place& place) {
-                const glm::vec3 r = receiver(place);
-                x[p] = r.x, y[p] = r.y, depth[p] = r.z, slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
-            });
-            umbrage::visibility(map, encoding_, sloped_receivers{{x, y, depth}, slope_x, slope_y}, filter_, out,
-                                parallel, SetUp::outside);
-        } else {
-            image<glm::vec3> receivers(points.size);
-            for_each_place([&](glm::ivec2 p, const map_place& place) { receivers[p] = receiver(place); });
-            if constexpr (prefilter<Filter>)
-                umbrage::visibility(map, filter_, receivers, out, parallel, SetUp::outside);
-            else umbrage::visibility(map, encoding_, receivers, filter_, out, parallel, SetUp::outside);
-        }
-    } else {
-        parallel(out.size.y, [&](int first, int last) {
-            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-                for (p.x = 0; p.x < out.size.x; ++p.x) out[p] = (*this)(map, points[p], normals[p], p);
-        });
-    }
+    const auto places = [&](glm::ivec2 p) {
+        auto all = SetUp::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
+        for (map_place& place : all)
+            if (place.weight > 0.0f) place.at.z = receiver(place).z;
+        return all;
+    };
+    const auto filter_of_map = [&](int number) { return filter_of(number); };
+    detail::visibility_of_places<SetUp>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
 }
 
 }  // namespace umbrage

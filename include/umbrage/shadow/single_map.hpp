@@ -6,11 +6,54 @@
 //
 #pragma once
 
-#include <umbrage/bias/slope.hpp>
-#include <umbrage/light/texture_matrix.hpp>
+#include <array>
+#include <vector>
+
+#include <umbrage/core/config.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/set_up.hpp>
 
 namespace umbrage {
+
+/// Place of a point of the world in a light's one map.
+/// @param to_texels                             make_anchored_map of the light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    return {anchored_place(to_texels, planes, anchor, rounding, world - glm::vec3(anchor), normal)};
+}
+
+namespace glsl {
+
+inline constexpr snippet single_map_places{
+    .name = "single_map_places",
+    .summary = "place of a point of the world in a light's one map",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&anchored_place>,
+    .source = R"GLSL(
+// umbrage_single_map_places: place of a point of the world in a light's one map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* single_map_snippets[]{&single_map_places};
+
+}  // namespace glsl
 
 /// Setup of one map.
 struct single_map {
@@ -19,39 +62,22 @@ struct single_map {
     template <real T>
     explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
 
-    struct uniforms {
-        glm::mat4 to_texels;  ///< texture_matrix
-        glm::mat4 planes;     ///< plane_matrix of to_texels
-    };
-    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}};
+    using uniforms = anchored_map;
+    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
-    static constexpr glsl::map_choice tiles{};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        const glm::dmat4 to_texels = texture_matrix(detail::relative_to(origin, light), map_size);
-        return {glm::mat4(to_texels), glm::mat4(plane_matrix(to_texels))};
+        return make_anchored_map(light, map_size, origin);
     }
 
-    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 at = project_coordinate(shadow_coordinate(u.to_texels, world));
-        return {0, at, receiver_slope(u.planes, normal, world)};
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
     }
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        return look(place(u, world, normal));
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice&) {
-        return R"GLSL(
-    UMBRAGE_HIGHP vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, world));
-    return umbrage_look(map, terms, filter_terms, at, umbrage_receiver_slope(planes, normal, world));
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
+    static constexpr const glsl::snippet* placing = &glsl::single_map_places;
 };
 
 /// Setup of a light with one map.

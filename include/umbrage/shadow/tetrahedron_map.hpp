@@ -10,19 +10,75 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <string>
+#include <span>
 #include <vector>
 
-#include <umbrage/bias/slope.hpp>
 #include <umbrage/core/check.hpp>
+#include <umbrage/core/config.hpp>
 #include <umbrage/images/tetrahedron_pass.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
-#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/set_up.hpp>
 
 namespace umbrage {
+
+/// Place of a point of the world in a tetrahedron's map.
+/// @param to_texels                             anchored_map from a face's axes to texels of face 0, relative to the
+///                                              map's center; the anchor is the light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param center                                x: half the map's size, texels
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place. S of each, and half the map's size
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> tetrahedron_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec3 way = world - glm::vec3(anchor);
+    const int face = tetrahedron_face(way);
+    const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
+    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    place.at = glm::vec3(tetrahedron_turned(face, glm::vec2(place.at)) + center.x, place.at.z);
+    place.slope = tetrahedron_turned(face, place.slope);
+    return {place};
+}
+
+namespace glsl {
+
+inline constexpr snippet tetrahedron_map_places{
+    .name = "tetrahedron_map_places",
+    .summary = "place of a point of the world in a tetrahedron's map",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&tetrahedron_face, &tetrahedron_face_point, &tetrahedron_turned, &anchored_place>,
+    .source = R"GLSL(
+// umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                         to the center; the anchor is the light
+//   center                                half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                                  UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+                               umbrage_tetrahedron_face_point(face, normal));
+    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
+    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
+    return mat4(vec4(at, place[0].z, 0.0), vec4(slope, place[1].z, place[1].w), place[2], place[3]);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places};
+
+}  // namespace glsl
 
 /// Setup of a tetrahedron's four views.
 struct tetrahedron_map {
@@ -34,16 +90,14 @@ struct tetrahedron_map {
         static_cast<void>(make_tetrahedron_light(light));  // checks the light
     }
 
-    struct uniforms {
-        glm::vec4 position;   ///< position of the light; w: half the map's size, texels
-        glm::mat4 to_texels;  ///< matrix from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
-                              ///< relative to the map's center
-        glm::mat4 planes;     ///< plane_matrix of to_texels
+    struct uniforms : anchored_map {  ///< from a face's axes (tetrahedron_face_point) to texels of face 0's triangle,
+                                      ///< relative to the map's center
+        glm::vec4 center;             ///< x: half the map's size, texels
     };
-    static constexpr uniform_field fields[]{{"position", false}, {"to_texels"}, {"planes"}};
+    static constexpr uniform_field fields[]{
+        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"center", false}};
     static constexpr map_grid grid{};
     static constexpr outside_map outside = outside_map::clamped;
-    static constexpr glsl::map_choice tiles{};
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -51,12 +105,11 @@ struct tetrahedron_map {
         return {faces.begin(), faces.end()};
     }
     template <class ParallelFor>
-    void draw(image_view<float> depths, const mesh_view& mesh, ParallelFor&& parallel) const {
-        std::array<light_space<float>, 4> faces;
-        const auto all = lights();
-        for (std::size_t i = 0; i < 4; ++i)
-            faces[i] = {glm::mat4(all[i].view), glm::mat4(all[i].projection), all[i].clip};
-        rasterize_tetrahedron(depths, mesh, faces, cull_mode::none, parallel);
+    void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances, glm::dvec3 origin,
+              ParallelFor&& parallel) const {
+        auto here = light;
+        here.position -= origin;
+        rasterize_tetrahedron(depths, mesh, instances, make_tetrahedron_light(here), cull_mode::none, parallel);
     }
     /// @throws std::invalid_argument  map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
@@ -74,37 +127,14 @@ struct tetrahedron_map {
         m[1] = {0.0, base * up, depth.x * up, up};
         m[2] = {0.0, side + base * away, depth.x * away, away};
         m[3][2] = depth.y;
-        return {glm::vec4(glm::dvec4(light.position - origin, half)), glm::mat4(m), glm::mat4(plane_matrix(m))};
+        return {detail::anchored_axes(m, map_size, light.position - origin), glm::vec4(half, 0, 0, 0)};
     }
 
-    [[nodiscard]] static map_place place(const uniforms& u, glm::vec3 world, glm::vec3 normal) {
-        const glm::vec3 way = world - glm::vec3(u.position);
-        const int face = tetrahedron_face(way);
-        const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
-        const glm::vec3 on_first = project_coordinate(shadow_coordinate(u.to_texels, there));
-        const glm::vec2 at = tetrahedron_turned(face, glm::vec2(on_first)) + u.position.w;
-        return {0, glm::vec3(at, on_first.z), tetrahedron_turned(face, receiver_slope(u.planes, across, there))};
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.center, terms, world, normal);
     }
-    template <class Look>
-    [[nodiscard]] static float visibility(const uniforms& u, const shadow_terms&, glm::vec3 world, glm::vec3 normal,
-                                          const Look& look) {
-        return look(place(u, world, normal));
-    }
-    [[nodiscard]] static std::string text(const glsl::map_choice&) {
-        return R"GLSL(
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
-    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
-    UMBRAGE_HIGHP vec3 there = umbrage_tetrahedron_face_point(face, way);
-    UMBRAGE_HIGHP vec3 across = umbrage_tetrahedron_face_point(face, normal);
-    UMBRAGE_HIGHP vec3 on_first = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels, there));
-    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(on_first.x, on_first.y)) + position.w;
-    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, umbrage_receiver_slope(planes, across, there));
-    return umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, on_first.z), slope);
-)GLSL";
-    }
-    static constexpr const auto& needs =
-        glsl::list<&glsl::tetrahedron_face, &glsl::tetrahedron_face_point, &glsl::tetrahedron_turned,
-                   &glsl::project_coordinate, &glsl::shadow_coordinate, &glsl::receiver_slope>;
+    static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
 };
 
 /// Setup of a light with the map of a tetrahedron.

@@ -52,17 +52,20 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
-/// Mask of depths that apply_receiver_plane takes for the far plane: closer to it than 2^-64.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t cleared_mask(float depth, float cleared) {
-    const std::int32_t apart = detail::bit_cast<std::int32_t>(depth - cleared) & 0x7FFFFFFF;
-    return -std::int32_t(apart < detail::bit_cast<std::int32_t>(0x1p-64f));
-}
-
 /// less_equal as 0 or 1. NaN gives 0 under any compiler flag.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
         return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
     else return std::int32_t(receiver <= stored);
+}
+
+/// apply_receiver_plane of one texel.
+/// @param plane   depth of the plane at the texel
+template <bool Forward>
+[[nodiscard]] UMBRAGE_INLINE inline float lit_on_plane(float receiver, float plane, float stored) {
+    const float reference = (Forward ? plane < receiver : plane > receiver) ? plane : receiver;
+    const std::int32_t lit = Forward ? is_lit(reference, stored) : is_lit(stored, reference);
+    return select(-lit, Forward ? 1.0f : 0.0f, stored);
 }
 
 /// floor(v), for |v| < 2^31.

@@ -107,16 +107,19 @@ UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask,
     v = reinterpret_cast<lanes_of<float, Count>>(mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(v));
 }
 
-template <int Count>
-UMBRAGE_INLINE inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
-                                         lanes_of<float, Count>& texels) {
+template <int Count, bool Forward>
+UMBRAGE_INLINE inline void compare_on_plane(float slope, float first, float x, float beside, float receiver,
+                                            lanes_of<float, Count>& texels) {
     using bits = lanes_of<std::int32_t, Count>;
     lanes_of<float, Count> column;
     count_lanes<float, Count>(column);
-    const lanes_of<float, Count> along = slope * (column + first + 0.5f - x);
-    const lanes_of<float, Count> before = texels - cleared, at = texels - (along + beside);
-    const bits is_cleared = (reinterpret_cast<bits>(before) & 0x7FFFFFFF) < detail::bit_cast<std::int32_t>(0x1p-64f);
-    texels = is_cleared ? texels : at;
+    const lanes_of<float, Count> zero{}, all = zero + receiver;
+    const lanes_of<float, Count> plane = (all + slope * (column + first - x)) + beside;
+    bits lit;
+    if constexpr (Forward) lit = (plane < all ? plane : all) <= texels;
+    else lit = (plane > all ? plane : all) >= texels;
+    if constexpr (finite_math_only) lit &= (reinterpret_cast<bits>(texels) & 0x7FFFFFFF) <= 0x7F800000;
+    texels = lit ? zero + (Forward ? 1.0f : 0.0f) : texels;
 }
 
 template <int Count>

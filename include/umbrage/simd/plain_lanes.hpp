@@ -97,14 +97,15 @@ inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes
 
 /// apply_receiver_plane of a row of texels from column `first` on.
 /// @param slope      slope of the receiver, along the row
-/// @param x          position of the receiver, along the row
+/// @param x          position of the receiver less half a texel, along the row
 /// @param beside     depth that the row's distance from the receiver adds to the plane
-template <int Count>
-inline void move_to_plane(float slope, float first, float x, float beside, float cleared,
-                          plain_lanes<float, Count>& texels) {
+/// @param receiver   depth of the receiver; not NaN
+template <int Count, bool Forward>
+inline void compare_on_plane(float slope, float first, float x, float beside, float receiver,
+                             plain_lanes<float, Count>& texels) {
     for (int i = 0; i < Count; ++i) {
-        const float along = slope * (static_cast<float>(i) + first + 0.5f - x);
-        texels[i] = select(cleared_mask(texels[i], cleared), texels[i], texels[i] - (along + beside));
+        const float plane = (receiver + slope * (static_cast<float>(i) + first - x)) + beside;
+        texels[i] = lit_on_plane<Forward>(receiver, plane, texels[i]);
     }
 }
 

@@ -37,11 +37,12 @@ template <real T>
 /// @param bias        bias of the receiver, in depth
 /// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
 /// @param direction   depth direction of the map
-/// @return            RGB in [0, 1]. Squares of one texel in the map's own color, of which there are eight.
+/// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
+///                    next seven, again gray in map 8.
 ///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
 ///                    Cyan: beyond the far plane. Blue: in front of the near plane.
 ///                    Red: bias at its limit of 1, which removes all shadows
-/// @formula           bits of number + 1 choose 0.875 or 0.375 for red, green and blue; every other square by 0.75
+/// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
 /// @exactness         A
 template <real T>
 [[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
@@ -56,7 +57,7 @@ template <real T>
     if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
     const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
     const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
-    const auto level = [&](T bit) { return (is_odd(std::floor((number + T(1)) * bit)) ? T(0.875) : T(0.375)) * shade; };
+    const auto level = [&](T bit) { return (is_odd(std::floor(number * bit)) ? T(0.875) : T(0.375)) * shade; };
     return {level(T(1)), level(T(0.5)), level(T(0.25))};
 }
 
@@ -98,7 +99,7 @@ inline constexpr snippet probe_color{
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
@@ -111,7 +112,7 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
     UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
-    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
     color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);

@@ -8,12 +8,8 @@
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   depth      depth of a texel's value, in place of .x: for packed depths
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   compare    one comparison, in place of receiver <= stored
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside, compare,
+//   direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

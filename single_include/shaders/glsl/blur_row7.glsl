@@ -6,8 +6,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+// Other maps: bind() of the library or of its npm package prints this text, by texture.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

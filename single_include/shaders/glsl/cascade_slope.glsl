@@ -25,7 +25,7 @@
 #define UMBRAGE_HAS_CLAMP_SLOPE
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 #endif
 
@@ -35,9 +35,9 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
     return none ? vec2(0.0, 0.0) : slope;
 }

@@ -22,6 +22,6 @@
 // umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
-    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+    return bias < 1.0 ? (bias >= least ? bias : 0.0) : 1.0;
 }
 #endif

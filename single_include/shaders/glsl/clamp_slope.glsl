@@ -21,6 +21,6 @@
 #define UMBRAGE_HAS_CLAMP_SLOPE
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 #endif

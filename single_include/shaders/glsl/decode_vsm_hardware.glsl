@@ -3,8 +3,7 @@
 // decode_vsm_hardware, tier C: within 1/1024 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

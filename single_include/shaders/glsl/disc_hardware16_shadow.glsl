@@ -6,10 +6,7 @@
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   linearly.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by texture, outside, direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by texture, direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

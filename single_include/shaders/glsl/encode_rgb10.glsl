@@ -3,8 +3,7 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb10: RGB10_A2 UNORM, not sRGB, no blending, one sample. Clear to (1023, 1023, 960) / 1023, with
 //   reversed depth to (0, 0, 0) / 1023. Write umbrage_to_unorm10 of umbrage_encode_rgb10.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -5,8 +5,7 @@
 // Render target of threejs_legacy_repaired: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 255, 255,
 //   255) / 255, with reversed depth to (0, 0, 0, 0) / 255. Write umbrage_to_unorm of
 //   umbrage_encode_threejs_legacy_repaired.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

@@ -7,8 +7,7 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of vsm: RG32F, not sRGB, no blending, one sample. Clear to umbrage_encode_vsm of the far plane's
 //   depth.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

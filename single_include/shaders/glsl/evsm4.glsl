@@ -8,10 +8,7 @@
 // Map: `sampler2D map`, texels of the kind that the function's comment names, read unfiltered.
 // Render target of evsm4: RGBA32F, not sRGB, no blending, one sample. Clear to umbrage_encode_evsm4 of the far
 //   plane's depth.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by texture, outside, direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES

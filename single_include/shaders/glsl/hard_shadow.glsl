@@ -4,10 +4,7 @@
 // Map: `sampler2DShadow map`, a depth texture. Its sampler passes receiver <= depth, clamps to the edge and filters
 //   nearest.
 // Render target of the map: depth attachment, one sample. Clear to 1.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by texture, outside, direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -70,7 +67,7 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 
 #ifndef UMBRAGE_HAS_LIT_SHADOW
 #define UMBRAGE_HAS_LIT_SHADOW
-// umbrage_lit_shadow: visibility of one comparison with a texel, with the far plane when outside the map
+// umbrage_lit_shadow: compares the receiver with one texel. Outside the map it compares with the far plane
 UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                        UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);

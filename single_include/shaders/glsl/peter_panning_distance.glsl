@@ -27,13 +27,13 @@
 // umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
-    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+    return bias < 1.0 ? (bias >= least ? bias : 0.0) : 1.0;
 }
 #endif
 
 #ifndef UMBRAGE_HAS_ACNE_FREE_BIAS
 #define UMBRAGE_HAS_ACNE_FREE_BIAS
-// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+// umbrage_acne_free_bias: bias in depth without shadow acne, 0.0 to 1.0
 //   slope  change of depth per texel, in x and y
 //   reach  filter radius, in texels
 //   error  largest error of a decoded depth towards the light

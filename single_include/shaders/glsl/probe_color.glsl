@@ -1,8 +1,7 @@
 // umbrage 0.1.0, probe_color: debug color of a lookup: its texels, or why it fails. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
 
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -40,7 +39,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
@@ -53,7 +52,7 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
     UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
-    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
     color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);

@@ -25,7 +25,7 @@
 #define UMBRAGE_HAS_CLAMP_SLOPE
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 #endif
 
@@ -37,9 +37,9 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 //   world         point on the plane
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
-                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 #endif
@@ -50,7 +50,7 @@ UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     return none ? vec2(0.0, 0.0) : slope;
 }
 #endif

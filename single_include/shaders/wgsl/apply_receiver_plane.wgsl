@@ -1,22 +1,41 @@
-// umbrage 0.1.0, apply_receiver_plane: stored depth moved along the receiver's plane to it. Exactness: tier B.
+// umbrage 0.1.0, apply_receiver_plane: stored depth, or the far plane's if lit along the receiver's plane. Exactness:
+//   tier B.
 // WGSL lets compilers fuse or reorder sums.
 // apply_receiver_plane, tier B: within 8 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: cleared_depth.wgsl; or paste wgsl_joined/apply_receiver_plane.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by compare, direction.
 
-// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+fn umbrage_plane_reference(slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
+    let way: vec2f = texel - (vec2f(at.x, at.y) - 0.5);
+    let plane: f32 = (at.z + slope.x * way.x) + slope.y * way.y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
+    return select(at.z, plane, nearer);
+}
+
+// umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
 //   stored  depth of the texel
 //   slope   slope of the receiver's plane, per texel
-//   coord   receiver position, in texels
+//   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
-fn umbrage_apply_receiver_plane(stored: f32, slope: vec2f, coord: vec2f, texel: vec2f) -> f32 {
-    let way: vec2f = texel + 0.5 - coord;
-    let depth: f32 = stored - (slope.x * way.x + slope.y * way.y);
-    let cleared: bool = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
-    return select(depth, stored, cleared);
+fn umbrage_apply_receiver_plane(stored: f32, slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
+    let lit: f32 = umbrage_compare(umbrage_plane_reference(slope, at, texel), stored);
+    return select(stored, umbrage_cleared_depth(), lit > 0.5);
 }

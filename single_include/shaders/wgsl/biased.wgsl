@@ -5,9 +5,12 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: cleared_depth.wgsl; or paste wgsl_joined/biased.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
 
 // umbrage_biased: receiver moved towards the light by bias, in depth; no move for NaN, or magnitudes of 2^64 or more
 fn umbrage_biased(receiver: f32, bias: f32) -> f32 {

@@ -2,12 +2,42 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   compare    one comparison, in place of receiver <= stored
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
-//   fetch_clamped.wgsl; or paste wgsl_joined/bounds_lit.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, compare, direction.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
 
 // umbrage_bounds_lit: early exit of a filter. Returns 1.0 where all texels are lit, 0.0 where none is
 // Returns -1.0 where the bounds do not decide it: call the filter there

@@ -4,14 +4,51 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   depth      depth of a texel's value, in place of .x: for packed depths
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   compare    one comparison, in place of receiver <= stored
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, compare.wgsl, texel.wgsl,
-//   fetch_depth.wgsl, lit.wgsl; or paste wgsl_joined/box_count.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside, compare,
+//   direction.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
+}
+
+// umbrage_lit: visibility from one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
 
 // umbrage_box_count: number of lit texels in the (2r+1) x (2r+1) box around the receiver's texel, an integer
 //   map, size   shadow map and its size in texels

@@ -2,9 +2,31 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-// Paste along: texel.wgsl, correct_quotient.wgsl, floor_divide.wgsl; or paste wgsl_joined/box_moments.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture.
+
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
+    let more: f32 = q + 1.0;
+    let known: f32 = select(q, more, more * b <= a);
+    return select(known, q - 1.0, q * b > a);
+}
+
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
+    return umbrage_correct_quotient(floor(a / b), a, b);
+}
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
 
 // umbrage_box_moments: (mean, rest, high, low) of the quantized depths in a box of n texels, integers
 //   The sum of the depths is n mean + rest. The sum of their squared distances from mean is 4096 high + low

@@ -5,7 +5,11 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_border_fade.wgsl alone.
+
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
+fn umbrage_cascade_weight(v: f32) -> f32 {
+    return select(0.0, min(floor(v * 256.0), 256.0) * (1.0 / 256.0), v > 0.0);
+}
 
 // umbrage_cascade_border_fade: weight of the next cascade, 1.0 up to reach texels from the border of a map
 //   coordinate  position in the map, in texels

@@ -5,7 +5,22 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl; or paste wgsl_joined/cascade_by_projection.wgsl alone.
+
+// umbrage_cascade_coordinate: position in a cascade's map, texels and depth, of a point rotated into the light's axes
+fn umbrage_cascade_coordinate(light: vec3f, scale: vec4f, offset: vec4f) -> vec3f {
+    let start: vec3f = vec3f(offset.x, offset.y, offset.z);
+    let at: vec3f = light * vec3f(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+
+// umbrage_inside_cascade: true if a filter of radius reach at a coordinate stays inside a map of size texels
+fn umbrage_inside_cascade(coordinate: vec3f, size: vec2f, reach: f32) -> bool {
+    let end: vec2f = size - reach;
+    // y is doubled because Mesa turns two comparisons with one limit into min(x, y) >= reach, which loses a NaN
+    let in_x: bool = coordinate.x >= reach && coordinate.x <= end.x;
+    let in_y: bool = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
 
 // umbrage_cascade_by_projection: (texels, texels, depth, index) in the first of four cascades that contains a point
 //   and its filter; if there is none, index 4.0 and a coordinate that every filter takes as lit

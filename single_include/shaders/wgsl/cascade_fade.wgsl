@@ -5,7 +5,11 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: cascade_weight.wgsl; or paste wgsl_joined/cascade_fade.wgsl alone.
+
+// umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
+fn umbrage_cascade_weight(v: f32) -> f32 {
+    return select(0.0, min(floor(v * 256.0), 256.0) * (1.0 / 256.0), v > 0.0);
+}
 
 // umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis: depth * scale + offset
 fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {

@@ -4,6 +4,5 @@
 
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 fn umbrage_cascade_weight(v: f32) -> f32 {
-    let steps: f32 = select(select(0.0, 256.0, v >= 1.0), floor(v * 256.0), v > 0.0 && v < 1.0);
-    return steps * (1.0 / 256.0);
+    return select(0.0, min(floor(v * 256.0), 256.0) * (1.0 / 256.0), v > 0.0);
 }

@@ -4,5 +4,5 @@
 
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
+    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
 }

@@ -5,7 +5,14 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: cube_point.wgsl; or paste wgsl_joined/cube_direction.wgsl alone.
+
+// umbrage_cube_point: point from (sc, tc, distance along the axis) in a face, 0.0 to 5.0
+fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
+    let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
+    let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
+    let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
 
 // umbrage_cube_direction: direction from a cube's center to a point of a face, 0.0 to 5.0; st is in [0.0, 1.0]
 fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {

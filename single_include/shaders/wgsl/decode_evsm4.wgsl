@@ -5,10 +5,62 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl,
-//   exp2_polynomial.wgsl, exponential_warp.wgsl; or paste wgsl_joined/decode_evsm4.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_chebyshev: upper bound on the fraction of depths at the receiver's depth or farther. 0.0 for NaN
+//   m              mean of the depths, mean of their squares
+//   receiver       receiver depth, on the same scale
+//   min_variance   0.0 or more
+fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let difference: f32 = m.y - m.x * m.x;
+    let variance: f32 = select(min_variance, difference, difference > min_variance);
+    let distance: f32 = receiver - m.x;
+    let sum: f32 = variance + distance * distance;
+    let p: f32 = variance / sum;
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
+}
+
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
+
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
+//   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+
+// umbrage_exponential_warp: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_exponential_warp(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
 
 // umbrage_decode_evsm4: visibility of a receiver from a mean of texels, at least its lit fraction. 1.0 = lit
 //   m            mean of texels

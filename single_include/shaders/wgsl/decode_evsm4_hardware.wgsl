@@ -3,10 +3,27 @@
 // decode_evsm4_hardware, tier C: within 1/64 of C++.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl; or paste
-//   wgsl_joined/decode_evsm4_hardware.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_chebyshev_hardware: upper bound on visibility with light bleeding reduced
+//   variance   above 0.0
+//   distance   from the mean to the receiver, no NaN
+//   amount     visibility that becomes 0.0, 0.0 to 0.5
+fn umbrage_chebyshev_hardware(variance: f32, distance: f32, amount: f32) -> f32 {
+    let beyond: f32 = max(distance, 0.0);
+    let p: f32 = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
 
 // umbrage_decode_evsm4_hardware: visibility of a receiver with light bleeding reduced. 1.0 = lit
 //   m            mean of texels

@@ -3,10 +3,48 @@
 // decode_msm, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl; or paste
-//   wgsl_joined/decode_msm.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
+    let x: f32 = b.x - b.x * bias.x;
+    let y: f32 = b.y + (bias.y - b.y) * bias.x;
+    let z: f32 = b.z - b.z * bias.x;
+    let w: f32 = b.w + (bias.y - b.w) * bias.x;
+    return vec4f(x, y, z, w);
+}
+
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
+fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
+    let d: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let l: f32 = third / d;
+    let e: f32 = (b.w - b.y * b.y) - third * l;
+    let h: f32 = b.x * 2.0 - l;
+    let a: f32 = d * ((x + h) * x - d);
+    let m: f32 = x * e + h * a;
+    let c: f32 = d * (e - a);
+    let square: f32 = m * m - 4.0 * a * c;
+    let root: f32 = sqrt(select(0.0, square, square > 0.0));
+    let w: f32 = select(-(m + root), root - m, m < 0.0) * 0.5;
+    let t: vec2f = vec2f(w / a, c / w);
+    let q: vec2f = (t + h) * t - d;
+    let least: f32 = d * e;
+    let sum: vec2f = least + (t * t * e + q * q * d);
+    return vec4f(t.x, t.y, least / sum.x, least / sum.y);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
 
 // umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
 //   b: mean of texels. receiver: depth in [0, 1], bias applied

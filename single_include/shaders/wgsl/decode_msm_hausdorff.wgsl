@@ -3,10 +3,90 @@
 // decode_msm_hausdorff, tier C: within 1/64 of C++ as written. Reordered: no bound, but a visibility is in [0, 1].
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: bias_moments.wgsl, cleared_depth.wgsl, to_forward_depth.wgsl, moment_atoms.wgsl, decode_msm.wgsl,
-//   hausdorff_share.wgsl; or paste wgsl_joined/decode_msm_hausdorff.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
+    let x: f32 = b.x - b.x * bias.x;
+    let y: f32 = b.y + (bias.y - b.y) * bias.x;
+    let z: f32 = b.z - b.z * bias.x;
+    let w: f32 = b.w + (bias.y - b.w) * bias.x;
+    return vec4f(x, y, z, w);
+}
+
+// umbrage_moment_atoms: the two depths that have the same moments with the receiver's, minus b.x, and their shares
+//   b   moments, biased
+//   x   the receiver's depth on -1.0 to 1.0 minus b.x
+fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
+    let d: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let l: f32 = third / d;
+    let e: f32 = (b.w - b.y * b.y) - third * l;
+    let h: f32 = b.x * 2.0 - l;
+    let a: f32 = d * ((x + h) * x - d);
+    let m: f32 = x * e + h * a;
+    let c: f32 = d * (e - a);
+    let square: f32 = m * m - 4.0 * a * c;
+    let root: f32 = sqrt(select(0.0, square, square > 0.0));
+    let w: f32 = select(-(m + root), root - m, m < 0.0) * 0.5;
+    let t: vec2f = vec2f(w / a, c / w);
+    let q: vec2f = (t + h) * t - d;
+    let least: f32 = d * e;
+    let sum: vec2f = least + (t * t * e + q * q * d);
+    return vec4f(t.x, t.y, least / sum.x, least / sum.y);
+}
+
+// umbrage_hausdorff_share: smallest fraction of depths nearer than the receiver, from four moments of depths on [-1, 1]
+// Returns a negative number where umbrage_moment_atoms gives the fraction
+//   b   moments, biased
+//   z   the receiver's depth on -1.0 to 1.0
+fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
+    let variance: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let fourth: f32 = b.w - b.y * b.y;
+    let rest: f32 = 1.0 - b.y;
+    let x: f32 = z - b.x;
+    let d: f32 = third + rest * x;
+    let g: f32 = (fourth - variance * rest) - (z + b.x) * third;
+    let p: f32 = d * (1.0 + b.x) + g;
+    let q: f32 = d * (1.0 - b.x) - g;
+    let k: f32 = rest * g + third * d;
+    let first: f32 = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    let last: f32 = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    let square: f32 = d * d;
+    let between: f32 = p * (q * (x * d - g));
+    let end: f32 = first / (2.0 * ((1.0 + z) * p));
+    let other: f32 = square * square / between;
+    let share: f32 = end + select(0.0, other, d > 0.0);
+    let four: bool = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return select(select(-1.0, select(1.0, share, share < 1.0), four), 0.0, z <= -1.0);
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_to_forward_depth: depth that grows with distance, 1.0 - depth where the map's depth is reversed
+fn umbrage_to_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+
+// umbrage_decode_msm: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
+//   b: mean of texels. receiver: depth in [0, 1], bias applied
+//   bias: (3e-6, 0.375) for 32-bit floats, (6e-5, 0.628) for 16-bit channels
+fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
+    let d: f32 = umbrage_to_forward_depth(receiver);
+    let m: vec4f = umbrage_bias_moments(b, bias);
+    let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
+    let atoms: vec4f = umbrage_moment_atoms(m, x);
+    let first: f32 = select(0.0, atoms.z, atoms.x < x);
+    let second: f32 = select(0.0, atoms.w, atoms.y < x);
+    var lit: f32 = 1.0 - (first + second);
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // false for NaN
+    lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
 
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit fraction minus bias.x. 1.0 = lit
 //   b          mean of texels

@@ -3,7 +3,20 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rg9: RG8 UNORM, not sRGB, no blending, one sample. Clear to (255, 128) / 255, with reversed depth
 //   to (0, 0) / 255. Write umbrage_to_unorm of umbrage_encode_rg9.
-// Paste along: from_unorm.wgsl; or paste wgsl_joined/decode_rg9.wgsl alone.
+
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
+fn umbrage_from_unorm(c: f32) -> f32 {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 255.0 + 0.5);
+}
 
 // umbrage_decode_rg9: depth from the two channels of a 9-bit code, as sampled
 //   edge   0.0, 0.5 or 1.0: lower edge, center or upper edge of the quantization step

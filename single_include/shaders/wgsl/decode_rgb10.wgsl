@@ -3,7 +3,20 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of rgb10: RGB10_A2 UNORM, not sRGB, no blending, one sample. Clear to (1023, 1023, 960) / 1023, with
 //   reversed depth to (0, 0, 0) / 1023. Write umbrage_to_unorm10 of umbrage_encode_rgb10.
-// Paste along: from_unorm10.wgsl; or paste wgsl_joined/decode_rgb10.wgsl alone.
+
+// umbrage_from_unorm10: channel 0..1023 of a value from a 10-bit texture, even if the division by 1023 is inexact
+fn umbrage_from_unorm10(c: f32) -> f32 {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 1023.0 + 0.5);
+}
+fn umbrage_from_unorm10_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 1023.0 + 0.5);
+}
 
 // umbrage_decode_rgb10: depth from three 10-bit channels, as sampled
 //   edge   0.0 or 1.0: lower or upper edge of the quantization step

@@ -8,11 +8,23 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   depth      depth of a texel's value, in place of .x: for packed depths
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-// Paste along: texel.wgsl, fetch_depth.wgsl; or paste wgsl_joined/depth_at.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside.
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
+}
 
 // umbrage_depth_at: stored depth of the texel at a point; on a border it may be the neighbor's
 //   uv  point on the map, (0.0, 0.0) to (1.0, 1.0), no NaN

@@ -1,7 +1,12 @@
 // umbrage 0.1.0, disc_rotation: rotation of a disc for a pixel, one of 16. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: inside_texel_space.wgsl; or paste wgsl_joined/disc_rotation.wgsl alone.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
 
 // umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels

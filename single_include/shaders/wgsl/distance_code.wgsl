@@ -1,9 +1,12 @@
 // umbrage 0.1.0, distance_code: distance of a depth from the near plane, 16 bits. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: cleared_depth.wgsl; or paste wgsl_joined/distance_code.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
 
 // umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
 // Returns 0.0 at the near plane, also where depth is reversed

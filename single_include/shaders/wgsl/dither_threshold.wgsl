@@ -1,7 +1,12 @@
 // umbrage 0.1.0, dither_threshold: one of 16 dither thresholds for a pixel. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: inside_texel_space.wgsl; or paste wgsl_joined/dither_threshold.wgsl alone.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
 
 // umbrage_dither_threshold: dither threshold of a position in pixels: 1/32 to 31/32, each once in 4x4 pixels
 fn umbrage_dither_threshold(pixel: vec2f) -> f32 {

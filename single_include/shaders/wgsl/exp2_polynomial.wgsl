@@ -5,7 +5,12 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: power_of_two.wgsl; or paste wgsl_joined/exp2_polynomial.wgsl alone.
+
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
 
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of itself
 //   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0

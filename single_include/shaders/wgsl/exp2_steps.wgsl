@@ -1,7 +1,12 @@
 // umbrage 0.1.0, exp2_steps: 2^y in steps of 12 bits. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: power_of_two.wgsl; or paste wgsl_joined/exp2_steps.wgsl alone.
+
+// umbrage_power_of_two: 2^n of an integer n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
+}
 
 // umbrage_exp2_steps: 2^y, an integer below 2^12 times a power of two. y is rounded down to 1/2048
 //   y   exponent, clamped to -64.0 to 63.0. NaN is -64.0

@@ -6,9 +6,20 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-// Paste along: texel.wgsl, fetch_clamped.wgsl; or paste wgsl_joined/fetch_bilinear.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture.
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_clamped: texel of a map, or the nearest one inside for coordinates outside
+fn umbrage_fetch_clamped(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
 
 // umbrage_fetch_bilinear: bilinear mean of the four texels around a point, weights in steps of 1/256
 //   coord   in texels. (0.5, 0.5) is the center of the first texel

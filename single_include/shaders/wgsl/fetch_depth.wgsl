@@ -4,11 +4,15 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   depth      depth of a texel's value, in place of .x: for packed depths
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-// Paste along: texel.wgsl; or paste wgsl_joined/fetch_depth.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside.
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
 
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {

@@ -1,9 +1,18 @@
 // umbrage 0.1.0, in_filter_domain: true for receivers that a filter compares; others are lit. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl; or paste wgsl_joined/in_filter_domain.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
 
 // umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
 fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {

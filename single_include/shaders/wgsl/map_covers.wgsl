@@ -1,8 +1,7 @@
 // umbrage 0.1.0, map_covers: true if a receiver lies in a prefiltered map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
+// Other maps: bind() of the library or of its npm package prints this text, by outside.
 
 // umbrage_map_covers: true if a receiver lies in a prefiltered map or a table; elsewhere it is lit
 fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {

@@ -2,9 +2,29 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-// Paste along: texel.wgsl, from_unorm.wgsl; or paste wgsl_joined/page_coordinate.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture.
+
+// umbrage_from_unorm: channel 0..255 of a value from an 8-bit texture, even if the division by 255 is inexact
+fn umbrage_from_unorm(c: f32) -> f32 {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 255.0 + 0.5);
+}
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
 
 // umbrage_page_coordinate: (x, y) of a receiver in an atlas page with its gutter, and (z, w) the page's first texel
 //   table   page table, RGBA8, nearest filter

@@ -4,16 +4,159 @@
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
 // Render target of the map: depth attachment, or R32F, not sRGB, no blending, one sample. Clear to 1.0, with reversed
 //   depth to 0.0.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
-//   depth      depth of a texel's value, in place of .x: for packed depths
-//   outside    clamped: outside the map the nearest texel inside counts; without it all is lit there
-//   compare    one comparison, in place of receiver <= stored
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: inside_texel_space.wgsl, beyond_far_plane.wgsl, in_filter_domain.wgsl, cleared_depth.wgsl,
-//   distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl,
-//   blockers8.wgsl, correct_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl; or paste
-//   wgsl_joined/pcss8.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside, compare,
+//   direction.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+//   apart      umbrage_distance_code of the receiver minus that of the blocker
+//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
+fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+
+// umbrage_disc_tap: texel that a point of a disc falls on
+//   position   floor(256 coord) of the receiver
+//   p          point, in 1/16 of the radius
+//   rotation   from umbrage_disc_rotation
+//   radius     in 1/16 texel, an integer from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
+    let at: vec2f = position * (1.0 / 256.0);
+    let texel: vec2f = floor(at);
+    let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
+    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
+    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
+    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2f(x, y));
+}
+
+// umbrage_correct_quotient: floor(a / b) from a guess q, off by at most one
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
+    let more: f32 = q + 1.0;
+    let known: f32 = select(q, more, more * b <= a);
+    return select(known, q - 1.0, q * b > a);
+}
+
+// umbrage_floor_divide: floor(a / b) of integers; the quotient is at most 2^18
+//   a   integer, 0 to 2^24 - 1
+//   b   integer, 1 to 2^24
+fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
+    return umbrage_correct_quotient(floor(a / b), a, b);
+}
+
+// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
+// Returns an integer from 0 to 4095, and 0 for NaN
+fn umbrage_disc_radius(radius: f32) -> f32 {
+    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0);
+    return select(inside, 4095.0, radius >= 255.9375);
+}
+
+// umbrage_beyond_far_plane: true if a receiver is beyond the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_in_filter_domain: true if a filter compares; lit outside texel space and beyond the far plane
+fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane(receiver));
+}
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
+fn umbrage_distance_code(depth: f32) -> f32 {
+    let v: f32 = depth * 65536.0;
+    let forward: f32 = select(65535.0, floor(max(v, 0.0)), v < 65535.0);
+    let reversed: f32 = select(0.0, floor(min(v, 65535.0)), v > 0.0);
+    return select(65535.0 - reversed, forward, umbrage_cleared_depth() > 0.5);
+}
+
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    return textureLoad(map, vec2i(texel), 0);
+}
+
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
+fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = value.x;
+    return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
+}
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
+fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> vec2f {
+    let stored: f32 = umbrage_fetch_depth(map, size, texel);
+    let code: f32 = umbrage_distance_code(stored);
+    return select(vec2f(1.0, code), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
+}
+
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in 1/16 texel, an integer from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+                     rotation: vec2f) -> vec2f {
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -7.0), rotation, radius), receiver);
+    return n;
+}
+
+// umbrage_lit: visibility from one comparison with a texel
+fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+
+// umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let rho: f32 = umbrage_disc_radius(radius);
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, rho), receiver);
+    return select(1.0, n * (1.0 / 8.0), compared);
+}
 
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels

@@ -1,9 +1,12 @@
 // umbrage 0.1.0, probe_color: debug color of a lookup: its texels, or why it fails. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: cleared_depth.wgsl; or paste wgsl_joined/probe_color.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
 
 // umbrage_probe_color: debug color of a receiver's position in a map
 //   at      x and y in texels, z depth
@@ -16,7 +19,7 @@
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f {
     let limit: f32 = 18446744073709551616.0;
     // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
@@ -28,7 +31,7 @@ fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f 
     let place: vec2f = clamp(vec2f(at.x, at.y), vec2f(0.0, 0.0), vec2f(65536.0, 65536.0));
     let square: f32 = floor(place.x) + floor(place.y);
     let shade: f32 = select(1.0, 0.75, square - 2.0 * floor(square * 0.5) > 0.5);
-    var bits: vec3f = floor(vec3f(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    var bits: vec3f = floor(vec3f(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     var color: vec3f = (bits * 0.5 + 0.375) * shade;
     color = select(vec3f(1.0, 0.0, 0.0), color, bias < 1.0);

@@ -6,7 +6,11 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: clamp_slope.wgsl; or paste wgsl_joined/receiver_plane_slope.wgsl alone.
+
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
+fn umbrage_clamp_slope(slope: f32) -> f32 {
+    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
+}
 
 // umbrage_receiver_plane_slope: change of a receiver's depth per texel in x and y, and the largest error of their sum
 //   dx, dy  dFdx and dFdy of (x and y in texels, depth); the result is zero where they do not give the plane

@@ -5,7 +5,13 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: tetrahedron_turned.wgsl; or paste wgsl_joined/tetrahedron_texel.wgsl alone.
+
+// umbrage_tetrahedron_turned: vector from face 0's part of the map, rotated to the part of a face, 0.0 to 3.0
+fn umbrage_tetrahedron_turned(face: f32, v: vec2f) -> vec2f {
+    let z: vec2f = select(vec2f(-v.x, -v.y), v, face < 0.5);
+    let x: vec2f = select(vec2f(v.y, -v.x), vec2f(-v.y, v.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
 
 // umbrage_tetrahedron_texel: position in a square map, in texels, from (s, t, face) on a tetrahedron
 //   size    size of the map, in texels

@@ -1,9 +1,8 @@
-// umbrage 0.1.0, texel: value of a texel inside the map. Exactness: tier A.
+// umbrage 0.1.0, texel: texel inside a map. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, texels of the kind that the function's comment names, read unfiltered.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   texture    array, atlas, cube, shadow, ...; parameters, arguments and texel take any other
+// Other maps: bind() of the library or of its npm package prints this text, by texture.
 
 // umbrage_texel: value of a texel inside the map
 //   map    texture with the texels; a sampler that reads them must filter by nearest

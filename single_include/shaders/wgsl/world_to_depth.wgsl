@@ -5,7 +5,12 @@
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
-// Paste along: clamp_bias.wgsl; or paste wgsl_joined/world_to_depth.wgsl alone.
+
+// umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
+fn umbrage_clamp_bias(bias: f32) -> f32 {
+    let least: f32 = (1.0 / 18446744073709551616.0);
+    return select(1.0, select(0.0, bias, bias >= least), bias < 1.0);
+}
 
 // umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
 //   units  (edge of a texel, depth per world unit) at w = 1.0

@@ -7,9 +7,18 @@
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Render target of base255: RGBA8 UNORM, not sRGB, no blending, one sample. Clear to (255, 0, 0, 0) / 255, with
 //   reversed depth to (0, 0, 0, 0) / 255. Write umbrage_write_base255.
-// For other maps, bind() of the library or of its npm package prints this text, with
-//   direction  reversed: depth is 1.0 at the near plane and 0.0 at the far plane
-// Paste along: cleared_depth.wgsl, saturate.wgsl; or paste wgsl_joined/write_base255.wgsl alone.
+// Other maps: bind() of the library or of its npm package prints this text, by direction.
+
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0: Mesa turns it into max(v, 0.0), and softpipe's max gives NaN for a signalling NaN
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
 
 // umbrage_write_base255: base-255 RGBA of a depth, values to write as they are. The store must round
 // 1.0 reads back as 0.0. umbrage_encode_base255_repaired has neither fault

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 namespace packing {
 

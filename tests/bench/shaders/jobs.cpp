@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include <entry.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 namespace bench {
 
@@ -41,7 +41,7 @@ std::vector<job> jobs(const std::string& folder) {
         text("playcanvas_shadow");
 
     // A packed map to a filter of ours. What a border costs is a job of its own.
-    constexpr auto clamped = umbrage::outside_map::clamped;
+    static constexpr auto clamped = umbrage::outside_map::clamped;
     const auto read_by = [](std::string depth, int channels, std::vector<snippet> needs = {}) {
         return glsl::binding{
             .outside = clamped, .depth = std::move(depth), .channels = channels, .needs = std::move(needs)};

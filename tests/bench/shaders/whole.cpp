@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole shadows, from a point x0 of the world with normal x2 to visibility: every setup under four filters, as bind()
+// Whole shadows, from a point x0 of the world with normal x2 to visibility: every setup under six filters, as bind()
 // prints it from texels and with a comparison sampler. Engines' own whole shadows stand beside them.
 #include "jobs.hpp"
 
@@ -48,9 +48,11 @@ void add(const std::string& name, const Light& light, int map_size, const whole_
         }
     };
     add_filter("hard", umbrage::filters::hard{});
+    add_filter("pcf_2x2", umbrage::filters::pcf_2x2{});
     add_filter("tent<3>", umbrage::filters::tent<3>);
     add_filter("castano<5>", umbrage::filters::castano<5>);
-    add_filter("pcss<16>", umbrage::filters::pcss{});
+    add_filter("disc 16", umbrage::filters::disc{16});
+    add_filter("pcss<16>", shadow_scene::sized(umbrage::filters::pcss{}));
 }
 
 }  // namespace

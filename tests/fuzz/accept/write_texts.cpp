@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <umbrage/depth/encodings.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
 
 namespace {
@@ -30,7 +30,8 @@ public:
         for (int i = below(4); i >= 0; --i) {
             const glsl::snippet& what = *glsl::registry()[std::size_t(below(int(glsl::registry().size())))];
             const std::string map = std::string("map") + static_cast<char>('a' + i);
-            unless_refused([&] { items.push_back(below(4) == 0 ? glsl::bound(what) : bind(what, map, random_map())); });
+            unless_refused(
+                [&] { items.push_back(below(4) == 0 ? glsl::bound(what) : glsl::bind(what, map, random_map())); });
         }
         const glsl::version version = glsl::versions[std::size_t(below(int(std::size(glsl::versions))))];
         const bool es = glsl::directive(version).ends_with("es") || version == glsl::version::v100;

@@ -12,6 +12,8 @@
 #include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
+#include <umbrage/shadow/map_tile.hpp>
+#include <umbrage/shadow/softness.hpp>
 
 #include "hostile.hpp"
 
@@ -112,6 +114,22 @@ void each_of_light(const Run& run, const Fetch& fetch) {
             return glm::ivec2(number, s.below(2048));
         },
         [](glm::ivec2 v) { return glm::vec2(page_tile(v.x, v.y)); });
+    run(
+        "map_tile", 1,
+        [](source& s) {
+            const int number = static_cast<int>(s.below(64)), columns = static_cast<int>(1 + s.below(8));
+            return glm::ivec3(number, columns, s.below(2048));
+        },
+        [](glm::ivec3 v) {
+            return glm::vec2(map_tile(v.x, v.y, {v.z, 64}));
+        });
+    run(
+        "map_softness", 1, [](source& s) { return float(s.below(16)); },
+        [](float number) {
+            glm::mat4 sixteen;
+            for (int i = 0; i < 16; ++i) sixteen[i / 4][i % 4] = float(i);
+            return map_softness(sixteen, number);
+        });
 }
 
 }  // namespace hostile

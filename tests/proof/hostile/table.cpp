@@ -18,7 +18,7 @@
 #include <string>
 #include <tuple>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 namespace {
 

@@ -169,6 +169,9 @@ TEST_CASE("make_light_units: by hand, and what is refused") {
         {.outer_angle_radians = std::atan(0.5), .z_near = 1, .z_far = 3, .clip = cpu_clip_space});
     CHECK(make_light_units(spot, {100, 100}).x == doctest::Approx(0.01));
     CHECK(make_light_units(spot, {100, 100}).y == doctest::Approx(1.5));  // depth 1.5 - 1.5 / w
+    const point_light<double> bulb{.z_near = 1, .z_far = 3, .map_size = 104, .border = 2, .clip = cpu_clip_space};
+    CHECK(make_light_units(bulb).x == doctest::Approx(0.02));  // 100 texels over 90 degrees, 2 units at a distance of 1
+    CHECK(make_light_units(bulb).y == doctest::Approx(1.5));
     for (glm::ivec2 none : {glm::ivec2(0, 1), glm::ivec2(1, 0), glm::ivec2(-1)})
         CHECK(complaint([&] { static_cast<void>(make_light_units(sun, none)); }) ==
               "umbrage::make_light_units: map_size must be above 0; got " + detail::printed(none));

@@ -74,15 +74,45 @@ TEST_CASE("receiver_plane_slope: the slope of coordinates rounded to float is of
     CHECK(worst > 0.2);
 }
 
-TEST_CASE_TEMPLATE("apply_receiver_plane: by hand, to the texel's center", T, float, double) {
+TEST_CASE_TEMPLATE("plane_reference: by hand, at the texel's center, and never farther than the receiver", T, float,
+                   double) {
     using vec = glm::vec<2, T>;
     const vec slope(T(0.25), T(-0.125)), coord(T(3.25), T(7.5));
-    CHECK(apply_receiver_plane(T(0.5), slope, coord, vec(3, 7)) == T(0.4375));  // a quarter of a texel to its right
-    CHECK(apply_receiver_plane(T(0.5), slope, coord, vec(2, 9)) == T(0.9375));
-    CHECK(apply_receiver_plane(T(1), slope, coord, vec(2, 9)) == 1);  // cleared
-    CHECK(apply_receiver_plane(T(0), slope, coord, vec(2, 9), T(0)) == 0);
-    CHECK(apply_receiver_plane(T(1), slope, coord, vec(2, 9), T(0)) == T(1.4375));
-    CHECK(is_nan(apply_receiver_plane(std::numeric_limits<T>::quiet_NaN(), slope, coord, vec(3, 7))));
+    CHECK(plane_reference(T(0.5), slope, coord, vec(2, 7)) == T(0.3125));  // three quarters of a texel to its left
+    CHECK(plane_reference(T(0.5), slope, coord, vec(3, 9)) == T(0.3125));
+    CHECK(plane_reference(T(0.5), slope, coord, vec(4, 7)) == T(0.5));
+    CHECK(plane_reference(T(0.5), slope, coord, vec(4, 7), greater_equal{}) == T(0.8125));
+    CHECK(plane_reference(T(0.5), slope, coord, vec(2, 7), greater_equal{}) == T(0.5));
+}
+
+TEST_CASE_TEMPLATE("bordered_plane_reference: inside as plane_reference, outside before every depth", T, float,
+                   double) {
+    using vec = glm::vec<2, T>;
+    const vec slope(T(0.125), T(-0.25)), coord(3, 7);
+    for (const vec texel : {vec(2, 7), vec(3, 9), vec(4, 7)}) {
+        CHECK(bordered_plane_reference(T(0.5), slope, coord, texel, texel) ==
+              plane_reference(T(0.5), slope, coord, texel));
+        CHECK(bordered_plane_reference(T(0.5), slope, coord, texel, texel, greater_equal{}) ==
+              plane_reference(T(0.5), slope, coord, texel, greater_equal{}));
+        for (const vec inside : {texel + vec(1, 0), texel - vec(0, 1), texel + vec(1, 1)}) {
+            CHECK(bordered_plane_reference(T(0.5), slope, coord, texel, inside) < -1e6);
+            CHECK(bordered_plane_reference(T(0.5), slope, coord, texel, inside, greater_equal{}) > 1e6);
+        }
+    }
+}
+
+TEST_CASE("apply_receiver_plane: a texel lit along the plane has the far plane's depth, others their own") {
+    const glm::vec2 slope(0.25f, -0.125f);
+    const glm::vec3 at(3.25f, 7.5f, 0.5f);
+    const auto taken = [&](float stored, glm::ivec2 texel, depth_direction direction = depth_direction::forward) {
+        return apply_receiver_plane([stored](glm::ivec2) { return stored; }, slope, at, direction)(texel);
+    };
+    CHECK(taken(0.3125f, {2, 7}) == 1);
+    CHECK(taken(0.3124f, {2, 7}) == 0.3124f);
+    CHECK(taken(0.4999f, {4, 7}) == 0.4999f);
+    CHECK(taken(0.8125f, {4, 7}, depth_direction::reversed) == 0);
+    CHECK(taken(0.8126f, {4, 7}, depth_direction::reversed) == 0.8126f);
+    CHECK(is_nan(taken(std::numeric_limits<float>::quiet_NaN(), {3, 7})));
 }
 
 TEST_CASE("apply_receiver_plane: no filter darkens a plane, without any bias by its reach") {
@@ -106,7 +136,8 @@ TEST_CASE("apply_receiver_plane: no filter darkens a plane, without any bias by 
                     const glm::vec2 coord(place(random), place(random));
                     const float receiver = biased(depth(coord), 0x1p-22f, filter.is_lit);
                     dark_without += filter(clamped(map), coord, receiver) < 1.0f;
-                    dark += filter(apply_receiver_plane(clamped(map), slope, coord, direction), coord, receiver) < 1.0f;
+                    dark += filter(apply_receiver_plane(clamped(map), slope, glm::vec3(coord, receiver), direction),
+                                   coord, receiver) < 1.0f;
                 }
             }
             CHECK(dark == 0);

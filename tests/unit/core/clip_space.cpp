@@ -27,7 +27,8 @@ TEST_CASE("clip_space: the named ones are what their names say") {
     static_assert(vulkan_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::forward,
                                                   texture_origin::bottom});
     static_assert(direct3d_clip_space == clip_space{handedness::left, depth_range::zero_to_one,
-                                                    depth_direction::forward, texture_origin::top});
+                                                    depth_direction::forward, texture_origin::top, 8});
+    static_assert(opengl_clip_space.subpixel_bits == 4 && cpu_clip_space.subpixel_bits == 8);
     static_assert(webgpu_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::forward,
                                                   texture_origin::top});
     static_assert(metal_clip_space == webgpu_clip_space);
@@ -38,7 +39,8 @@ TEST_CASE("clip_space: the named ones are what their names say") {
     static_assert(unreal_clip_space == unity_clip_space);
     static_assert(godot_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::reversed,
                                                  texture_origin::bottom});
-    static_assert(cpu_clip_space == vulkan_clip_space);
+    static_assert(cpu_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::forward,
+                                               texture_origin::bottom, 8});
     for (const named_clip_space& each : clip_spaces) CHECK(each.value.range != depth_range::unset);
     CHECK(opengl_clip_space != vulkan_clip_space);
 }

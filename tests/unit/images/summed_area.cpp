@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The oracle adds up the rectangle texel by texel; for floats, in the order that the docstring gives.
-#include "blocks/paths.hpp"
+#include "paths.hpp"
 
 #include <doctest/doctest.h>
 

@@ -60,3 +60,22 @@ TEST_CASE("rasterize_tetrahedron: keeps what is nearer of an earlier pass; a map
     image<float> wide({32, 16}, 1.0f);
     CHECK_THROWS_AS(rasterize_tetrahedron(wide.view(), {corners, floor}, faces), std::invalid_argument);
 }
+
+TEST_CASE("rasterize_tetrahedron: instances are their meshes one by one; mirrored ones keep their faces") {
+    const std::vector<glm::vec3> corners{{-1, -2, -1}, {2, -2, -1}, {0, -2, 1}},
+        other{{1, -2, -1}, {-2, -2, -1}, {0, -2, 1}};
+    const std::vector<glm::uvec3> front{{0, 2, 1}}, back{{0, 1, 2}};
+    const auto faces = make_tetrahedron_light<float>({.map_size = 64, .clip = cpu_clip_space});
+    glm::mat4 mirror(1);
+    mirror[0][0] = -1;
+    const std::vector<glm::mat4> both{glm::mat4(1), mirror};
+    for (const cull_mode cull : {cull_mode::none, cull_mode::back, cull_mode::front}) {
+        image<float> expected({64, 64}, 1.0f), got({64, 64}, 1.0f);
+        rasterize_tetrahedron(expected.view(), {corners, front}, faces, cull);
+        rasterize_tetrahedron(expected.view(), {other, back}, faces, cull);
+        rasterize_tetrahedron(got.view(), {corners, front}, both, faces, cull);
+        CHECK(std::ranges::equal(got.texels(), expected.texels()));
+        const float cleared = 1.0f;
+        CHECK((std::ranges::count(got.texels(), cleared) == 64 * 64) == (cull == cull_mode::front));
+    }
+}

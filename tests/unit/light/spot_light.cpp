@@ -154,11 +154,12 @@ TEST_CASE_TEMPLATE("make_spot_light: bad input", T, float, double) {
     };
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
     CHECK_NOTHROW(with([](auto&) {}));
-    for (T angle : {T(0), T(-1), T(-0.0), T(2), std::numbers::pi_v<T> / 2, nan, infinity, -infinity})
+    const T wider = std::nextafter(T(1.5), T(2));
+    for (T angle : {T(0), T(-1), T(-0.0), T(2), wider, std::numbers::pi_v<T> / 2, nan, infinity, -infinity})
         CHECK_THROWS_AS(with([&](auto& l) { l.outer_angle_radians = angle; }), std::invalid_argument);
     for (T aspect : {T(0), T(-1), nan, infinity})
         CHECK_THROWS_AS(with([&](auto& l) { l.aspect = aspect; }), std::invalid_argument);
-    CHECK_NOTHROW(with([](auto& l) { l.outer_angle_radians = std::nextafter(std::numbers::pi_v<T> / 2, T(0)); }));
+    CHECK_NOTHROW(with([](auto& l) { l.outer_angle_radians = T(1.5); }));
     CHECK_THROWS_AS(with([](auto& l) { l.direction = {0, 0, 0}; }), std::invalid_argument);
     CHECK_THROWS_AS(with([&](auto& l) { l.direction.y = nan; }), std::invalid_argument);
     CHECK_THROWS_AS(with([&](auto& l) { l.position.z = infinity; }), std::invalid_argument);
@@ -181,9 +182,10 @@ TEST_CASE("make_spot_light: numbers at the ends of float give finite matrices or
                 CHECK(detail::all_finite(space.projection * space.view));
             });
         };
-        CHECK(with([&](auto& l) { l.z_near = 1, l.z_far = greatest; }).empty());
+        const bool reversed = clip.direction == depth_direction::reversed;
+        CHECK(with([&](auto& l) { l.z_near = 1, l.z_far = greatest; }).empty() == reversed);
         CHECK(with([&](auto& l) { l.z_near = 1, l.z_far = infinity; }).empty());
-        CHECK(with([](auto& l) { l.z_near = 1e-30f, l.z_far = 1e-20f; }).empty());
+        CHECK(with([](auto& l) { l.z_near = 1e-30f, l.z_far = 1e-25f; }).empty());
         CHECK(with([](auto& l) {
                   l.outer_angle_radians = 1e-45f;
               }).starts_with("umbrage::make_spot_light: outer_angle_radians "));
@@ -204,13 +206,13 @@ TEST_CASE("make_spot_light: numbers at the ends of float give finite matrices or
     }
 }
 
-TEST_CASE("make_spot_light: depth between planes of 1e-30 and 1e-20 in binary32, as vertex shaders compute it") {
+TEST_CASE("make_spot_light: depth between planes of 1e-30 and 1e-25 in binary32, as vertex shaders compute it") {
     for (clip_space clip : all_clip_spaces()) {
         const glm::mat4 m = texture_matrix(
-            make_spot_light<float>({.direction = {0, 0, 1}, .z_near = 1e-30f, .z_far = 1e-20f, .clip = clip}),
+            make_spot_light<float>({.direction = {0, 0, 1}, .z_near = 1e-30f, .z_far = 1e-25f, .clip = clip}),
             {64, 64});
-        for (double distance : {1e-30, 1.5e-30, 2e-30, 1e-29, 1e-25, 1e-20}) {
-            const double forward = (1 - 1e-30 / distance) / (1 - 1e-10);
+        for (double distance : {1e-30, 1.5e-30, 2e-30, 1e-29, 1e-27, 1e-25}) {
+            const double forward = (1 - 1e-30 / distance) / (1 - 1e-5);
             const glm::vec4 h = shadow_coordinate(m, glm::vec3(0, 0, distance));
             CHECK(std::abs(double(project_coordinate(h).z) -
                            (clip.direction == depth_direction::reversed ? 1 - forward : forward)) < 1e-6);
@@ -254,9 +256,28 @@ TEST_CASE_TEMPLATE("make_spot_light, texture_matrix: whatever the numbers, finit
 TEST_CASE("make_spot_light: a float's tangent is the rounded one, whatever the compiler folds") {
     int wrong = 0;
     for (int i = 1; i < 2000; ++i) {
-        const float angle = 1.57f * static_cast<float>(i) / 2000;
+        const float angle = 1.5f * static_cast<float>(i) / 2000;
         const auto light = make_spot_light<float>({.outer_angle_radians = angle, .clip = opengl_clip_space});
         wrong += light.projection[1][1] != 1 / static_cast<float>(std::tan(static_cast<double>(angle)));
     }
     CHECK(wrong == 0);
+}
+
+TEST_CASE_TEMPLATE("make_spot_light: a near plane that leaves floats no depth is refused with its limit", T, float,
+                   double) {
+    const auto refused = [](T z_near, T z_far, clip_space clip) {
+        return complaint([&] { (void)make_spot_light<T>({.z_near = z_near, .z_far = z_far, .clip = clip}); });
+    };
+    clip_space reversed = vulkan_clip_space;
+    reversed.direction = depth_direction::reversed;
+    const T limit = T(56 * 0x1p-24 * 20);
+    for (const clip_space clip : {opengl_clip_space, vulkan_clip_space}) {
+        CHECK(refused(limit, T(20), clip).empty());
+        CHECK(refused(T(1e-5), T(20), clip) ==
+              "umbrage::make_spot_light: z_near must be at least 6.67572e-05 (56 2^-24 z_far) with forward depth; got "
+              "1e-05. Take a larger z_near, or reversed depth.");
+        CHECK(refused(std::nextafter(limit, T(0)), T(20), clip).starts_with("umbrage::make_spot_light: z_near must "));
+        CHECK(refused(T(1e-5), std::numeric_limits<T>::infinity(), clip).empty());
+    }
+    CHECK(refused(T(1e-5), T(20), reversed).empty());
 }

@@ -34,7 +34,8 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
             refused(glsl::hard, "a", stored_as(rg<11>{}, {.texture = kind, .gather = gather}),
                     "umbrage::glsl::bind: map.channels must be 1 for a depth texture; got 2");
     refused(glsl::hard, "a", {.texture = texture::shadow, .depth = "1.0 - value.x"},
-            "umbrage::glsl::bind: map.depth must be empty for a comparison sampler; got \"1.0 - value.x\"");
+            "umbrage::glsl::bind: map.depth must be empty for a comparison sampler; got \"1.0 - value.x\". "
+            "It reads a depth texture: depth32f, depth24 or depth16.");
     for (const texture kind : {texture::cube, texture::cube_faces, texture::integer})
         refused(glsl::pcf_2x2, "a", {.texture = kind, .gather = true},
                 "umbrage::glsl::bind: map.gather must be false where texels of cubes or whole numbers are gathered; "
@@ -47,8 +48,11 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
             "umbrage::glsl::bind: map.channels must be 1 or 2 where texels are gathered; got 3");
     CHECK_NOTHROW((void)bind(glsl::hard, "a", stored_as(rgb24{}, {.gather = true})));
     refused(glsl::pcf_2x2, "a", {.gather = true, .receiver_plane = true},
-            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or compared by the "
-            "sampler; got true");
+            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or have an own "
+            "comparison; got true");
+    refused(glsl::hard, "a", {.compare = "exp(40.0 * (stored - receiver))", .receiver_plane = true},
+            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or have an own "
+            "comparison; got true");
     refused(glsl::hard, "a", {.needs = {glsl::pcf_2x2}},
             "umbrage::glsl::bind: map.needs must be snippets that read no map; got \"pcf_2x2\"");
 }

@@ -16,8 +16,8 @@
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 using namespace umbrage;
 using namespace umbrage::glsl;
@@ -255,5 +255,10 @@ TEST_CASE("every filter and every kind of texture make a text without a word lef
                           "UMBRAGE_COMPARE", "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
                         CHECK(text.find(word) == std::string::npos);
                 }
+                if (gather) continue;
+                const std::string planed =
+                    glsl::text({bind(glsl::hard, "a", {.texture = kind, .outside = outside, .receiver_plane = true})});
+                for (const char* word : {"UMBRAGE_REFERENCE", "UMBRAGE_STORED", "UMBRAGE_CORNER", "UMBRAGE_LIT_TEXEL"})
+                    CHECK(planed.find(word) == std::string::npos);
             }
 }

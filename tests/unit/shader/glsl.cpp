@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 #include "parts_of_text.hpp"
 
@@ -181,7 +181,7 @@ TEST_CASE("registry: every function of the library that a snippet calls is among
                 CAPTURE(s->name);
                 CAPTURE(w.text);
                 bool defined = false;
-                for (std::string_view type : {"bool", "float", "vec2", "vec3", "vec4"})
+                for (std::string_view type : {"bool", "float", "vec2", "vec3", "vec4", "mat4"})
                     defined = defined || count(out, std::string(type) + " " + std::string(w.text) + "(") > 0;
                 CHECK(defined);
             }

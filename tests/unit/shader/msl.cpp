@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/msl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 #include "parts_of_text.hpp"
 

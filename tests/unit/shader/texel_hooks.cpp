@@ -20,4 +20,7 @@ TEST_CASE("a map's texels choose by direction, by what is outside, and by who co
     CHECK(&chosen(glsl::lit, ordinary) == &glsl::lit);
     CHECK(&chosen(glsl::lit, shadow) == &hooks::bordered_lit);
     CHECK(&chosen(glsl::lit, clamped_shadow) == &hooks::clamped_lit);
+    const binding planed{.receiver_plane = true}, planed_shadow{.texture = texture::shadow, .receiver_plane = true};
+    CHECK(&chosen(glsl::lit, planed) == &hooks::planed_lit);
+    CHECK(&chosen(glsl::lit, planed_shadow) == &hooks::planed_compared_lit);
 }

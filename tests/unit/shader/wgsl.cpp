@@ -6,7 +6,7 @@
 #include <string>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/wgsl.hpp>
 
 #include "parts_of_text.hpp"

@@ -71,7 +71,7 @@ TEST_CASE("calibration: right, upside down, empty and another map, for each set-
     all_readings(cpu_clip_space, filters::pcf_2x2{}, depth32f{});
     all_readings(reversed_clip(), filters::tent<3>, rg<11>{});
     all_readings(cpu_clip_space, filters::disc{}, r16{});
-    all_readings(reversed_clip(), filters::pcss{.softness = {0.05f, 1.0f, 8.0f}}, depth32f{});
+    all_readings(reversed_clip(), shadow_scene::sized(filters::pcss{}), depth32f{});
 }
 
 TEST_CASE("calibration: prefiltered maps") {

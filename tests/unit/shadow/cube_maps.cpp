@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/frame.hpp>
 
 #include "scene.hpp"
 
@@ -16,7 +17,7 @@ TEST_CASE("cube_maps: a point lies where its face's own matrices draw it") {
         const auto faces = of.lights();
         for (int i = 0; i < 600; ++i) {
             const glm::vec3 world(float(i % 13) - 6.1f, float(i % 7) * 2 - 3.3f, float(i % 11) - 5.2f);
-            static_cast<void>(cube_maps::visibility(u, {}, world, {0, 1, 0}, [&](const map_place& place) {
+            static_cast<void>(detail::blended(cube_maps::places(u, {}, world, {0, 1, 0}), [&](const map_place& place) {
                 const auto m = texture_matrix(faces[std::size_t(place.number)], {256, 256});
                 const glm::dvec3 drawn = project_coordinate(shadow_coordinate(m, glm::dvec3(world)));
                 CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(drawn)) < 1e-3);

@@ -50,16 +50,18 @@ TEST_CASE("depth_pass: it writes the map's texels, packed or moments, in each la
 TEST_CASE("depth_pass: vertices of parallel lights are moved onto the near plane, of others they are a product") {
     const shadow sun(shadow_scene::fitted(opengl_clip_space), {256, 256}, filters::hard{});
     const std::string text = glsl::text({glsl::bind_vertex_pass(sun, "sun")}, version::v330);
-    CHECK(has(text, "vec4 umbrage_vertex_sun(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world) {"));
-    CHECK(has(text, "return umbrage_pancake(umbrage_shadow_coordinate(to_clip, world), -1.0);"));
+    CHECK(has(text,
+              "vec4 umbrage_vertex_sun(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec4 "
+              "anchor) {"));
+    CHECK(has(text, "return umbrage_pancake(umbrage_anchored_vertex(to_clip, world, anchor), -1.0);"));
     const shadow reversed(shadow_scene::cascades(unity_clip_space), {256, 256}, filters::hard{});
-    CHECK(has(hlsl::text({glsl::bind_vertex_pass(reversed, "sun")}), "(to_clip, world), 1.0);"));
+    CHECK(has(hlsl::text({glsl::bind_vertex_pass(reversed, "sun")}), "(to_clip, world, anchor), 1.0);"));
     const std::string plain = wgsl::text({glsl::bind_vertex_pass(packed_lamp, "lamp")});
-    CHECK(has(plain, "fn umbrage_vertex_lamp(to_clip: mat4x4f, world: vec3f) -> vec4f {"));
-    CHECK(has(plain, "return umbrage_shadow_coordinate(to_clip, world);"));
+    CHECK(has(plain, "fn umbrage_vertex_lamp(to_clip: mat4x4f, world: vec3f, anchor: vec4f) -> vec4f {"));
+    CHECK(has(plain, "return umbrage_anchored_vertex(to_clip, world, anchor);"));
     const shadow halves(shadow_scene::paraboloids(cpu_clip_space), {512, 512}, filters::hard{});
     CHECK(has(msl::text({glsl::bind_vertex_pass(halves, "halves")}),
-              "float4 umbrage_vertex_halves(metal::float4x4 to_clip, float3 world, float3 position, float number) {"));
+              "float4 umbrage_vertex_halves(metal::float4x4 to_clip, float3 world, float4 anchor, float number) {"));
     CHECK(refusal([&] {
               (void)glsl::bind_vertex_pass(packed_lamp, "");
           }).starts_with("umbrage::glsl::bind_vertex_pass: name must be letters"));
@@ -76,7 +78,7 @@ TEST_CASE("depth_pass: a light is directional where its rays are parallel, howev
                 spot.projection[2][0] = shift;  // off its axis
                 const shadow lamp(spot, {256, 256}, filters::hard{});
                 CHECK(has(glsl::text({glsl::bind_vertex_pass(lamp, "lamp")}, version::v330),
-                          "return umbrage_shadow_coordinate(to_clip, world);"));
+                          "return umbrage_anchored_vertex(to_clip, world, anchor);"));
             }
         }
     }

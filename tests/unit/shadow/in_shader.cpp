@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <umbrage/depth/r16.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/glsl.hpp>
@@ -35,7 +36,7 @@ TEST_CASE("in_shader: a function of world and normal, and what it is bound to, i
     CHECK(has(vk, "layout(std140, set = 1, binding = 3) uniform umbrage_lamp_block {"));
     CHECK(has(vk, "layout(set = 1, binding = 4) uniform UMBRAGE_HIGHP sampler2D umbrage_lamp_map;"));
     CHECK(has(glsl::text({item}, version::v450), "layout(std140, binding = 3) uniform umbrage_lamp_block {"));
-    CHECK(has(glsl::text({item}, version::v100), "uniform highp vec4 umbrage_lamp_block[10];"));
+    CHECK(has(glsl::text({item}, version::v100), "uniform highp vec4 umbrage_lamp_block[12];"));
     const std::string h = hlsl::text({item}), w = wgsl::text({item}), m = msl::text({item});
     CHECK(has(h, "cbuffer umbrage_lamp_block : register(b3, space1) {"));
     CHECK(has(h, "Texture2D<float4> umbrage_lamp_map : register(t4, space1);"));
@@ -54,25 +55,25 @@ TEST_CASE("in_shader: comparison samplers, arrays, and the pixel of filters that
     CHECK(has(msl::text({compared}), "& block, metal::depth2d<float> map, metal::sampler map_sampler,"));
     CHECK(has(glsl::text({bind(sun_in_shader, "sun", {.map = glsl::texture::array})}, version::v330),
               "float layer = number;"));
-    CHECK(has(glsl::text({bind(sun_in_shader, "sun")}, version::v330), "vec2 origin = umbrage_cascade_tile(number"));
+    CHECK(has(glsl::text({bind(sun_in_shader, "sun")}, version::v330), "vec2 origin = umbrage_map_tile(number"));
     const shadow turned(shadow_scene::bulb(cpu_clip_space), {256, 256}, filters::disc{});
     CHECK(has(glsl::text({bind(turned, "bulb")}, version::v330),
               "float umbrage_bulb(vec3 world, vec3 normal, vec2 pixel) {"));
 }
 
 TEST_CASE("in_shader: contact hardening along the receiver's plane, and prefiltered maps, in each language") {
-    const shadow soft(shadow_scene::cascades(cpu_clip_space), {256, 256}, filters::pcss{});
+    const shadow soft(shadow_scene::cascades(cpu_clip_space), {256, 256}, shadow_scene::sized(filters::pcss{}));
     const shadow smooth(shadow_scene::spot(cpu_clip_space), {256, 256}, prefilters::evsm4{});
     const auto both = {bind(soft, "soft", {.map = glsl::texture::array}),
                        bind(smooth, "smooth", {.block = 3, .texture = 4, .sampler = 5})};
     const std::string gl = glsl::text(both, version::v330), w = wgsl::text(both);
-    CHECK(has(gl, "vec2 receiver_slope = slope;"));
-    CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_slope, receiver_coord,"));
-    CHECK(has(gl, "        umbrage_look_soft(map, layer, terms"));
+    CHECK(has(gl, "vec2 receiver_slope = vec2(slope.x, slope.y);"));
+    CHECK(has(gl, "umbrage_pcss16_soft(map, layer, receiver_slope, receiver_at,"));
+    CHECK(has(gl, "umbrage_look_soft(map, layer, terms"));
     CHECK(has(gl, "float umbrage_soft(vec3 world, vec3 normal, vec2 pixel) {"));
     CHECK(has(gl, "vec2(filter_terms.x, filter_terms.y), vec2(filter_terms.z, filter_terms.w));"));
-    CHECK(has(w, "layer: f32, receiver_slope: vec2f, receiver_coord: vec2f,"));
-    CHECK(has(hlsl::text(both), "float2 receiver_slope, float2 receiver_coord"));
+    CHECK(has(w, "layer: f32, receiver_slope: vec2f, receiver_at: vec3f,"));
+    CHECK(has(hlsl::text(both), "float2 receiver_slope, float3 receiver_at"));
     CHECK(has(msl::text(both), "float2 receiver_slope,"));
 }
 
@@ -133,23 +134,52 @@ TEST_CASE("in_shader: shadows of a text have slots and names of their own, where
 TEST_CASE("in_shader: a text promises what its parts promise") {
     const std::string text = glsl::text({bind(lamp_in_shader, "lamp")}, version::v330);
     CHECK(has(text, "// umbrage 0.1.0, MIT License: lamp\n"));
-    CHECK(has(text, "// project_coordinate, tier C: within 3 x 2^-23 x S of the exact result.\n"));
+    CHECK(has(text, "// anchored_place, tier C: within 121 x 2^-23 x S of the exact result.\n"));
     CHECK(glsl::exactness({bind(lamp_in_shader, "lamp")}) == glsl::tier::c);
+}
+
+TEST_CASE("in_shader: a linear comparison sampler weights the filters that have such a form") {
+    const shadow sun(shadow_scene::fitted(cpu_clip_space), {64, 64}, filters::tent<3>);
+    const auto text = glsl::text({bind(sun, "sun", {.map = glsl::texture::shadow, .linear = true})}, version::v330);
+    CHECK(has(text, "return umbrage_window_hardware3_sun(map, receiver_slope, receiver_at,"));
+    CHECK(has(text, "4.0, 8.0);"));
+    CHECK(has(text, "umbrage_acne_free_bias(vec2(slope.x, slope.y), 1.0, error)"));
+    CHECK(refusal([&] {
+              (void)bind(sun, "sun", {.linear = true});
+          }).starts_with("umbrage::glsl::bind: slots.linear must be false where slots.map is no comparison sampler"));
+    const shadow halves(shadow_scene::paraboloids(cpu_clip_space), {512, 512}, filters::tent<3>);
+    CHECK(refusal([&] {
+              (void)bind(halves, "sun", {.map = glsl::texture::shadow_array, .linear = true});
+          }).starts_with("umbrage::glsl::bind: slots.linear must be false where"));
+    const shadow sharp(shadow_scene::fitted(cpu_clip_space), {64, 64}, filters::hard{});
+    CHECK(refusal([&] { (void)bind(sharp, "sun", {.map = glsl::texture::shadow, .linear = true}); }) ==
+          "umbrage::glsl::bind: of.filter() must be pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear "
+          "is true; got \"hard\"");
 }
 
 TEST_CASE("in_shader: bad input") {
     const auto lamp = bind(lamp_in_shader, "lamp");
     CHECK(refusal([&] { (void)bind(lamp_in_shader, "2 lamps"); }).starts_with("umbrage::glsl::bind: name must be"));
     CHECK(refusal([&] { (void)bind(lamp_in_shader, ""); }).starts_with("umbrage::glsl::bind: name must be"));
-    CHECK(refusal([&] {
-              (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::array});
-          }).starts_with("umbrage::glsl::bind: slots.map must be texture_2d, depth or shadow"));
-    CHECK(refusal([&] {
-              (void)bind(sun_in_shader, "sun", {.map = glsl::texture::texture_2d});
-          }).starts_with("umbrage::glsl::bind: slots.map must be atlas, array, depth_array or shadow_array"));
-    CHECK(refusal([&] {
-              (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::shadow});
-          }).starts_with("umbrage::glsl::bind: map.channels must be 1 for a depth texture"));
+    CHECK(refusal([&] { (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::array}); })
+              .starts_with(
+                  "umbrage::glsl::bind: slots.map must be texture_2d, depth or shadow, as the shadow has one map; got "
+                  "array"));
+    CHECK(refusal([&] { (void)bind(sun_in_shader, "sun", {.map = glsl::texture::texture_2d}); })
+              .starts_with(
+                  "umbrage::glsl::bind: slots.map must be atlas, array, depth_array or shadow_array, as the shadow has "
+                  "several maps; got texture_2d"));
+    CHECK(refusal([&] { (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::shadow}); }) ==
+          "umbrage::glsl::bind: of.encoding() must be depth32f, as slots.map is a comparison sampler; got \"rg11\"");
+    CHECK(refusal([&] { (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::depth}); }) ==
+          "umbrage::glsl::bind: of.encoding() must be of one channel, as slots.map is a depth texture; got \"rg11\"");
+    const shadow r16_map(shadow_scene::spot(cpu_clip_space), {64, 64}, filters::hard{}, r16{});
+    CHECK(refusal([&] { (void)bind(r16_map, "lamp", {.map = glsl::texture::shadow}); }) ==
+          "umbrage::glsl::bind: of.encoding() must be depth32f, as slots.map is a comparison sampler; got \"r16\"");
+    const std::string filter = "umbrage::glsl::bind: of.filter() must be one that needs no depths, as slots.map is a ";
+    const shadow variance(shadow_scene::spot(cpu_clip_space), {64, 64}, prefilters::vsm{});
+    CHECK(refusal([&] { (void)bind(variance, "lamp", {.map = glsl::texture::shadow}); }) ==
+          filter + "comparison sampler; got \"vsm\"");
     CHECK(refusal([&] {
               (void)bind(lamp_in_shader, "lamp", {.sampler = -1});
           }).starts_with("umbrage::glsl::bind: slots.sampler must be 0 or above; got -1"));
@@ -162,9 +192,8 @@ TEST_CASE("in_shader: bad input") {
     CHECK(refusal([&] {
               (void)wgsl::text({bind(lamp_in_shader, "clamp_bias")});
           }).starts_with("umbrage::wgsl::text: name must be another than a snippet's"));
-    const shadow soft(shadow_scene::spot(cpu_clip_space), {256, 256}, filters::pcss{});
-    CHECK(refusal([&] {
-              (void)bind(soft, "soft", {.map = glsl::texture::shadow});
-          }).starts_with("umbrage::glsl::bind: map.receiver_plane must be false"));
+    const shadow soft(shadow_scene::spot(cpu_clip_space), {256, 256}, shadow_scene::sized(filters::pcss{}));
+    CHECK(refusal([&] { (void)bind(soft, "soft", {.map = glsl::texture::shadow}); }) ==
+          filter + "comparison sampler; got \"" + std::string(soft.filter().name) + "\"");
     CHECK(refusal([&] { (void)glsl::text({lamp}); }).starts_with("umbrage::glsl::text: version must be given"));
 }

@@ -3,6 +3,10 @@
 
 #include <string>
 
+#include <umbrage/shadow/cascaded_maps.hpp>
+#include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/paraboloid_maps.hpp>
+#include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/look.hpp>
 
 #include "own_filter.hpp"
@@ -43,10 +47,17 @@ TEST_CASE("look: numbers of any name and type reach a user's filter, each as its
           ", filter_terms.x, vec2(filter_terms.y, filter_terms.z), int(filter_terms.w)");
 }
 
-TEST_CASE("look: a receiver's bias is that of the filter's reach, its disc or half a texel") {
-    const glm::vec2 slope(0.01f, -0.02f);
+TEST_CASE("look: a receiver's bias is half a texel's, or that of the filter's reach or disc where maps bend planes") {
+    const map_place place{.slope = {0.01f, -0.02f}, .rounding = 2e-6f};
     const shadow_terms terms{.reach = 3, .error = 1e-4f, .filter_terms = {2, 2.5f, 0, 0}};
-    CHECK(detail::bias_of<filters::window>(terms, slope) == acne_free_bias(slope, 3.0f, 1e-4f));
-    CHECK(detail::bias_of<filters::disc>(terms, slope) == acne_free_disc_bias(slope, 2.5f, 1e-4f));
-    CHECK(detail::bias_of<filters::pcss>(terms, slope) == acne_free_bias(slope, 0.5f, 1e-4f));
+    const float error = 1e-4f + 2e-6f;
+    const float half = acne_free_bias(place.slope, 0.5f, error);
+    CHECK(detail::bias_of<single_map, filters::window>(terms, place) == half);
+    CHECK(detail::bias_of<cube_maps, filters::disc>(terms, place) == half);
+    CHECK(detail::bias_of<cascaded_maps<1>, filters::pcss>(terms, place) == half);
+    const float whole = acne_free_bias(place.slope, 3.0f, error),
+                of_disc = acne_free_disc_bias(place.slope, 2.5f, error);
+    CHECK(detail::bias_of<paraboloid_maps, filters::window>(terms, place) == whole);
+    CHECK(detail::bias_of<paraboloid_maps, filters::disc>(terms, place) == of_disc);
+    CHECK(detail::bias_of<single_map, prefilters::vsm>(terms, place) == whole);
 }

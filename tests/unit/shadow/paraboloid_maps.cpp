@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <umbrage/shadow/frame.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 
 #include "scene.hpp"
@@ -17,16 +18,17 @@ TEST_CASE("paraboloid_maps: a point lies where the depth pass draws it") {
         int met[2]{};
         for (int i = 0; i < 600; ++i) {
             const glm::vec3 world(float(i % 13) - 6.1f, float(i % 7) * 4 - 3.3f, float(i % 11) - 5.2f);
-            static_cast<void>(paraboloid_maps::visibility(u, {}, world, {0, 1, 0}, [&](const map_place& place) {
-                const glm::dvec3 way = glm::dvec3(world) - of.light.position;
-                const glm::dvec4 h = light.projection * dual_paraboloid_position(way, double(place.number));
-                const light_space<double> ndc{.clip = clip};
-                const glm::dvec3 drawn = glm::dvec3(texture_matrix(ndc, {512, 512}) * (h / h.w));
-                CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(drawn)) < 1e-3);
-                CHECK(glm::abs(place.at.z - drawn.z) < 1e-6);
-                ++met[place.number];
-                return 1.0f;
-            }));
+            static_cast<void>(
+                detail::blended(paraboloid_maps::places(u, {}, world, {0, 1, 0}), [&](const map_place& place) {
+                    const glm::dvec3 way = glm::dvec3(world) - of.light.position;
+                    const glm::dvec4 h = light.projection * dual_paraboloid_position(way, double(place.number));
+                    const light_space<double> ndc{.clip = clip};
+                    const glm::dvec3 drawn = glm::dvec3(texture_matrix(ndc, {512, 512}) * (h / h.w));
+                    CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(drawn)) < 1e-3);
+                    CHECK(glm::abs(place.at.z - drawn.z) < 1e-6);
+                    ++met[place.number];
+                    return 1.0f;
+                }));
         }
         for (const int n : met) CHECK(n > 10);
     }

@@ -105,6 +105,14 @@ void for_each_light(clip_space clip, const Use& use) {
     use(paraboloids(clip), glm::ivec2(512));
 }
 
+/// A filter that knows the size of the light, where it wants to.
+template <class Filter>
+[[nodiscard]] Filter sized(Filter filter) {
+    if constexpr (detail::contact_hardening<Filter>)
+        detail::softness_of(filter) = make_penumbra_params(0.3f, 0.0625f, 4.0f);
+    return filter;
+}
+
 /// Contact hardening has no shadows of dual paraboloids.
 template <class Light, class Filter>
 inline constexpr bool go_together =

@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <stdexcept>
+
 #include <umbrage/shadow/single_map.hpp>
 
 #include "scene.hpp"
 
 using namespace umbrage;
 
-TEST_CASE("single_map: uniforms are the texture matrix and what sends planes there") {
+TEST_CASE("single_map: uniforms are the map of the light, anchored") {
     const single_map of(shadow_scene::spot(cpu_clip_space));
     const auto u = of.make_uniforms({64, 32}, glm::dvec3(0));
-    CHECK(u.to_texels == glm::mat4(texture_matrix(of.light, {64, 32})));
-    CHECK(u.planes == glm::mat4(plane_matrix(texture_matrix(of.light, {64, 32}))));
+    CHECK(glm::vec3(u.anchor) == glm::vec3(0.5f, 8, 0.25f));
     CHECK(of.lights().size() == 1);
     CHECK(of.clip() == cpu_clip_space);
+    const glm::dmat4 exact = texture_matrix(of.light, {64, 32});
+    for (int i = 0; i < 500; ++i) {
+        const glm::vec3 world(float(i % 13) - 6.1f, float(i % 7) - 3.3f, float(i % 11) - 5.2f);
+        const map_place place = single_map::places(u, {}, world, {1, 3, 2})[0];
+        const glm::dvec3 at = project_coordinate(shadow_coordinate(exact, glm::dvec3(world)));
+        CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(at)) < 1e-4);
+        CHECK(glm::abs(place.at.z - at.z) < place.rounding);
+        const glm::dvec2 slope = plane_slope(plane_matrix(exact), glm::dvec3(1, 3, 2), glm::dvec3(world));
+        CHECK(glm::length(glm::dvec2(place.slope) - slope) < 1e-5);
+    }
+}
+
+TEST_CASE("single_map: matrices without an inverse are refused in the shadow's name") {
+    light_space<float> flat = shadow_scene::spot(cpu_clip_space);
+    flat.projection[0] = glm::vec4(0);
+    CHECK_THROWS_WITH_AS(
+        shadow(flat, {64, 64}, filters::hard{}),
+        doctest::Contains("umbrage::shadow: light and origin must be such that the map's matrix has a finite inverse"),
+        std::invalid_argument);
 }

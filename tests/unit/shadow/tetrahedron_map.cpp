@@ -17,8 +17,8 @@ TEST_CASE("tetrahedron_map: a point lies where its face's own matrices draw it")
         int met[4]{};
         for (int i = 0; i < 600; ++i) {
             const glm::vec3 world(float(i % 13) - 6.1f, float(i % 7) * 4 - 3.3f, float(i % 11) - 5.2f);
-            const int face = tetrahedron_face(world - glm::vec3(u.position));
-            const map_place place = tetrahedron_map::place(u, world, {0, 1, 0});
+            const int face = tetrahedron_face(world - glm::vec3(u.anchor));
+            const map_place place = tetrahedron_map::places(u, {}, world, {0, 1, 0})[0];
             const auto m = texture_matrix(faces[std::size_t(face)], {512, 512});
             const glm::dvec3 drawn = project_coordinate(shadow_coordinate(m, glm::dvec3(world)));
             CHECK(glm::length(glm::dvec2(place.at) - glm::dvec2(drawn)) < 1e-3);

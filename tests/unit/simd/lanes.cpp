@@ -96,18 +96,31 @@ void check_least() {
     }
 }
 
-/// A row of depths on a plane, its second cleared.
+/// Texels 5 and on, around a receiver at column 7 of a plane that comes nearer by 1/16 a column.
 template <template <class, int> class Lanes, int Count>
 void check_plane() {
-    Lanes<float, Count> texels;
-    for (int i = 0; i < Count; ++i) texels[i] = i == 1 ? 1.0f : 0.25f + 0.0625f * static_cast<float>(i);
-    move_to_plane<Count>(0.0625f, 5.0f, 5.5f, 0.0625f, 1.0f, texels);
-    for (int i = 0; i < Count; ++i) CHECK(float(texels[i]) == (i == 1 ? 1.0f : 0.1875f));
+    Lanes<float, Count> lit, dark;
+    for (int i = 0; i < Count; ++i) {
+        const float reference = 0.5f - (i > 2 ? 0.0625f * static_cast<float>(i - 2) : 0.0f);
+        lit[i] = reference, dark[i] = reference - 0x1p-20f;
+    }
+    const Lanes<float, Count> stored = dark;
+    compare_on_plane<Count, true>(-0.0625f, 5.0f, 7.0f, 0.0f, 0.5f, lit);
+    compare_on_plane<Count, true>(-0.0625f, 5.0f, 7.0f, 0.0f, 0.5f, dark);
+    for (int i = 0; i < Count; ++i) CHECK((float(lit[i]) == 1.0f && float(dark[i]) == float(stored[i])));
+    for (int i = 0; i < Count; ++i) {
+        const float reference = 0.5f + (i > 2 ? 0.0625f * static_cast<float>(i - 2) : 0.0f);
+        lit[i] = reference, dark[i] = reference + 0x1p-20f;
+    }
+    const Lanes<float, Count> nearer = dark;
+    compare_on_plane<Count, false>(0.0625f, 5.0f, 7.0f, 0.0f, 0.5f, lit);
+    compare_on_plane<Count, false>(0.0625f, 5.0f, 7.0f, 0.0f, 0.5f, dark);
+    for (int i = 0; i < Count; ++i) CHECK((float(lit[i]) == 0.0f && float(dark[i]) == float(nearer[i])));
 }
 
 }  // namespace
 
-TEST_CASE("lanes: texels move along a plane, but cleared ones") {
+TEST_CASE("lanes: texels are compared along a plane where that is nearer to the light") {
     check_plane<lanes_of, 4>();
     check_plane<lanes_of, 8>();
     check_plane<plain_lanes, 4>();

@@ -6,7 +6,8 @@
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
-// of pcss. It is softer than pcss where the penumbra is much narrower than the light.
+// of pcss. It is for large casters far from what they shadow. Where the penumbra is much narrower than the disc, it
+// darkens lit walls beside inner corners, and lets light through at contact.
 // Also called: DPCF.
 // See also: pcss.hpp.
 #pragma once
@@ -142,7 +143,7 @@ namespace filters {
 /// DPCF filter as a value. Functions over images rotate its disc per pixel.
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< from make_penumbra_params
+    penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;

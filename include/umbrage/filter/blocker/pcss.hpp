@@ -3,17 +3,17 @@
 // Percentage-closer soft shadows (PCSS): sharp where a caster touches the receiver, softer with distance.
 //
 //     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);  // a shadow: no units
 //     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
-// 1. Search a disc as wide as the light appears from the receiver for texels nearer to the light (blockers).
+// 1. Search a disc for texels nearer to the light (blockers). It is as wide as the light appears from the receiver.
 // 2. Their mean distance gives the width of the penumbra.
 // 3. Filter over a disc of that width.
 // Search and filter share points, rotation and bias. A bias without acne at the largest radius has no acne at any
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
-// (receiver_plane.hpp) avoids this: it needs no other bias at any radius.
+// (receiver_plane.hpp) avoids this: half a texel of bias does for any radius.
 // Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 #pragma once
 
@@ -107,7 +107,7 @@ namespace filters {
 /// PCSS filter as a value. Functions over images rotate its discs per pixel.
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
-    penumbra_params softness{};  ///< from make_penumbra_params
+    penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
     comparison is_lit{};
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;

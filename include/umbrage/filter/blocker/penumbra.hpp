@@ -36,16 +36,20 @@
 namespace umbrage {
 
 /// Parameters of a penumbra, from the size of the light: integers, or nearly so, which keep the arithmetic exact.
+/// make_penumbra_params makes them for one map, or for a shadow, which computes per_code for each of its maps.
 struct penumbra_params {
     float per_code = 0.0625f;  ///< penumbra radius in 1/16 texel, per code between blocker and receiver; 8 bits
     float min_radius = 16.0f;  ///< filter radius where blockers touch receivers, 1/16 texel, an integer
     float max_radius = 96.0f;  ///< largest radius of filter and search, 1/16 texel, an integer up to 4095
+    float light_size = 0.0f;   ///< for a shadow: size of the light in the world. 0 for a filter by itself
 
     [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
 };
 
 template <>
 inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec3";
+template <>
+inline constexpr int detail::width_of_number<penumbra_params> = 3;
 
 namespace detail {
 
@@ -58,20 +62,49 @@ inline void require_softness(std::string_view function, const penumbra_params& s
     require(in_order && low == std::floor(low) && high == std::floor(high), function,
             "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
             "They are in 1/16 texel: make_penumbra_params computes them.");
+    require(softness.light_size == 0.0f, function, "filter.softness.light_size", "0 for a filter by itself",
+            softness.light_size, "make_penumbra_params takes the units of its map.");
+}
+
+/// Penumbra radius in 1/16 texel per code, for a light of a size in a map of these units; 8 bits.
+[[nodiscard]] inline float softness_per_code(const glm::dvec2& units, double light_size) {
+    const double exact = light_size / (4096.0 * units.x * units.y);
+    int exponent = 0;
+    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
+    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
+    return counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f;
 }
 
 }  // namespace detail
 
-/// Parameters of the penumbras of a light.
-/// @param units          make_light_units of the light and the map
-/// @param light_size     spot light: its radius in world units. Directional light: tangent of half the angle under
-///                       which it is seen; 0.00465 for the sun
+/// Parameters of penumbras for a shadow, which computes per_code for each of its maps.
+/// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
+///                       under which it is seen; 0.00465 for the sun
 /// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 hides the map's stair steps, 0
 ///                       is a hard edge
 /// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
 ///                       points, noise shows beyond about 16 texels
-/// @return               parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
-/// @edge                 light of no size: per_code is 0, and every radius is min_radius
+/// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not
+///                                0 <= min_radius <= max_radius <= 255.9375
+template <real T>
+[[nodiscard]] penumbra_params make_penumbra_params(T light_size, T min_radius = T(1), T max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
+    detail::require(is_finite(light_size) && light_size > T(0), function, "light_size", "finite and above 0",
+                    light_size);
+    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
+                    "min_radius and max_radius", "in order, from 0 to 255.9375",
+                    glm::vec<2, T>(min_radius, max_radius));
+    return {0.0f, static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius)),
+            static_cast<float>(light_size)};
+}
+
+/// Parameters of the penumbras of a light in one map, for a filter by itself.
+/// @param units        make_light_units of the light and the map
+/// @param light_size   as for a shadow, but it may be 0
+/// @param min_radius   as for a shadow
+/// @param max_radius   as for a shadow
+/// @return             parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
+/// @edge               light of no size: per_code is 0, and every radius is min_radius
 /// @throws std::invalid_argument  units or light_size not finite or below 0; radii that are not
 ///                                0 <= min_radius <= max_radius <= 255.9375
 /// @formula              per_code = 16 light_size / (65536 units.x units.y)
@@ -83,15 +116,10 @@ template <real T>
                     light_size);
     detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
                     "finite and above 0", units);
-    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
-                    "min_radius and max_radius", "in order, from 0 to 255.9375",
-                    glm::vec<2, T>(min_radius, max_radius));
-    const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
-    int exponent = 0;
-    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
-    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
-    return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
-            static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius))};
+    penumbra_params made = make_penumbra_params(T(1), min_radius, max_radius);
+    made.per_code = detail::softness_per_code(glm::dvec2(units), double(light_size));
+    made.light_size = 0.0f;
+    return made;
 }
 
 /// Distance of a depth from the near plane, as a code of 16 bits.

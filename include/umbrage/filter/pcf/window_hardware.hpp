@@ -22,8 +22,8 @@ namespace umbrage {
 
 /// Weighted fraction of lit texels under a kernel that slides over the map, with unrounded weights.
 ///
-/// The two texels of a fetch share its weight. A sampler whose fractions are off by up to e moves at most e of that
-/// weight from one to the other. The error is e of all weights for one axis, and 2 e for both.
+/// The two texels of a fetch share its weight. An error e of the sampler's fractions moves at most e of that weight
+/// from one to the other. The error is e of all weights for one axis, and 2 e for both.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called row.touched()^2 times, with indices
 ///                   up to row.touched() / 2 texels outside the map: pass clamped(map) or bordered(map)

@@ -76,7 +76,7 @@ template <real T>
 
 /// Power of two in steps of 12 bits.
 /// @param y       exponent; clamped to [-64, 63], NaN is -64
-/// @return        2^y in steps: an integer below 2^12 times a power of two. Monotonic, exact at integers
+/// @return        2^y in steps: an integer below 2^12 times a power of two. It is monotonic, and exact for integers
 /// @formula       m 2^(n - 11), x = floor(2048 y), n = floor(x / 2048), f = x - 2048 n, g = floor(f (2048 - f) / 256),
 ///                r = 1251 + floor(314 f / 2048), m = 2048 + f - floor((g r + 2^14) / 2^15)
 /// @exactness     A;  off by at most 3.1e-4 of the power at the steps, over all of them. Between two steps it keeps the

@@ -22,7 +22,7 @@
 namespace umbrage {
 
 /// Value that encodes depths as texels, and decodes visibility from a mean of texels. Functions over images need no
-/// more. If it has check(std::string_view function), they call that as they call a filter's.
+/// more. They call the member check(std::string_view function) of a prefilter that has it, as of a filter.
 template <class Prefilter>
 concept prefilter = std::copyable<Prefilter> && requires(const Prefilter& p, float depth) {
     typename Prefilter::texel;

@@ -76,7 +76,7 @@ template <real T>
     return {held.x, held.x * held.x + half * half};
 }
 
-/// Two moments of depth from four 8-bit channels, which hold mean and deviation as encode_rg<16> writes them.
+/// Two moments of depth from four 8-bit channels. These hold mean and deviation, both written by encode_rg<16>.
 /// @param c         as sampled, k / 255
 /// @return          mean of the depths, mean of their squares. Both channels decode to the upper end of the
 ///                  quantization step, so nothing gets darker by being stored

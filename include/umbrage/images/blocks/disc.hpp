@@ -167,7 +167,7 @@ private:
 #pragma GCC unroll 7
         for (int y = 0; y < near_rows; ++y, from += memory.stride) {
             load_lanes(from, texels);
-            on_planes.move(0, y, texels);
+            on_planes.template compare<test::forward>(0, y, texels);
             lit_lanes<near_columns, test::forward>(at.z[i], texels, lit[y]);
         }
         upper = mask_bits(lit);
@@ -188,7 +188,7 @@ private:
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
             texels.load_one(memory, offsets);
-            move_texels(
+            texels_on_planes<test::forward>(
                 at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + tap.x[i]) >> 8; },
                 [&](int i) UMBRAGE_INLINE { return (at.y[i] + tap.y[i]) >> 8; }, texels.depths);
             for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));

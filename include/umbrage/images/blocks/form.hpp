@@ -20,7 +20,7 @@
 // above each other. The second step also gets the tile. finish(tile, set) is called after its last block, before
 // results are taken. hierarchical.hpp does so.
 //
-// Tests: unit/images/blocks/form and form/coherent compare each form with its filter, bit by bit.
+// Tests: proof/blocks/every_path and coherent compare each form with its filter, bit by bit.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> : without_tables {

@@ -2,7 +2,7 @@
 //
 // Maps as the forms of filters read them.
 //
-//     if (!form_takes<Form>(map, reads_stored<Form, Encoding>, receivers)) return false;
+//     if (!form_takes<Form>(map, reads_stored<Form, Encoding>, count)) return {};
 //     const form_map<Encoding, reads_stored<Form, Encoding>> of(map, encoding, parallel);
 //     const auto tables = Form::tables(of.texels, filter, parallel);
 //
@@ -59,13 +59,15 @@ struct form_map<Encoding, false> {
     }
 };
 
+/// Number of pixels of an image.
+[[nodiscard]] inline double area_of(glm::ivec2 size) { return static_cast<double>(size.x) * size.y; }
+
 /// True when a form can read a map. Decoding a map must pay off for that number of receivers.
 template <class Form, class Texel>
-[[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, glm::ivec2 receivers) {
-    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+[[nodiscard]] bool form_takes(image_view<const Texel> map, bool stored, double receivers) {
     if (map.size.x < Form::least || map.size.y < Form::least) return false;
     if (stored) return texel_bytes<const Texel>::fits(map.size, map.stride);
-    return area(map.size) < 16.0 * area(receivers) &&
+    return area_of(map.size) < 16.0 * receivers &&
            texel_bytes<const float>::fits(map.size, map.size.x * std::ptrdiff_t(sizeof(float)));
 }
 

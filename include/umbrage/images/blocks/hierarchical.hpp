@@ -19,6 +19,7 @@
 #include <umbrage/images/blocks/box.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
 #include <umbrage/images/blocks/disc.hpp>
+#include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/map_tile.hpp>
 #include <umbrage/images/blocks/window.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -220,12 +221,11 @@ struct hierarchical_disc_blocks {
 // 1.2, 0.9; 3: 1.4, 1.1; 4: 4.4, 3.5; 8: 1.7, 4.0. castano<5>: 2.0, 1.5; castano<7>: 2.4, 1.7. disc<16> of radius 4:
 // 4.3, 3.8; 8: 1.2, 2.9; 16: 1.3, 0.8. At 2.5 texels per receiver, box of radius 3: 1.2, 1.0; at 16, radius 4: 1.4,
 // 1.3.
-[[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, glm::ivec2 receivers) {
+[[nodiscard]] inline bool bounds_pay(int width, glm::ivec2 map, double receivers) {
     if (map.x < block) return false;            // bounds come in full blocks and would outgrow the map
     if (width < 6 || width > 17) return false;  // narrower: no gain. Wider: their texels mostly differ
-    const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
     // From 9 texels on, bounds are of squares of 4 x 4, not 2 x 2, and take 0.9 ms to make, not 2.1 ms.
-    return area(map) <= (width < 9 ? 2.5 : 16.0) * area(receivers);
+    return area_of(map) <= (width < 9 ? 2.5 : 16.0) * receivers;
 }
 
 /// Bounds of a map, and tables of the blocks that read every texel.

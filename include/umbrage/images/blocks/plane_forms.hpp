@@ -23,13 +23,12 @@ struct plane_blocks {
         plane_block planes;
     };
     Blocks of;
-    float cleared;  ///< depth of the far plane
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
         if constexpr (requires { of.place(receivers, at, pixel_y); }) of.place(receivers, at, pixel_y);
         else of.place(receivers, at);
-        at.planes.copy(receivers, cleared);
+        at.planes.copy(receivers);
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
@@ -97,7 +96,7 @@ private:
             for (int row = y; row < y + side(); ++row)
                 for (int column = x; column < x + side(); ++column) {
                     const float stored = *texel_at(map, column, row);
-                    lit += test::lit(at.z[i], moved_texel(at, i, stored, column, row));
+                    lit += test::lit(at.z[i], texel_on_plane<test::forward>(at, i, stored, column, row));
                 }
             return lit;
         }
@@ -108,7 +107,7 @@ private:
             for (int row = y; row < y + side(); ++row) {
                 lanes_of<float, lanes> texels;
                 load_lanes(texel_at(map, x + r * lanes, row), texels);
-                on_planes.move(r * lanes, row - y, texels);
+                on_planes.template compare<test::forward>(r * lanes, row - y, texels);
                 lit_lanes<lanes, test::forward>(at.z[i], texels, mask);
                 lit -= mask & kept;
             }
@@ -133,7 +132,7 @@ struct on_planes : Form {
     template <depth_direction Direction, class Filter, class Tables>
     [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
         using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
-        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables), cleared_depth(Direction)};
+        return plane_blocks<of_form>{Form::template blocks<Direction>(map, filter, tables)};
     }
 };
 

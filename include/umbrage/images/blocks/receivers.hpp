@@ -40,6 +40,13 @@ struct receiver_rows {
     [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
 };
 
+/// Block of receivers with their planes.
+struct sloped_rows : receiver_rows {
+    const float *first_slope_x, *first_slope_y;
+    [[nodiscard]] UMBRAGE_INLINE float slope_x(int i) const { return first_slope_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float slope_y(int i) const { return first_slope_y[i]; }
+};
+
 /// Block of receivers in its own memory.
 struct receiver_block {
     alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
@@ -142,6 +149,12 @@ template <isa Set>
             whole_block(from.y.row(at.y) + at.x, at.count(), room.rows[1]),
             whole_block(from.depth.row(at.y) + at.x, at.count(), room.rows[2])};
 }
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline sloped_rows block_at(const sloped_receivers& from, const block_walk& at,
+                                                         receiver_room& room, isa_constant<Set> set) {
+    return {block_at(from.at, at, room, set), whole_block(from.slope_x.row(at.y) + at.x, at.count(), room.rows[3]),
+            whole_block(from.slope_y.row(at.y) + at.x, at.count(), room.rows[4])};
+}
 
 /// receiver_at for a block.
 template <class = on_use>
@@ -181,6 +194,10 @@ UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block
 }
 UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
     for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const sloped_receivers& from, const block_walk& at) {
+    prefetch(from.at, at);
+    for (const auto* slope : {&from.slope_x, &from.slope_y}) prefetch(*slope, at);
 }
 UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
 

@@ -70,7 +70,7 @@ private:
             offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
                                        clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
         texels.load_one(memory, offsets);
-        move_texels(
+        texels_on_planes<test::forward>(
             at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
             [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
     }

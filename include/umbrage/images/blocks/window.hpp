@@ -113,8 +113,8 @@ private:
         const auto keep_lit = [&](int j, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
             load_lanes(texels + j * stride, upper);
             load_lanes(texels + (j + 1) * stride, lower);
-            on_planes.move(0, j, upper);
-            on_planes.move(0, j + 1, lower);
+            on_planes.template compare<test::forward>(0, j, upper);
+            on_planes.template compare<test::forward>(0, j + 1, lower);
             shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
             lit_lanes<8, test::forward>(at.z[i], two_rows, mask);
             keep_where<8>(mask, weight);
@@ -149,7 +149,7 @@ private:
                 lanes_of<std::int32_t, Lanes> mask;
                 for (int j = 0; j < touched; ++j) {
                     load_lanes(from, texels);
-                    on_planes.move(r * Lanes, j, texels);
+                    on_planes.template compare<test::forward>(r * Lanes, j, texels);
                     lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
@@ -177,7 +177,7 @@ private:
             const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
             for (int k = 0; k < row.touched(); ++k) {
                 const float stored = texels[clamp_int(at.x[i] + k, map.size.x - 1)];
-                if (test::lit(at.z[i], moved_texel(at, i, stored, at.x[i] + k, at.y[i] + j)))
+                if (test::lit(at.z[i], texel_on_plane<test::forward>(at, i, stored, at.x[i] + k, at.y[i] + j)))
                     sum += rows[j] * columns[k];
             }
         }

@@ -151,7 +151,7 @@ private:
                     first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
                     if (first >= last) continue;  // no step to a first row far beyond the tile
                 }
-                // At the image's borders as many other texels are drawn, which get the same bits again.
+                // A tile at the image's border is moved inside. Its other texels get the same bits again.
                 const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
                 ints f0 = e0, f1 = e1, f2 = e2;
                 const double z = corner + dy * (y + first - first_y);

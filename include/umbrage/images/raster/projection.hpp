@@ -40,7 +40,7 @@ inline constexpr int guard_band = 1 << 14;
 /// Vertex on the grid. Its order makes results independent of the order in which a mesh lists vertices.
 struct snapped_vertex {
     std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
+    double depth;       ///< z/w moved to [0, 1]. Only points beyond the far plane are outside
 
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
@@ -64,7 +64,7 @@ inline void require_drawable(glm::ivec2 size, clip_space clip, const char* funct
 }
 
 /// Projection to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]), and from there to the grid.
-/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+/// Products of a float matrix' elements are exact in double, so contraction to FMA changes no bit of it.
 class projection {
 public:
     static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
@@ -72,7 +72,7 @@ public:
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  as require_drawable
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
+    projection(const glm::dmat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
         require_drawable(size, clip, function);
     }

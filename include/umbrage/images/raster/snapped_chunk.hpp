@@ -61,21 +61,26 @@ struct index_range {
     [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
+/// Range of the indices of triangles first <= t < last.
 template <class = on_use>
-[[nodiscard]] index_range indices_of(const glm::uvec3* first, const glm::uvec3* last) {
+[[nodiscard]] index_range indices_of(const triangle_view& triangles, std::size_t first, std::size_t last) {
     index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
-        const glm::uvec3 *t = first, *const end = last;
-        unsigned low = ~0u, high = 0;
-        for (; end - t >= block; t += block)
-            for (int i = 0; i < block; ++i)
-                for (glm::length_t k = 0; k < 3; ++k) {
-                    low = low < t[i][k] ? low : t[i][k];
-                    high = high < t[i][k] ? t[i][k] : high;
-                }
-        for (; t < end; ++t)
-            for (glm::length_t k = 0; k < 3; ++k) low = lesser(low, (*t)[k]), high = greater(high, (*t)[k]);
-        range = {low, high};
+        triangles.stored_from(first, [&](const auto* indices, std::size_t step) UMBRAGE_INLINE {
+            unsigned low = ~0u, high = 0;
+            const auto include = [&](unsigned index) UMBRAGE_INLINE {
+                low = low < index ? low : index;
+                high = high < index ? index : high;
+            };
+            const std::size_t count = step * (last - first);
+            std::size_t i = 0;
+            if (step == 3)  // no gaps
+                for (; count - i >= block; i += block)
+                    for (std::size_t k = 0; k < block; ++k) include(indices[i + k]);
+            for (; i < count; ++i)
+                if (i % step < 3) include(indices[i]);
+            range = {low, high};
+        });
     });
     return range;
 }
@@ -135,20 +140,20 @@ public:
 
     [[nodiscard]] UMBRAGE_INLINE const snapped_vertex& vertex(const drawn_triangle& at, glm::length_t corner) const {
         const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
-                                              : std::size_t(mesh_.triangles[at.triangle][corner] - lowest_);
+                                              : std::size_t(mesh_.triangles.index(at.triangle, corner) - lowest_);
         return vertices_[at.instance * stride_ + vertex];
     }
 
     /// Corner before it was snapped.
     [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
-        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles[at.triangle][corner]]);
+        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles.index(at.triangle, corner)]);
     }
     [[nodiscard]] const projection& projection_of(const drawn_triangle& at) const { return instances_[at.instance]; }
 
 private:
-    [[nodiscard]] const glm::vec3& position(std::size_t i) const {
+    [[nodiscard]] glm::vec3 position(std::size_t i) const {
         if (!by_corner_) return mesh_.positions[lowest_ + i];
-        return mesh_.positions[mesh_.triangles[first_ + i / 3][glm::length_t(i % 3)]];
+        return mesh_.positions[mesh_.triangles.index(first_ + i / 3, glm::length_t(i % 3))];
     }
 
     mesh_view mesh_;

@@ -45,7 +45,7 @@ public:
     /// @param to_clip   one matrix per instance; those that are not finite draw nothing
     /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above guard_band
     template <class ParallelFor>
-    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
+    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::dmat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
         require_drawable(size, clip, function);
@@ -53,15 +53,14 @@ public:
         const std::size_t count = mesh.triangles.size();
         indices_.resize((count + piece - 1) / piece);
         in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
-            const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] = indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, count));
+                indices_[i] = indices_of(mesh.triangles, i * piece, lesser((i + 1) * piece, count));
         });
         const std::size_t highest = indices_from(0, count).highest;
         require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
         if (size.x == 0 || size.y == 0) return;
         instances_.reserve(to_clip.size());
-        for (const glm::mat4& matrix : to_clip)
+        for (const glm::dmat4& matrix : to_clip)
             if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
     snapped_mesh(const snapped_mesh&) = delete;
@@ -132,7 +131,7 @@ private:
         return all;
     }
 
-    /// True when pieces span more of the mesh's vertices than they have corners, and several pieces together do not.
+    /// True if each piece alone touches more vertices than it has corners, but several pieces together do not.
     [[nodiscard]] bool shares_vertices() const {
         const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
         return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
@@ -263,7 +262,10 @@ private:
     /// Prefetches the triangles after the k-th of a list, which can be anywhere. Inlined: see prefetch_line().
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
+        if (k + later < list.size())
+            mesh_.triangles.stored_from(chunk_.place_of(list[k + later]).triangle,
+                                        [](const auto* indices, std::size_t)
+                                            UMBRAGE_INLINE { prefetch_line(indices); });
         if (k + soon >= list.size()) return;
         const drawn_triangle at = chunk_.place_of(list[k + soon]);
         for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&chunk_.vertex(at, corner));

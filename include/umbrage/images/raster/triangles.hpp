@@ -242,7 +242,7 @@ private:
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
         constexpr bits tiny = bit_cast<bits>(0x1p-200);
         const auto power_of_two = [](double a, double b, double c)
-                                      UMBRAGE_INLINE {  // the largest number's, rounded down
+                                      UMBRAGE_INLINE {  // of the largest number, rounded down
                                           const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
                                           const bits r = bit_cast<bits>(c) & exponent;
                                           const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
@@ -261,7 +261,7 @@ private:
             const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
             const double per_area = 1.0 / area_[i];
 
-            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            // Depths with so few bits that the products with x1 .. y2 and their differences need no rounding.
             double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(double(side_[i]), exponent) * 0x1p-49;
             double units = one_over(unit);
             const double z0 = truncate(z_[0][i] * units) * unit;
@@ -270,7 +270,7 @@ private:
             const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
             const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
 
-            // Slopes with so few digits that every sample needs no rounding. Here for the products.
+            // Slopes with so few bits that every sample needs no rounding. Here for the products.
             const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
                                  masked(slope_y, magnitude & short_digits) * double(height_[i]);
             unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;

@@ -46,8 +46,8 @@ struct page_size {
 
 /// Light space of the whole root.
 /// @throws std::invalid_argument  zero or non-finite direction; center or scene missing or not finite; a side not above
-///                                0, or too small for T's digits at the farthest coordinate of center and scene; clip
-///                                unset; matrices that would not be finite
+///                                0, or too small for T's precision at the farthest coordinate of center and scene;
+///                                clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
     constexpr auto function = "make_page_root";

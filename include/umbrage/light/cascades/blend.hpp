@@ -112,8 +112,7 @@ inline constexpr snippet cascade_weight{
     .source = R"GLSL(
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
-    return steps * (1.0 / 256.0);
+    return v > 0.0 ? min(floor(v * 256.0), 256.0) * (1.0 / 256.0) : 0.0;
 }
 )GLSL",
 };

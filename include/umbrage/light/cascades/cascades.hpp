@@ -24,6 +24,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/bounds.hpp>
+#include <umbrage/light/cascades/scene_depths.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -36,6 +37,7 @@ struct cascade {
     light_space<T> light;                      ///< light for the depth pass; all cascades share its view, a rotation
     glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w is 0
     T begin = T(0), end = T(0);                ///< slice along the camera's axis, world units
+    glm::ivec2 map_size{0};                    ///< size of its map, texels: that of the fit
 };
 
 /// Camera, light and scene that cascades are fitted to.
@@ -44,8 +46,8 @@ struct cascade_fit {
     frustum<T> camera{};                           ///< any kind; the splits replace its z_near and z_far
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the maps; keep it constant, maps rotate with it
-    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers
-    glm::ivec2 map_size{1024};                     ///< size of each map, texels
+    bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers. Without the sky
+    glm::ivec2 map_size{1024};                     ///< size of each map, texels; the shadow's too
     T margin = T(2);                               ///< border around the slice, texels: the filter's reach
     T overlap = T(0);                              ///< fraction of a cascade that the next one also covers, 0 to 1
     clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
@@ -61,8 +63,10 @@ template <real T>
     const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, map_size);
     const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
     const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
-    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
-                       glm::vec<4, T>(offset)};
+    const cascade<T> c{.light = checked(cast, function, "camera, splits and scene"),
+                       .scale = glm::vec<4, T>(scale),
+                       .offset = glm::vec<4, T>(offset),
+                       .map_size = map_size};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
     require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
             "such that a cascade is neither too large nor too small", c.scale);
@@ -102,33 +106,20 @@ template <class = on_use>
     return seen.points.empty() || extent_of(seen.points).diagonal() <= rounding ? slice : seen;
 }
 
-/// Directional light with the depth range of a whole scene, and a little beyond.
-template <real T>
-[[nodiscard]] light_space<double> with_depths_of(light_space<double> light, const bounding_box<T>& scene,
-                                                 const char* function) {
-    const extent box = extent_of(seen(light_frame(light.view, light.clip.hand), hull(scene).points));
-    const double beyond = box.diagonal() * 0x1p-8;  // flat scenes need some depth too
-    const glm::dmat4 depths = orthographic(glm::dvec2(-1), glm::dvec2(1), box.low.z - beyond, box.high.z + beyond,
-                                           light.clip, function, "", "low and high of scene");
-    light.projection[2][2] = depths[2][2], light.projection[3][2] = depths[3][2];
-    return light;
-}
-
 /// Margin in texels as a fraction of the map's size inside the margin.
 template <real T>
 [[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
     return double(fit.margin) / (shorter_side(fit.map_size) - 2 * double(fit.margin));
 }
 
-/// One cascade per slice, from light(frustum) in double.
-template <std::size_t Count, real T, class Light>
+/// One cascade per slice, from its light.
+template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
                                                           const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
-    const auto parts = camera_parts<Count>(fit, splits, function);
+                                                          const std::array<light_space<double>, Count>& lights) {
     std::array<cascade<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {
-        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
+        all[i] = as_cascade<T>(lights[i], fit.map_size, function);
         all[i].begin = splits[i];
         all[i].end = splits[i + 1];
     }
@@ -140,10 +131,17 @@ template <std::size_t Count, real T, class Light>
 /// Cascades that do not shimmer while the camera moves or rotates. Texels are square, sized by the map's shorter side.
 ///
 /// Each map covers the sphere around its slice, whose size does not depend on the view, and moves by integer texels.
-/// Depth spans the scene and is scaled alike in all cascades, so a constant bias is equal in world units. In the depth
-/// pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100 texel.
+/// In the depth pass rotate points first, then apply the projection: one float matrix for both may move points by 1/100
+/// texel.
+///
+/// Depth spans what a map holds of the scene. It has one scale in all cascades, so a constant bias is equal in world
+/// units. The scale depends on the sizes of the scene and of the largest map, and on the light's direction: a wide
+/// ground costs no precision, a tall scene does. While the camera moves, a cascade's depths move by multiples of 1/8.
 /// @param fit      camera, light and scene
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
+/// @formula        1 / scale.z = 8/7 (L + D/128). L = min of (s_i + |X_i| w + |Y_i| h) / |Z_i| for each axis i of the
+///                 world, and of the sum of s_i |Z_i|. s: sides of the scene; w, h: sides of the largest map, world
+///                 units; X, Y, Z: the light's axes. D: diagonal of L and the smaller of map and scene across
 /// @accuracy       offsets are integers up to 2^23 texels from the world's origin. A world point keeps its place in its
 ///                 texel, exactly if it is farther from the origin than the map is wide. Else its coordinate rounds, in
 ///                 float by 2^-14 texel (6e-5) on maps of 1024, which may change a filter's weights by 1/256
@@ -153,18 +151,25 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
                                                                  const std::array<T, Count + 1>& splits) {
     constexpr auto function = "make_stable_cascades", sides = "camera, splits and margin", depths = "camera and splits";
-    auto all = detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const double around = double(fit.margin);
-        const auto light =
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    const double around = double(fit.margin);
+    std::array<light_space<double>, Count> lights;
+    glm::dvec2 side(0);
+    for (std::size_t i = 0; i < Count; ++i) {
+        lights[i] =
             detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
                                              .up = glm::dvec3(fit.up),
-                                             .receivers = sphere_around(part),
+                                             .receivers = sphere_around(parts[i]),
                                              .margin = around / (detail::shorter_side(fit.map_size) - 1 - 2 * around),
                                              .snap_texels = fit.map_size,
                                              .clip = fit.clip},
                                             function, sides, depths);
-        return detail::with_depths_of(light, fit.scene, function);
-    });
+        const glm::dmat4& p = lights[i].projection;
+        side = detail::greater(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
+    }
+    const detail::scene_depths seen(fit.scene, lights[0], side, function);
+    for (light_space<double>& light : lights) light = seen.of(light);
+    auto all = detail::make_cascades<Count>(fit, splits, function, lights);
     for (cascade<T>& c : all)
         for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
     return all;
@@ -178,16 +183,18 @@ template <std::size_t Count, real T>
 [[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
                                                                 const std::array<T, Count + 1>& splits) {
     constexpr auto function = "make_tight_cascades", sides = "camera, splits and margin", depths = "splits and scene";
-    return detail::make_cascades<Count>(fit, splits, function, [&](const frustum<double>& part) {
-        const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
-        return detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
-                                                .up = glm::dvec3(fit.up),
-                                                .receivers = detail::receivers_of(part, scene),
-                                                .casters = scene,
-                                                .margin = detail::margin_share(fit),
-                                                .clip = fit.clip},
-                                               function, sides, depths);
-    });
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    const bounding_box<double> scene{glm::dvec3(fit.scene.low), glm::dvec3(fit.scene.high)};
+    std::array<light_space<double>, Count> lights;
+    for (std::size_t i = 0; i < Count; ++i)
+        lights[i] = detail::fit_directional<double>({.direction = glm::dvec3(fit.direction),
+                                                     .up = glm::dvec3(fit.up),
+                                                     .receivers = detail::receivers_of(parts[i], scene),
+                                                     .casters = scene,
+                                                     .margin = detail::margin_share(fit),
+                                                     .clip = fit.clip},
+                                                    function, sides, depths);
+    return detail::make_cascades<Count>(fit, splits, function, lights);
 }
 
 /// Cascades for points relative to an origin near the camera. It may change from frame to frame: see texture_matrix.
@@ -200,7 +207,7 @@ template <std::size_t Count>
         const cascade<double>& c = cascades[i];
         const glm::vec4 offset(c.scale * (c.light.view * glm::dvec4(origin, 0.0)) + c.offset);
         detail::require(detail::all_finite(offset), "relative_to", "origin", "such that offsets are finite", origin);
-        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end)};
+        all[i] = {relative_to(c.light, origin), glm::vec4(c.scale), offset, float(c.begin), float(c.end), c.map_size};
     }
     return all;
 }

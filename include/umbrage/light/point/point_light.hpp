@@ -27,7 +27,8 @@ namespace umbrage {
 template <real T = float>
 struct point_light {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);   ///< near plane along each face's axis, world units, > 0
+    T z_near = T(0.1);   ///< near plane along each face's axis, world units, > 0. With forward depth at least
+                         ///< 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
     int map_size = 512;  ///< size of a face, in texels, > 2 border
     int border = 0;      ///< texels beyond each edge of the face, inside map_size
@@ -38,8 +39,8 @@ struct point_light {
 ///
 /// The first texel is at (0, 0) of cube_coordinate in every clip space. The projection is a mirror if clip is either
 /// left-handed or has its first row at the top, but not both. Front faces then have the opposite winding.
-/// @throws std::invalid_argument  map_size not above 2 border; planes out of order; clip unset; matrices that would not
-///                                be finite
+/// @throws std::invalid_argument  map_size not above 2 border; planes out of order, or z_near below 56 2^-24 z_far
+///                                with forward depth; clip unset; matrices that would not be finite
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
     constexpr auto function = "make_point_light";
@@ -48,6 +49,7 @@ template <real T = float>
                     "above twice the border", light.map_size);
     const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
     glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
+    detail::require_digits(light.z_near, light.z_far, light.clip, function);
     if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];
     if (light.clip.origin == texture_origin::top) projection[1][1] = -projection[1][1];
     std::array<light_space<T>, 6> faces;

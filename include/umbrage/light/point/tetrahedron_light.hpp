@@ -39,7 +39,8 @@ namespace umbrage {
 template <real T = float>
 struct tetrahedron_light {
     glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);    ///< near plane along each face's normal, world units, > 0: three times as far at corners
+    T z_near = T(0.1);    ///< near plane along each face's normal, world units, > 0: three times as far at corners.
+                          ///< With forward depth at least 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);     ///< far plane, > z_near; infinite: no far plane
     int map_size = 1024;  ///< size of the square, in texels, > 6 border
     int border = 0;       ///< texels along each side of a triangle, inside it
@@ -82,8 +83,9 @@ template <real T>
 /// its first row at the top, but not both.
 /// @param light   position, range and map size
 /// @param tiles   any four triangles, in texels. For lookups use the texture_matrix of faces[tetrahedron_face(...)]
-/// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order; clip unset; matrices
-///                                that would not be finite
+/// @throws std::invalid_argument  a border that leaves nothing of a triangle; planes out of order,
+///                                or z_near below 56 2^-24 z_far with forward depth; clip
+///                                unset; matrices that would not be finite
 /// @formula       a direction p is at sum of b_j T_j / sum of b_j, b_j = 3/4 (n_i - n_j) . p
 template <real T = float>
 [[nodiscard]] std::array<light_space<T>, 4> make_tetrahedron_light(const tetrahedron_light<T>& light,
@@ -92,6 +94,7 @@ template <real T = float>
     detail::require(light.map_size >= 1, function, "map_size", "above 0", light.map_size);
     detail::require(light.border >= 0, function, "border", "0 or more", light.border);
     const glm::mat<4, 4, T> depths = detail::perspective(T(1), T(1), light.z_near, light.z_far, light.clip, function);
+    detail::require_digits(light.z_near, light.z_far, light.clip, function);
     std::array<light_space<T>, 4> faces;
     for (int i = 0; i < 4; ++i) {
         const tetrahedron_tile<T>& whole = tiles[static_cast<std::size_t>(i)];

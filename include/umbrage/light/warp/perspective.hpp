@@ -46,7 +46,7 @@ enum class light_image {
     source,    ///< light in front of the camera: rays leave a point
     sink,      ///< light behind the camera: rays end in a point
     parallel,  ///< light beside the camera: rays stay parallel, or nearly
-    none       ///< image among the receivers or too close to them, no perspective, or no digits: another map
+    none       ///< image among the receivers or too close to them, no perspective, or T too coarse: another map
 };
 
 /// Perspective shadow map (PSM), and how the camera sees its light.
@@ -226,7 +226,7 @@ template <real T, class Instead>
 ///                receivers replaces larger values: hardly a warp is left there
 /// @return        warped light. light_image::none with fit_light_space_perspective if the visible receivers fill 150
 ///                degrees or more around the light, or around the point opposite
-/// @edge          T has no digits for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
+/// @edge          T is too coarse for the receivers in the map, see warp_fit.hpp: light_image::none. A slide of 1e-15
 ///                for receivers at the camera is such a case
 /// @throws std::invalid_argument  as fit_light_space_perspective; slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002

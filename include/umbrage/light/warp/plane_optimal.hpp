@@ -123,7 +123,7 @@ template <real T>
 /// @param fit     camera, light and casters. The plane replaces its receivers
 /// @param plane   dot(plane, (p, 1)) = 0, with a normal of any length > 0. The light may come from either side
 /// @return        warped light. Nothing if the camera does not see the plane, or if camera or light lie in it (1e-6).
-///                Nothing too where the digits of T end far from the origin: rounding must not move the visible part
+///                Nothing too where T is too coarse, far from the origin: rounding must not move the visible part
 ///                of the plane out of the map by more than 1/16 of its half size.
 ///                The map is of no use for light that barely reaches the plane. Depth is the height over the plane
 ///                divided by w, and hardly grows along such light

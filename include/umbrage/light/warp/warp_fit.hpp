@@ -17,11 +17,11 @@
 //
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
-// 1/28 texel at the corners of that view. Points relative to the camera lose the minimum.
+// 1/28 texel at the corners of that view. Camera-relative coordinates lose the least precision.
 //
-// Farther from the origin the digits of a number type end. If rounding, in whatever order, may move receivers out of
-// the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If that map may lose them
-// too, the fit refuses them.
+// Far from the origin, float (and finally double) runs out of precision. If rounding, in any order, may move receivers
+// out of the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If rounding could lose
+// receivers there as well, the fit throws.
 #pragma once
 
 #include <limits>
@@ -73,7 +73,7 @@ template <real T>
 [[nodiscard]] warp_fit<T> completed(warp_fit<T> fit, const hull& instead, const char* function) {
     require_given(fit.clip, function);
     if (given(fit.receivers, function).points.empty()) fit.receivers = instead;
-    // beyond 1000 float has no digits left for the receivers, and the matrix' rows become multiples of the row of w
+    // beyond 1000 float is too coarse for the receivers, and the matrix' rows become multiples of the row of w
     require(is_finite(fit.margin) && fit.margin >= T(0) && fit.margin <= T(1000), function, "margin", "from 0 to 1000",
             fit.margin);
     if (fit.casters) require_box(*fit.casters, function, "casters");
@@ -122,7 +122,7 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// True if a light's matrices, with the digits that T has, hold points to 1/16 of the map. Sums may be rounded in any
+/// True if a light's matrices, with the precision of T, hold points to 1/16 of the map. Sums may be rounded in any
 /// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
 [[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {

@@ -55,8 +55,9 @@ struct word_of_map {
 inline constexpr word_of_map words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
-    {"UMBRAGE_SAMPLED", "vec4"},    {"UMBRAGE_BORDER", "float"},      {"UMBRAGE_COMPARE", "float"}};
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
+    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
+    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
@@ -70,7 +71,7 @@ public:
     std::size_t at = 0;               ///< index of the next token
     std::vector<variable> variables;  ///< variables in scope; of two with one name the last counts
 
-    /// Next token. The last one, an end, is never taken.
+    /// Next token. The last token marks the end and is never taken.
     [[nodiscard]] const token& next() const { return all_[at]; }
     const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
 

@@ -160,10 +160,11 @@ private:
     }
     /// True for a word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_BORDER",       "UMBRAGE_COMPARE",      "UMBRAGE_DEPTH",
-                                                "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",   "UMBRAGE_GATHER_RED",
-                                                "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED", "UMBRAGE_ORIGIN",
-                                                "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
+        static constexpr std::string_view all[]{"UMBRAGE_BORDER",     "UMBRAGE_COMPARE",      "UMBRAGE_CORNER",
+                                                "UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_REFERENCE",    "UMBRAGE_SAMPLED",
+                                                "UMBRAGE_STORED",     "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;

@@ -29,20 +29,64 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(receiver_plane_slope(vec3(s.x[0]), vec3(s.x[1])), 0.0f); },
                    .call = "vec4(umbrage_receiver_plane_slope(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), 0.0)"});
 
-    auto stored =
-        spread({{0, 1}, {0, 99}, {0, 99}, {0, 0}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, values_and_limits());
-    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
-        all.push_back({.primitive = &glsl::apply_receiver_plane,
-                       .variant = direction == depth_direction::forward ? "" : "reversed",
-                       .classes = stored,
+    // no denormals: hardware that takes them for 0 finds a plane and a receiver equal, and gives either
+    auto placed =
+        spread({{0, 1}, {0, 99}, {0, 99}, {0, 1}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, large_values());
+    // the comparison of apply_receiver_plane: numbers without rounding, some of them equal
+    const auto ties = [](std::uint64_t i, random& r, sample& s) {
+        const auto sixteenths = [&](int most) { return static_cast<float>(r.below(most)) / 16.0f; };
+        const float x = static_cast<float>(r.below(8)), y = static_cast<float>(r.below(8));
+        s.x[0] = vec4(sixteenths(17), x + sixteenths(64), y + sixteenths(64), sixteenths(17));
+        s.x[1] = vec4(sixteenths(33) - 1.0f, i % 3 == 0 ? 0.0f : sixteenths(33) - 1.0f, x, y);
+    };
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+        const bool forward = direction == depth_direction::forward;
+        all.push_back({.primitive = &glsl::plane_reference,
+                       .variant = forward ? "" : "reversed",
+                       .classes = placed,
                        .twin =
-                           [far = cleared_depth(direction)](const sample& s) {
-                               return vec4(apply_receiver_plane(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
-                                                                vec2(s.x[1].z, s.x[1].w), far));
+                           [is_lit = comparison{direction}](const sample& s) {
+                               return vec4(plane_reference(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
+                                                           vec2(s.x[1].z, s.x[1].w), is_lit));
                            },
-                       .call = "vec4(umbrage_apply_receiver_plane(x0.x, vec2(x1.x, x1.y), vec2(x0.y, x0.z), "
+                       .call = "vec4(umbrage_plane_reference(vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
                                "vec2(x1.z, x1.w)))",
                        .map_kind = {.direction = direction}});
+        all.push_back({.primitive = &glsl::bordered_plane_reference,
+                       .variant = forward ? "" : "reversed",
+                       .classes = placed,
+                       .twin =
+                           [is_lit = comparison{direction}](const sample& s) {
+                               const vec2 texel(s.x[1].z, s.x[1].w), inside(texel.x, s.x[0].w);
+                               return vec4(bordered_plane_reference(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
+                                                                    texel, inside, is_lit),
+                                           bordered_plane_reference(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
+                                                                    texel, vec2(inside.y, texel.y), is_lit),
+                                           bordered_plane_reference(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z),
+                                                                    texel, texel, is_lit),
+                                           1.0f);
+                           },
+                       .call = "vec4(umbrage_bordered_plane_reference(vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
+                               "vec2(x1.z, x1.w), vec2(x1.z, x0.w)), "
+                               "umbrage_bordered_plane_reference(vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
+                               "vec2(x1.z, x1.w), vec2(x0.w, x1.w)), "
+                               "umbrage_bordered_plane_reference(vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
+                               "vec2(x1.z, x1.w), vec2(x1.z, x1.w)), 1.0)",
+                       .map_kind = {.direction = direction}});
+        all.push_back(
+            {.primitive = &glsl::apply_receiver_plane,
+             .variant = forward ? "" : "reversed",
+             .classes = {{"ties", ties}},
+             .twin =
+                 [direction](const sample& s) {
+                     const auto stored = [&](ivec2) { return s.x[0].w; };
+                     const vec3 at(s.x[0].y, s.x[0].z, s.x[0].x);
+                     return vec4(apply_receiver_plane(stored, vec2(s.x[1]), at, direction)(ivec2(s.x[1].z, s.x[1].w)));
+                 },
+             .call = "vec4(umbrage_apply_receiver_plane(x0.w, vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
+                     "vec2(x1.z, x1.w)))",
+             .map_kind = {.direction = direction}});
+    }
 }
 
 }  // namespace parity

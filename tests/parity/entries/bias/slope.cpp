@@ -32,6 +32,8 @@ void add_bias_slope(std::vector<entry>& all) {
                  for (int k = 0; k < 3; ++k)
                      if (i % 4 != static_cast<std::uint64_t>(k)) s.x[0][k] = 0.0f;
                  if (i % 3 == 0) s.x[1].x = 0.0f;
+                 const auto half = [&](std::uint64_t bit) { return i & bit ? 0.5f : -0.5f; };
+                 if (i % 5 == 4) s.x[0] = {half(1), half(2), 0.0f, s.x[0].w};  // components that cancel
              }});
         return classes;
     };

@@ -253,7 +253,8 @@ void add_four_maps(std::vector<entry>& all) {
     all.push_back(std::move(e));
 }
 
-/// Every snippet of hooks::all is in some text.
+/// Every snippet of hooks::all is in some text. Those along a plane take its slope, which no entry gives them: tests in
+/// shadows/in_gl.cpp draw them.
 void expect_all(const std::vector<entry>& all) {
     std::set<const snippet*> found;
     const auto look = [&](const auto& self, const snippet& asked, const binding& as) -> void {
@@ -264,7 +265,8 @@ void expect_all(const std::vector<entry>& all) {
     for (const entry& e : all)
         for (const glsl::bound& item : e.items()) look(look, item.what, item.map);
     for (const snippet* s : glsl::hooks::all)
-        if (!found.contains(s)) throw std::logic_error("no parity entry has " + s->source.str());
+        if (!found.contains(s) && s->summary.find("along a plane") == s->summary.npos)
+            throw std::logic_error("no parity entry has " + s->source.str());
 }
 
 }  // namespace

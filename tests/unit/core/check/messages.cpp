@@ -81,7 +81,14 @@ TEST_CASE("messages: a body that is none, in the name of the function called") {
     const cascade_fit<float> fit{.camera = camera, .scene = unit_box, .clip = any_clip};
     says("corners", "box.low", "((1, 2, 3), (1, 1, 3))", [] { (void)corners(inverted_box); });
     says("polyhedron", "box.low", "((1, 2, 3), (1, 1, 3))", [] { (void)polyhedron(inverted_box); });
-    says("hull", "frustum.tan_half_x", "-1", [&] { (void)hull(camera); });
+    says("fit_directional_light", "receivers.tan_half_x", "-1",
+         [&] { (void)fit_directional_light<float>({.receivers = camera, .clip = any_clip}); });
+    says("fit_directional_light", "receivers.low", "((1, 2, 3), (1, 1, 3))",
+         [] { (void)fit_directional_light<float>({.receivers = inverted_box, .clip = any_clip}); });
+    says("fit_trapezoidal", "receivers.low", "((1, 2, 3), (1, 1, 3))",
+         [] { (void)fit_trapezoidal(warp_fit<float>{.receivers = inverted_box, .clip = any_clip}, 1.0f); });
+    says("fit_spot_light", "receivers.low", "((1, 2, 3), (1, 1, 3))",
+         [] { (void)fit_spot_light<float>({.receivers = inverted_box, .clip = any_clip}); });
     says("sphere_around", "frustum.tan_half_x", "-1", [&] { (void)sphere_around(camera); });
     says("make_stable_cascades", "camera.tan_half_x", "-1", [&] { (void)make_stable_cascades<2>(fit, good); });
     says("make_tight_cascades", "camera.tan_half_x", "-1", [&] { (void)make_tight_cascades<2>(fit, good); });

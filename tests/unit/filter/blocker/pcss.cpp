@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 #include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "../../rounds.hpp"
 #include "../../special_values.hpp"
@@ -124,4 +126,39 @@ TEST_CASE("filters::pcss: knows itself, and reads no texel beyond its reach") {
         CHECK(farthest <= double(filter.reach()) + 1.0 / 256);
         CHECK(farthest > double(filter.reach()) - 0.02);
     }
+}
+
+TEST_CASE("pcss: a straight edge in contact has smaller stair steps than under pcf_2x2") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> any(0, 1);
+    const penumbra_params at_contact{.per_code = 0.0f};
+    double by_pcss = 0, by_pcf = 0;
+    for (int i = 0; i < rounds(40); ++i) {
+        const float angle = 6.2831853f * any(random);
+        const glm::vec2 across(std::cos(angle), std::sin(angle)), along(-across.y, across.x);
+        const glm::vec2 middle(32 + any(random), 32 + any(random));
+        image<float> map({64, 64}, 1.0f);
+        for (glm::ivec2 p(0); p.y < 64; ++p.y)
+            for (p.x = 0; p.x < 64; ++p.x)
+                if (glm::dot(glm::vec2(p) + 0.5f - middle, across) < 0) map[p] = 0.25f;
+        // How much visibility varies along the edge, at a distance from it; that of pcss is the mean of its rotations.
+        const auto variance = [&](const auto& visibility) {
+            double sum = 0, squares = 0;
+            const float distance = 2 * any(random) - 1;
+            for (int k = -50; k < 50; ++k) {
+                const double v = visibility(middle + distance * across + 0.4f * float(k) * along);
+                sum += v, squares += v * v;
+            }
+            return squares / 100 - sum * sum / 1e4;
+        };
+        by_pcss += variance([&](glm::vec2 coord) {
+            double sum = 0;
+            for (int r = 0; r < 16; ++r)
+                sum += double(filters::pcss{.softness = at_contact}(bordered(map), coord, 0.5f, {r % 4, r / 4}));
+            return sum / 16;
+        });
+        by_pcf += variance([&](glm::vec2 coord) { return double(pcf_2x2(bordered(map), coord, 0.5f)); });
+    }
+    CHECK(std::sqrt(by_pcss) < 0.8 * std::sqrt(by_pcf));
+    CHECK(by_pcf > 0);
 }

@@ -158,13 +158,13 @@ TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
         CHECK(with([](auto& f) {
                   f.receivers = intersection(bounding_box<T>{}, bounding_box<T>{vec(2), vec(3)});
               }) == "");  // the camera sees nothing of the scene
-        CHECK(with([&](auto& f) { f.receivers = box(vec(-1), vec(1, -2, 1)); }).starts_with("umbrage::hull: box.low "));
+        CHECK(with([&](auto& f) { f.receivers = box(vec(-1), vec(1, -2, 1)); }).starts_with(name + "receivers.low "));
         CHECK(with([&](auto& f) { f.casters = box(vec(-1), vec(1, -2, 1)); }).starts_with(name + "casters.low "));
         CHECK(with([](auto& f) { f.receivers = bounding_sphere<T>{vec(1), T(-1)}; }).starts_with(name + "receivers "));
         for (T bad : {nan, -nan, infinity, -infinity}) {
             CHECK(with([&](auto& f) {
                       f.receivers = box(vec(0, bad, 0), vec(1));
-                  }).starts_with("umbrage::hull: box.low must be finite; got "));
+                  }).starts_with(name + "receivers.low must be finite; got "));
             CHECK(with([&](auto& f) {
                       f.receivers = std::vector<vec>{vec(0), vec(1, 0, bad)};
                   }).starts_with(name + "receivers must be finite"));

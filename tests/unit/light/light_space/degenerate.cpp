@@ -89,7 +89,8 @@ TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do,
                    float, double) {
     std::vector<std::string> bounded = of_camera;
     bounded.emplace_back("fit_spot_light");
-    refused<T>(bounded, {"box.low", "scene.low"}, [](auto& a) { a.scene.low.y = a.scene.high.y + T(1); });
+    refused<T>(bounded, {"receivers.low", "box.low", "scene.low"},
+               [](auto& a) { a.scene.low.y = a.scene.high.y + T(1); });
     taken<T>(
         bounded, [](auto& a) { a.scene.high.y = a.scene.low.y; }, anything);
     for (const std::string& name : bounded) {
@@ -114,7 +115,7 @@ TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 deg
         refused<T>(planed, {"z_far", "frustum.z_far", "z_near and z_far", "splits", "receivers"},
                    [&](auto& a) { a.z_near = T(60), a.z_far = z_far; });
     const T infinity = std::numeric_limits<T>::infinity(), pi = std::numbers::pi_v<T>;
-    for (const T angle : {pi / 2, T(2), pi, infinity})
+    for (const T angle : {T(1.501), pi / 2, T(2), pi, infinity})
         refused<T>(of_spots, {"outer_angle_radians"}, [&](auto& a) { a.angle = angle; });
     for (const T tangent : {std::tan(T(2)), T(0), infinity})
         refused<T>(of_camera, {"camera.tan_half_x", "frustum.tan_half_x"}, [&](auto& a) { a.tangent = tangent; });

@@ -96,6 +96,8 @@ TEST_CASE("make_tetrahedron_light: what is wrong is named") {
     CHECK(of([](light& l) { l.border = std::numeric_limits<int>::max(); }) == "border");
     CHECK(of([](light& l) { l.map_size = 0; }) == "map_size");
     CHECK(of([](light& l) { l.z_near = 0; }) == "z_near");
+    CHECK(of([](light& l) { l.z_near = 3e-4f; }) == "z_near");  // no digits at 100
+    CHECK(of([](light& l) { l.z_near = 3e-4f, l.clip.direction = depth_direction::reversed; }).empty());
     CHECK(of([](light& l) { l.z_far = l.z_near; }) == "z_far");
     CHECK(of([](light& l) { l.position.y = std::nanf(""); }) == "position");
 }

@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
         CHECK(with([](auto& f) { f.position = vec(0); }).empty());  // within
         CHECK(with([](auto& f) { f.casters.reset(); }).empty());
         CHECK(with([](auto& f) { f.has_far_plane = false; }).empty());
-        for (T angle : {T(0), T(-1), std::numbers::pi_v<T> / 2, T(2), nan, infinity})
+        for (T angle : {T(0), T(-1), T(1.501), std::numbers::pi_v<T> / 2, T(2), nan, infinity})
             CHECK(with([&](auto& f) { f.outer_angle_radians = angle; }).starts_with(name + "outer_angle_radians "));
         for (T z_near : {T(0), T(-1), nan, infinity, std::numeric_limits<T>::denorm_min()})
             CHECK(with([&](auto& f) { f.z_near = z_near; }).starts_with(name + "z_near "));
@@ -100,9 +100,12 @@ TEST_CASE_TEMPLATE("fit_spot_light: bad input", T, float, double) {
                                detail::printed(p));
         }
         CHECK(with([](auto& f) { f.position.y = 1000; }).empty());
+        const bool reversed = clip.direction == depth_direction::reversed;
+        const std::string no_digits = with([](auto& f) { f.position = vec(0), f.z_near = T(1e-6); });
+        CHECK((reversed ? no_digits.empty() : no_digits.starts_with(name + "z_near must be at least ")));
         CHECK(with([](auto& f) {
                   f.receivers = bounding_box<T>{vec(0), vec(-1)};
-              }).starts_with("umbrage::hull: box.low "));
+              }).starts_with(name + "receivers.low must be nowhere above high; got "));
         CHECK(lights([](auto&) {}));
         CHECK(!lights([](auto& f) { f.z_near = 7; }));  // behind all
         CHECK(!lights([](auto& f) { f.direction = vec(0, 1, 0); }));

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/glsl.hpp>
-#include <umbrage/shader/registry.hpp>
 
 #include "../parts_of_text.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 
 using namespace umbrage;

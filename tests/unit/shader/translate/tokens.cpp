@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
 
 using namespace umbrage;

@@ -42,9 +42,14 @@ const auto splits = practical_splits<3>(0.5f, 40.0f, 0.7f);
 
 TEST_CASE_TEMPLATE("shadow: discs of other than 8, 16 or 32 points are refused", Filter, filters::disc, filters::pcss,
                    filters::dpcf) {
-    CHECK(refused(Filter{.points = 64}) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 64");
-    CHECK(refused(Filter{.points = 12}) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 12");
-    CHECK(refused(Filter{.points = 8}) == "no error");
+    const auto of = [](int points) {
+        Filter filter{.points = points};
+        if constexpr (detail::contact_hardening<Filter>) filter.softness = make_penumbra_params(0.1f);
+        return refused(filter);
+    };
+    CHECK(of(64) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 64");
+    CHECK(of(12) == "umbrage::shadow: filter.points must be 8, 16 or 32; got 12");
+    CHECK(of(8) == "no error");
 }
 
 TEST_CASE("shadow: prefilters whose powers overflow or whose bias is no number are refused") {
@@ -70,11 +75,18 @@ TEST_CASE("shadow: a window of 16 weights is refused") {
 TEST_CASE_TEMPLATE("shadow: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
                    filters::dpcf) {
     const std::string name = "umbrage::shadow: filter.softness.";
-    CHECK(
-        refused(Filter{.softness = {0.06f, 96, 16}}).starts_with(name + "min_radius and max_radius must be integers"));
-    CHECK(refused(Filter{.softness = {0.06f, 1.5f, 16}}).starts_with(name + "min_radius and max_radius must be "));
-    CHECK(refused(Filter{.softness = {-1, 16, 96}}) == name + "per_code must be from 0 to 4096; got -1");
-    CHECK(refused(Filter{}) == "no error");
+    CHECK(refused(Filter{.softness = {0, 96, 16, 1}}).starts_with(name + "min_radius and max_radius must be integers"));
+    CHECK(refused(Filter{.softness = {0, 1.5f, 16, 1}}).starts_with(name + "min_radius and max_radius must be "));
+    CHECK(refused(Filter{.softness = make_penumbra_params(0.1f)}) == "no error");
+}
+
+TEST_CASE_TEMPLATE("shadow: contact hardening without a size of the light is refused", Filter, filters::pcss,
+                   filters::dpcf) {
+    const std::string name = "umbrage::shadow: filter.softness.light_size must be above 0 and finite; got ";
+    CHECK(refused(Filter{}).starts_with(name + "0. make_penumbra_params(light_size) gives it"));
+    CHECK(refused(Filter{.softness = {0.06f, 16, 96}}).starts_with(name + "0"));  // of one map, by itself
+    CHECK(refused(Filter{.softness = {0, 16, 96, -1}}).starts_with(name + "-1"));
+    CHECK(refused(Filter{.softness = {0, 16, 96, detail::highest<float> * 2}}).starts_with(name + "inf"));
 }
 
 TEST_CASE("shadow: cascades that were moved from or taken away are refused, as are more than there are maps") {
@@ -87,8 +99,8 @@ TEST_CASE("shadow: cascades that were moved from or taken away are refused, as a
     CHECK(of_size(warped, {64, 64}) == "no error");
     shadow sun(stable, {64, 64}, filters::hard{});
     const shadow taken = std::move(sun);
-    CHECK(complaint([&] { (void)sun.uniforms(); }) == moved);
-    CHECK(complaint([&] { (void)taken.uniforms(); }) == "no error");
+    CHECK(complaint([&] { (void)sun.relative_to({}); }) == moved);
+    CHECK(complaint([&] { (void)taken.relative_to({}); }) == "no error");
     for (int i = 0; i < 2; ++i)
         stable.cascades.push_back(stable.cascades[0]), warped.cascades.push_back(warped.cascades[0]);
     CHECK(of_size(stable, {64, 64}).starts_with(name + "5"));
@@ -105,6 +117,8 @@ TEST_CASE("shadow: maps that together have no size in ints are refused") {
         "umbrage::shadow: map_size must be such that all maps together have less than 2^31 texels a side; got ";
     CHECK(of_size(stable, {1 << 30, 64}) == text + "1073741824 x 64");
     CHECK(of_size(stable, {64, 1 << 30}) == text + "64 x 1073741824");
-    CHECK(of_size(stable, {(1 << 30) - 1, 64}) == "no error");
+    cascade_fit<float> wide = fit;
+    wide.map_size = {(1 << 30) - 1, 64};
+    CHECK(of_size(make_stable_cascades<3>(wide, splits), wide.map_size) == "no error");
     CHECK(of_size(make_spot_light<float>({.clip = cpu_clip_space}), {1 << 30, 1 << 30}) == "no error");
 }

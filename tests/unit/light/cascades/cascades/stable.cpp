@@ -123,7 +123,7 @@ TEST_CASE("make_tight_cascades: each holds what its part of the frustum has of t
     CHECK(f.apart < 1e-8);
 }
 
-TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels and their depths not at all", T, float,
+TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels, their depths by eighths", T, float,
                    double) {
     std::mt19937 random(3);
     const glm::dvec3 middle(3000, 20, -3000);
@@ -152,7 +152,8 @@ TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels 
             const glm::vec<3, T> bound = glm::max(glm::abs(at), glm::abs(first[i])) * std::numeric_limits<T>::epsilon();
             CHECK(off.x <= (may_fuse ? bound.x : T(0)));
             CHECK(off.y <= (may_fuse ? bound.y : T(0)));
-            CHECK(moved.z == T(0));
+            const T off_step = std::abs(moved.z - std::round(moved.z * T(8)) / T(8));
+            CHECK(off_step <= (may_fuse ? bound.z : std::numeric_limits<T>::epsilon() / 2));
             farthest = worse(farthest, std::abs(double(moved.x)));
             for (glm::length_t axis = 0; axis < 2; ++axis)
                 by_matrix = worse(by_matrix, std::abs(other[axis] - first_by_matrix[i][axis] - double(moved[axis])));

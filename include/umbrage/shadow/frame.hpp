@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// The frame of every shadow, in C++ and in GLSL: places of a receiver from the setup, a lookup in the map of each, and
+// their blend. Setups and filters only state what they are.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/shadow/map_tile.hpp>
+#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/softness.hpp>
+
+namespace umbrage::detail {
+
+/// Blends each place after the first over those before, by its weight.
+/// @param look   (place) -> visibility there, or a color
+template <class Look>
+[[nodiscard]] auto blended(std::span<const map_place> places, const Look& look) {
+    auto sum = look(places[0]);
+    for (const map_place& place : places.subspan(1)) {
+        if (!(place.weight > 0.0f)) continue;
+        const auto next = look(place);
+        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // blend_cascades, of colors too
+    }
+    return sum;
+}
+
+/// A shadow in the frame's text: declarations and names that its function passes on.
+struct frame_words {
+    const glsl::snippet* placing = nullptr;  ///< the setup's
+    int most_places = 1;
+    std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
+    std::string of_set_up{};                      ///< the setup's own, as arguments
+    std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
+    std::vector<std::string> chooses_map{};       ///< statement that chooses the map of `number`
+    std::vector<const glsl::snippet*> chooses{};  ///< what the statement calls
+
+    /// Snippets that the text calls, but for those of the choice.
+    [[nodiscard]] std::vector<const glsl::snippet*> needs() const {
+        if (most_places == 1) return {placing};
+        return {placing, &glsl::blend_cascades};
+    }
+};
+
+/// Words of a setup.
+/// @param layers   true for maps in an array, false for an atlas
+/// @param turns    true for filters with a rotated disc
+/// @param soft     softness of each map
+template <class SetUp>
+[[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
+    frame_words w{.placing = SetUp::placing, .most_places = most_places<SetUp>};
+    for (const uniform_field& f : SetUp::fields) {
+        w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
+        w.of_set_up.append(f.name).append(", ");
+    }
+    w.fields += soft.fields;
+    w.names = w.of_set_up + soft.names;
+    if (turns) w.pixel = ", UMBRAGE_HIGHP vec2 pixel", w.of_pixel = ", pixel";
+    constexpr map_grid grid = SetUp::grid;
+    if (grid.columns * grid.rows == 1) return w;
+    const std::string columns = std::to_string(grid.columns) + ".0";
+    if (layers) w.chooses_map = {"UMBRAGE_HIGHP float layer = number;"};
+    else {
+        w.chooses_map = {"UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(" + columns + ", 1.0 / " + columns +
+                         "), vec2(terms.x, terms.y));"};
+        w.chooses = {&glsl::map_tile};
+    }
+    return w;
+}
+
+/// Result of the frame's text: a visibility, or a color.
+struct frame_result {
+    std::string_view head;   ///< comment, type and name of the function, up to its first parameters
+    std::string_view type;   ///< float or vec3
+    std::string_view lit;    ///< value of the type before any map is looked up
+    std::string look;        ///< result at `at` and `slope`
+    std::string_view blend;  ///< blend of `sum` and `next` by `slope.z`
+};
+
+/// GLSL version of blended: the one text of all shadows.
+/// @param statements     those of the words, where the result depends on a map
+[[nodiscard]] inline std::string frame_text(const frame_result& of, const frame_words& w,
+                                            const std::vector<std::string>& statements) {
+    const std::string type = "UMBRAGE_HIGHP " + std::string(of.type) + ' ';
+    std::string text = std::string(of.head) + w.fields +
+                       "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
+                       "UMBRAGE_HIGHP vec3 normal" +
+                       w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
+                       w.of_set_up +
+                       "terms, world, normal);\n"
+                       "    UMBRAGE_HIGHP vec4 at = places[0];\n"
+                       "    UMBRAGE_HIGHP vec4 slope = places[1];\n";
+    const auto add = [&](const char* margin, std::string_view line) { text.append(margin).append(line) += '\n'; };
+    const auto look_up = [&](const char* margin, const char* name) {
+        add(margin, "UMBRAGE_HIGHP float number = at.w;");
+        for (const std::string& line : statements) add(margin, line);
+        add(margin, type + name + " = " + of.look + ';');
+    };
+    if (w.most_places == 1) look_up("    ", "sum");
+    else {
+        // Compilers do not know how often the loop turns, so that the filter's instructions stand once.
+        add("", "#if __VERSION__ >= 130");
+        add("    ", "int count = places[3].z > 0.0 ? 2 : 1;");
+        add("", "#else");
+        add("    ", "const int count = 2;");
+        add("", "#endif");
+        add("    ", type + "sum = " + std::string(of.lit) + ';');
+        add("    ", "for (int i = 0; i < count; ++i) {");
+        add("        ", "if (slope.z > 0.0) {");
+        look_up("            ", "next");
+        add("            ", "sum = " + std::string(of.blend) + ';');
+        add("        ", "}");
+        add("        ", "at = places[2];");
+        add("        ", "slope = places[3];");
+        add("    ", "}");
+    }
+    return text + "    return sum;\n}\n";
+}
+
+}  // namespace umbrage::detail

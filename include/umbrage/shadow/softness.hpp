@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+//
+// Contact hardening in a light's maps: each map has its own softness, so that penumbras have one width in the world.
+//
+//     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
+//     umbrage::shadow sun(cascades, fit.map_size, soft);
+//
+// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: has_like_maps.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shader/interface.hpp>
+#include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/set_up.hpp>
+
+namespace umbrage {
+
+/// One of 16 numbers of a matrix, column by column.
+/// @param sixteen   the numbers
+/// @param number    which one, an integer from 0 to 15
+/// @exactness       A: comparisons
+template <real T>
+[[nodiscard]] constexpr T map_softness(const glm::mat<4, 4, T>& sixteen, T number) {
+    const T column = T(static_cast<int>(number) / 4), i = number - T(4) * column;
+    const glm::vec<4, T> four = cascade_column(sixteen, column);
+    return i < T(1.5) ? (i < T(0.5) ? four.x : four.y) : (i < T(2.5) ? four.z : four.w);
+}
+
+namespace glsl {
+
+inline constexpr snippet map_softness{
+    .name = "map_softness",
+    .summary = "one of 16 numbers of a matrix, without dynamic indexing",
+    .exactness = tier::a,
+    .needs = list<&cascade_column>,
+    .source = R"GLSL(
+// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
+UMBRAGE_HIGHP float umbrage_map_softness(UMBRAGE_HIGHP mat4 sixteen, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float column = floor(number * 0.25);
+    UMBRAGE_HIGHP float i = number - 4.0 * column;
+    UMBRAGE_HIGHP vec4 four = umbrage_cascade_column(sixteen, column);
+    UMBRAGE_HIGHP float low = i < 0.5 ? four.x : four.y;
+    UMBRAGE_HIGHP float high = i < 2.5 ? four.z : four.w;
+    return i < 1.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* softness_snippets[]{&map_softness};
+
+}  // namespace glsl
+
+namespace detail {
+
+/// Matrices of a uniform block that hold the softness of each map.
+template <class SetUp, class Filter>
+inline constexpr int softness_matrices =
+    contact_hardening<Filter> && !has_like_maps<SetUp> ? (SetUp::grid.columns * SetUp::grid.rows + 15) / 16 : 0;
+
+inline constexpr std::array<uniform_field, 4> softness_fields{
+    {{"softness_0"}, {"softness_1"}, {"softness_2"}, {"softness_3"}}};
+
+/// The one number of a contact-hardening filter.
+template <contact_hardening Filter>
+[[nodiscard]] constexpr auto& softness_of(Filter& filter) {
+    return std::get<0>(std::remove_const_t<Filter>::numbers(filter));
+}
+
+/// The filter with the softness of one map, as it is by itself.
+template <contact_hardening Filter>
+[[nodiscard]] constexpr Filter with_per_code(Filter filter, float per_code) {
+    softness_of(filter).per_code = per_code;
+    softness_of(filter).light_size = 0.0f;
+    return filter;
+}
+
+/// Refuses a filter with contact hardening that does not say how large the light is.
+template <contact_hardening Filter>
+void require_light_size(const Filter& filter) {
+    const float size = softness_of(filter).light_size;
+    require(is_finite(size) && size > 0.0f, "shadow", "filter.softness.light_size", "above 0 and finite", size,
+            "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
+}
+
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& to_texels, const glm::dvec3& world) {
+    const glm::dvec3 rays =
+        is_lens(to_texels) ? row_of(to_texels, 3) : glm::cross(row_of(to_texels, 0), row_of(to_texels, 1));
+    return light_units_at(to_texels, rays, world).units;
+}
+
+/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+[[nodiscard]] inline glm::dvec2 softness_units(const light_space<double>& light, glm::ivec2 map_size) {
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
+    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+}
+
+/// per_code of each of a setup's maps, as many as its grid holds. A setup with no light has none, and one 0.
+template <shadow_set_up SetUp>
+[[nodiscard]] std::vector<float> softness_of_maps(const SetUp& set_up, glm::ivec2 map_size, float light_size) {
+    std::vector<float> all;
+    for (const light_space<double>& light : set_up.lights())
+        if (all.size() < std::size_t(SetUp::grid.columns * SetUp::grid.rows))
+            all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
+    if (all.empty()) all.push_back(0.0f);
+    return all;
+}
+
+/// Words of the frame's text that find a map's softness. All are empty but `terms` for other filters, and for maps that
+/// are alike.
+struct softness_words {
+    std::string fields{}, names{};          ///< matrices, as parameters and as arguments
+    std::vector<std::string> statements{};  ///< those that find `own_terms` of the map `number`
+    std::string terms = "filter_terms";     ///< terms of the filter in that map
+    std::vector<const glsl::snippet*> needs{};
+};
+
+/// Words for a number of matrices.
+[[nodiscard]] inline softness_words softness_words_of(int matrices) {
+    softness_words w;
+    if (matrices == 0) return w;
+    w.statements = {"UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);"};
+    for (int i = 0; i < matrices; ++i) {
+        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(16 * i) + ".0";
+        w.fields += "UMBRAGE_HIGHP mat4 " + name + ", ";
+        w.names += name + ", ";
+        if (i > 0)
+            w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
+                                   ", number - " + before + ") : softness;");
+    }
+    w.statements.push_back(
+        "UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);");
+    w.terms = "own_terms";
+    w.needs = {&glsl::map_softness};
+    return w;
+}
+
+}  // namespace detail
+}  // namespace umbrage

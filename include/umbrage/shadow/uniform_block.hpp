@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Uniform block of a shadow: what its setup, its filter and its encoding tell the lookup, in C++ and in shaders.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <span>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/lesser.hpp>
+#include <umbrage/core/scalar.hpp>
+#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/softness.hpp>
+
+namespace umbrage {
+
+/// Uniform block of a shadow's shader: copy its bytes into the buffer.
+/// @tparam Matrices   matrices with the softness of each map, 16 a matrix
+template <shadow_set_up SetUp, int Matrices = 0>
+struct shadow_uniforms {
+    typename SetUp::uniforms maps;
+    std::array<glm::mat4, std::size_t(Matrices)> softness;
+    shadow_terms terms;
+};
+template <shadow_set_up SetUp>
+struct shadow_uniforms<SetUp, 0> {
+    typename SetUp::uniforms maps;
+    shadow_terms terms;
+};
+
+namespace detail {
+
+/// Refuses uniforms that are infinite or NaN in float.
+inline void require_finite_uniforms(std::span<const float> uniforms) {
+    for (const float number : uniforms)
+        require(is_finite(number), "shadow", "light, filter and origin", "such that all uniforms are finite in float",
+                number, "Tiny near planes and huge coordinates overflow.");
+}
+
+/// Terms at the end of a uniform block, from a filter and the error of its map's depths.
+template <class Filter>
+[[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
+                                             clip_space clip, bent_lines bends) {
+    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
+    const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
+    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.
+    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - 0x1p-23;
+    return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + bends.error,
+            terms_of(filter, more)};
+}
+
+/// Uniform block of a shadow.
+/// @param off   error of its map's depths
+template <shadow_set_up SetUp, class Filter>
+[[nodiscard]] auto make_shadow_uniforms(const SetUp& set_up, glm::ivec2 map_size, const Filter& filter,
+                                        decoding_error off, glm::dvec3 origin) {
+    constexpr int matrices = softness_matrices<SetUp, Filter>;
+    shadow_uniforms<SetUp, matrices> all{};
+    all.maps = set_up.make_uniforms(map_size, origin);
+    all.terms = make_shadow_terms(map_size, filter, off, set_up.clip(), bends_of<SetUp>);
+    if constexpr (contact_hardening<Filter>) {
+        const auto each = softness_of_maps(set_up, map_size, softness_of(filter).light_size);
+        all.terms.filter_terms.x = each.front();
+        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
+    }
+    std::array<float, sizeof all / sizeof(float)> numbers;
+    std::memcpy(numbers.data(), &all, sizeof all);
+    require_finite_uniforms(numbers);
+    return all;
+}
+
+/// Filter of one map, as it is by itself: contact hardening has the softness of that map.
+template <class SetUp, class Filter>
+[[nodiscard]] Filter filter_of_map(const Filter& filter,
+                                   const shadow_uniforms<SetUp, softness_matrices<SetUp, Filter>>& uniforms,
+                                   [[maybe_unused]] int number) {
+    if constexpr (!contact_hardening<Filter>) return filter;
+    else if constexpr (softness_matrices<SetUp, Filter> == 0)
+        return with_per_code(filter, uniforms.terms.filter_terms.x);
+    else {
+        const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];
+        return with_per_code(filter, map_softness(sixteen, static_cast<float>(number % 16)));
+    }
+}
+
+}  // namespace detail
+}  // namespace umbrage

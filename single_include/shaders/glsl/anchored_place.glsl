@@ -1,0 +1,80 @@
+// umbrage 0.1.0, anchored_place: place of a point in one map, and a bound of its rounding. Exactness: tier C.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// anchored_place, tier C: within 121 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLAMP_SLOPE
+#define UMBRAGE_HAS_CLAMP_SLOPE
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PLANE_SLOPE
+#define UMBRAGE_HAS_PLANE_SLOPE
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_RECEIVER_SLOPE
+#define UMBRAGE_HAS_RECEIVER_SLOPE
+// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                          UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
+    return none ? vec2(0.0, 0.0) : slope;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ANCHORED_PLACE
+#define UMBRAGE_HAS_ANCHORED_PLACE
+// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
+//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
+//   way                 position less anchor.xyz
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_receiver_slope(planes, normal, way);
+    bool before = c.w > 0.0;
+    UMBRAGE_HIGHP float i = before ? 1.0 / c.w : 0.0;
+    UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+}
+#endif

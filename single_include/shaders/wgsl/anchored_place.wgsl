@@ -1,0 +1,51 @@
+// umbrage 0.1.0, anchored_place: place of a point in one map, and a bound of its rounding. Exactness: tier C.
+// WGSL lets compilers fuse or reorder sums.
+// anchored_place, tier C: within 121 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
+fn umbrage_clamp_slope(slope: f32) -> f32 {
+    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
+}
+
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
+fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
+        normal.z;
+    return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+
+// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
+    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
+    return select(slope, vec2f(0.0, 0.0), none);
+}
+
+// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
+//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
+//   way                 position less anchor.xyz
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+                          normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    let slope: vec2f = umbrage_receiver_slope(planes, normal, way);
+    let before: bool = c.w > 0.0;
+    let i: f32 = select(0.0, 1.0 / c.w, before);
+    let at: vec3f = vec3f(c.x, c.y, c.z) * i;
+    let steep: f32 = abs(slope.x) + abs(slope.y);
+    let moves: f32 = rounding.x + rounding.y * i;
+    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
+                   none);
+}

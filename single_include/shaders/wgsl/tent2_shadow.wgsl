@@ -1,0 +1,80 @@
+// umbrage 0.1.0, tent2_shadow: PCF kernel 1 1. Exactness: tier A.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+// Map: `map: texture_depth_2d, map_sampler: sampler_comparison`, a depth texture. Its sampler passes receiver <=
+//   depth, clamps to the edge and filters nearest.
+// Render target of the map: depth attachment, one sample. Clear to 1.0.
+// Other maps: bind() of the library or of its npm package prints this text, by texture, outside, direction.
+
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+
+// umbrage_beyond_far_plane_shadow: true if a receiver is beyond the far plane
+fn umbrage_beyond_far_plane_shadow(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+
+// umbrage_in_filter_domain_shadow: true if a filter compares; lit outside texel space and beyond the far plane
+fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
+    // a choice, not a && !b: FXC turns !(receiver > 1.0) into receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
+}
+
+// umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
+fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                            receiver: f32) -> f32 {
+    let lit: f32 = textureSampleCompareLevel(map, map_sampler, (texel + 0.5) / size, receiver);
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
+}
+
+// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+
+// umbrage_lit_shadow: compares the receiver with one texel. Outside the map it compares with the far plane
+fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                      receiver: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
+    let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
+    return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
+}
+
+// umbrage_lit_2x2_shadow: visibility from the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
+                          receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit_shadow(map, map_sampler, size, texel, receiver);
+    let b: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit_shadow(map, map_sampler, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+
+// umbrage_tent2_shadow: PCF over 3 x 3 texels, weights 1 1. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+fn umbrage_tent2_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                        receiver: f32) -> f32 {
+    let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    // s is in [0, 256) already, w1 not negative. clamp and max keep compilers from regrouping sums across them
+    let s: vec2f = clamp(x * (1.0 / 256.0) - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0)) * 256.0;
+    let r: vec2f = 256.0 - s;
+    let w0: vec2f = r * 8.0;
+    let w2: vec2f = s * 8.0;
+    let w1: vec2f = max(4096.0 - w0 - w2, vec2f(0.0, 0.0));
+    let a: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel - 1.0, receiver);
+    let b: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(-1.0, 1.0), receiver);
+    let d: vec4f = umbrage_lit_2x2_shadow(map, map_sampler, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
+    return select(1.0, n * (1.0 / 16777216.0), compared);
+}

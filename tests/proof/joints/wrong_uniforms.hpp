@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// Uniforms of a setup as programs get them wrong: members by their names, or those of another map, size or origin.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include "setups.hpp"
+#include "tweaks.hpp"
+
+namespace joints {
+
+/// A hundredth of what a light covers, about: what an origin moves by from frame to frame.
+[[nodiscard]] inline glm::dvec3 step_of(const umbrage::light_space<double>& light, glm::dvec3 origin) {
+    const auto here = umbrage::detail::relative_to(origin, light);
+    const glm::dmat4 back = glm::inverse(here.projection * here.view);
+    const glm::dvec4 a = back * glm::dvec4(0, 0, 0.9, 1), b = back * glm::dvec4(0.04, 0.03, 0.9, 1);
+    return glm::dvec3(b) / b.w - glm::dvec3(a) / a.w;
+}
+
+template <class SetUp>
+class wrong_uniforms {
+public:
+    wrong_uniforms(const SetUp& s, glm::ivec2 map_size, glm::dvec3 origin, typename SetUp::uniforms& u)
+        : set_up_(s), map_size_(map_size), origin_(origin), u_(u) {}
+
+    /// @param reach   of the filter, texels
+    /// @return        false where the setup has no such step
+    [[nodiscard]] bool change(const tweaks& t, float reach) {
+        if (t.uniforms_drop_origin) u_ = set_up_.make_uniforms(map_size_, glm::dvec3(0));
+        if (t.uniforms_stale_origin)
+            u_ = set_up_.make_uniforms(map_size_, origin_ + step_of(set_up_.lights().front(), origin_));
+        return (!t.drops_rounding || drop_rounding()) && (!t.drops_slope || drop_slope()) &&
+               (!t.other_column || turn_columns()) && (!t.other_size || halve_size(reach)) &&
+               (!t.uniforms_drop_added || drop_anchor(true)) && (!t.uniforms_drop_anchor || drop_anchor(false)) &&
+               (!t.drops_border || drop_border());
+    }
+
+private:
+    /// A member by its name, as vectors; empty where there is none.
+    [[nodiscard]] std::span<glm::vec4> field(std::string_view name) {
+        const std::span<glm::vec4> all(reinterpret_cast<glm::vec4*>(&u_), sizeof u_ / sizeof(glm::vec4));
+        std::size_t at = 0;
+        for (const umbrage::uniform_field& f : SetUp::fields) {
+            if (f.name == name) return all.subspan(at, f.vectors());
+            at += f.vectors();
+        }
+        return {};
+    }
+    bool drop_rounding() {
+        if (const auto rounding = field("rounding"); !rounding.empty()) {
+            std::ranges::fill(rounding, glm::vec4(0));
+            return true;
+        }
+        if (const auto blending = field("blending"); !blending.empty()) {
+            blending[0].z = 0;
+            for (const auto* name : {"scales", "farther_scales"})
+                for (glm::vec4& column : field(name)) column.w = 0;
+            return true;
+        }
+        const auto pages = field("pages");
+        if (!pages.empty()) pages[0].z = pages[0].w = 0;
+        return !pages.empty();
+    }
+    bool drop_slope() {
+        const auto planes = field("planes"), points = field("to_texels");
+        if (planes.empty() || points.empty()) return false;
+        std::ranges::copy(points, planes.begin());
+        return true;
+    }
+    bool turn_columns() {
+        const auto scales = field("scales"), offsets = field("offsets");
+        if (scales.empty() || set_up_.lights().size() < 2) return false;
+        std::rotate(scales.begin(), scales.begin() + 1, scales.end());
+        std::rotate(offsets.begin(), offsets.begin() + 1, offsets.end());
+        return true;
+    }
+    bool halve_size(float reach) {
+        if constexpr (std::is_same_v<SetUp, umbrage::single_map> || std::is_same_v<SetUp, umbrage::warped_maps>) {
+            const glm::ivec2 half = map_size_ / 2;
+            if (2.0f * reach > float(std::min(half.x, half.y))) return false;
+            u_ = set_up_.make_uniforms(half, origin_);
+            return true;
+        } else return false;  // refused by name
+    }
+    /// @param depth   its fourth component, or the others
+    bool drop_anchor(bool depth) {
+        const auto anchor = field("anchor");
+        if (anchor.empty() || (depth && anchor[0].w == 0.0f)) return false;
+        anchor[0] = depth ? glm::vec4(glm::vec3(anchor[0]), 0) : glm::vec4(0, 0, 0, anchor[0].w);
+        return true;
+    }
+    bool drop_border() {
+        if constexpr (std::is_same_v<SetUp, umbrage::cube_maps> || std::is_same_v<SetUp, umbrage::tetrahedron_map> ||
+                      std::is_same_v<SetUp, umbrage::paraboloid_maps>) {
+            auto light = set_up_.light;
+            light.border = 0;
+            u_ = SetUp(light).make_uniforms(map_size_, origin_);
+            return true;
+        } else return false;
+    }
+
+    const SetUp& set_up_;
+    glm::ivec2 map_size_;
+    glm::dvec3 origin_;
+    typename SetUp::uniforms& u_;
+};
+
+}  // namespace joints

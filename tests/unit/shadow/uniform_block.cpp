@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <umbrage/shadow/shadow.hpp>
+#include <umbrage/shadow/uniform_block.hpp>
+
+#include "scene.hpp"
+
+using namespace umbrage;
+
+TEST_CASE("uniform_block: its fields are the setup's, softness and terms, one after the other") {
+    using soft = shadow_uniforms<cascaded_maps<1>, 1>;
+    using plain = shadow_uniforms<cascaded_maps<1>>;
+    CHECK(offsetof(soft, softness) == sizeof(cascaded_maps<1>::uniforms));
+    CHECK(offsetof(soft, terms) == sizeof(cascaded_maps<1>::uniforms) + sizeof(glm::mat4));
+    CHECK(offsetof(plain, terms) == sizeof(cascaded_maps<1>::uniforms));
+    CHECK(sizeof(soft) == sizeof(plain) + sizeof(glm::mat4));
+    CHECK(sizeof(shadow<adaptive_maps, filters::pcss>::uniforms_type) ==
+          sizeof(shadow_uniforms<adaptive_maps>) + 4 * sizeof(glm::mat4));
+    CHECK(sizeof(shadow<cube_maps, filters::pcss>::uniforms_type) == sizeof(shadow_uniforms<cube_maps>));
+}
+
+TEST_CASE("uniform_block: each map has its softness, and terms have that of the first") {
+    const shadow sun(shadow_scene::cascades<6>(cpu_clip_space), {256, 256}, shadow_scene::sized(filters::dpcf{}));
+    const auto& u = sun.uniforms();
+    CHECK(u.terms.filter_terms == glm::vec4(u.softness[0][0][0], 1, 64, 0));  // radii in 1/16 texel
+    for (int i = 0; i < 8; ++i) {
+        const float of_map = u.softness[0][i / 4][i % 4];
+        CHECK((of_map > 0) == (i < 6));
+        CHECK(detail::filter_of_map<cascaded_maps<2>>(sun.filter(), u, i).softness.per_code == of_map);
+        CHECK(detail::filter_of_map<cascaded_maps<2>>(sun.filter(), u, i).softness.light_size == 0);
+    }
+    CHECK(u.softness[0][0][0] > u.softness[0][1][1]);  // farther maps have larger texels
+}
+
+TEST_CASE("uniform_block: infinite or NaN numbers are refused") {
+    const std::vector<float> good{1, 2}, infinite{1, std::numeric_limits<float>::infinity()};
+    CHECK_NOTHROW(detail::require_finite_uniforms(good));
+    CHECK_THROWS_WITH_AS(
+        detail::require_finite_uniforms(infinite),
+        "umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; "
+        "got inf. Tiny near planes and huge coordinates overflow.",
+        std::invalid_argument);
+}
