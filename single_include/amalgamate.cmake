@@ -13,6 +13,13 @@ if(NOT OUTPUT)
     set(OUTPUT ${committed})
 endif()
 
+# write(FILE TEXT): leaves a file alone that has the text already, so that nothing is built anew for it.
+function(write file text)
+    file(WRITE ${file}.new "${text}")
+    file(COPY_FILE ${file}.new ${file} ONLY_IF_DIFFERENT)
+    file(REMOVE ${file}.new)
+endfunction()
+
 # made(NAME in FOLDER as committed in FOLDER): fails where the two differ.
 function(made name new old)
     execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${new}/${name} ${old}/${name} RESULT_VARIABLE different)
@@ -25,8 +32,8 @@ endfunction()
 # kinds, which tools walk, other programs' formats, and those that fit lights to a scene or keep account of what they
 # drew: geometry and containers, which take their time to compile.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|shadow|warp|foreign)/|/(umbrage|primitives|list|[a-z]*(filters|encodings))\\.hpp$")
-list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|warped)|adaptive/(pages|root))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|shadow|warp|foreign)/|/(umbrage|primitives|registry|list|[a-z]*(filters|encodings))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|scene_depths|warped)|adaptive/(pages|root))\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN primitives "" primitives)
@@ -34,7 +41,7 @@ set(folder ${root}/include/umbrage)
 if(NOT OUTPUT STREQUAL "${committed}")
     set(folder ${OUTPUT})
 endif()
-file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
+write(${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
 // rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
@@ -78,7 +85,7 @@ list(REMOVE_DUPLICATES others)
 list(SORT others)
 list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN others "" others)
-file(WRITE ${OUTPUT}/umbrage.hpp "// SPDX-License-Identifier: MIT
+write(${OUTPUT}/umbrage.hpp "// SPDX-License-Identifier: MIT
 //
 // All of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
 //

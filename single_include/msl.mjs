@@ -4,14 +4,13 @@
 //     const shader = msl.text([msl.bind(msl.pcf_2x2, 'sun', { texture: 'array' })]) + my_main;
 //
 // Written by the C++ library's build, with which every text agrees to the character.
-import { bind_in } from './module/bind.mjs';
-import { compose, exactness_in } from './module/compose.mjs';
-import { declare_in_msl } from './module/declare.mjs';
+import { bind_in } from './npm/compose/bind.mjs';
+import { compose, exactness_in } from './npm/compose/compose.mjs';
+import { declare_in_msl } from './npm/compose/declare.mjs';
 import { depth32f } from './module/msl/encodings.mjs';
-import { hooks } from './module/msl/hooks.mjs';
-import { language } from './module/msl/language.mjs';
-import { looks } from './module/msl/looks.mjs';
-import { shadow_in } from './module/shadow.mjs';
+import { hooks, looks } from './module/msl/shadows.mjs';
+import { msl as language } from './module/languages.mjs';
+import { shadow_in } from './npm/compose/shadow.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
@@ -21,9 +20,8 @@ export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
-export { debug } from './module/msl/debug.mjs';
+export { debug, spot_light, directional_light, cascades, cascades_8, point_light, tetrahedron_light, dual_paraboloid_light, warped_cascades, adaptive_pages } from './module/msl/shadows.mjs';
 export * from './module/msl/encodings.mjs';
-export * from './module/msl/kinds.mjs';
 export * from './module/msl/snippets.mjs';
 export * as encodings from './module/msl/encodings.mjs';
 export * as snippets from './module/msl/snippets.mjs';

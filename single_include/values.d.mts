@@ -13,6 +13,8 @@ export interface ClipSpace {
     readonly direction: 'forward' | 'reversed';
     /** Of the map's first row. */
     readonly origin: 'bottom' | 'top';
+    /** Bits of the grid within a texel to which the rasterizer moves vertices. 4, if left out, is what APIs promise. */
+    readonly subpixel_bits?: number;
 }
 export const opengl_clip_space: ClipSpace;
 export const vulkan_clip_space: ClipSpace;
@@ -31,7 +33,9 @@ interface OfAll {
     clip: ClipSpace;
     /** Where the frame's world begins: points that the shader is given are less that. */
     origin?: Vector;
-    /** The filter's arguments by their names, in place of defaults. */
+    /** The filter's arguments by their names, in place of defaults. Contact hardening has others: `light_size`, which must be given
+     *  (the light's radius in world units, or for suns the tangent of half the angle under which they are seen), and `min_radius`
+     *  and `max_radius` in texels, 1 and 16. */
     filter?: Readonly<Record<string, number | readonly number[]>>;
 }
 export interface SpotLight extends OfAll {
@@ -110,8 +114,15 @@ export interface DualParaboloidLight extends OfAll { position?: Vector; range?: 
 export interface Values {
     /** The uniform block: its bytes are those of a buffer, its floats those of glUniform4fv. */
     block: Float32Array;
-    /** For each map: world, less the origin, to clip space, for its depth pass. */
+    /** For each map, what the function of `vertex_pass` takes: umbrage_vertex_<name>(to_clip, world, anchor). It keeps its
+     *  digits far from the origin. */
+    views: { to_clip: Float32Array, anchor: Float32Array }[];
+    /** For each map: world, less the origin, to clip space, for vertex shaders of your own near the origin. Dual paraboloids
+     *  bend lines, so they have none. */
     matrices: Float32Array[];
+    /** Of dual paraboloids: radians that an edge of a mesh may span, seen from the light. Cut longer ones: each edge is drawn
+     *  straight, within half a texel of its true arc. */
+    edge_angle?: number;
 }
 /** A shadow's values for a light of its kind.
  *  @throws Error   as the C++ library: function, argument, condition, value */

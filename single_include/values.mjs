@@ -5,7 +5,7 @@
 //     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
 //
 // It is the C++ library itself, as WebAssembly, of about 200 kB.
-import { must_be_clip_space, must_in } from './module/check.mjs';
+import { must_be_clip_space, must_in } from './npm/compose/check.mjs';
 import { encodings, filters, kinds } from './module/names.mjs';
 
 const must = must_in('values');
@@ -53,10 +53,15 @@ function numbers(key, value, size, { says, holds } = number) {
     return Array.from(all);
 }
 
+/** What contact hardening is told of: the softness of each map follows from it. */
+const hardening = [{ name: 'light_size', value: undefined }, { name: 'min_radius', value: 1 }, { name: 'max_radius', value: 16 }];
+
 /** Numbers of the filter's arguments but for a rotation, the given ones in place of defaults. */
 function arguments_of({ name, filter }, given) {
     must(typeof given === 'object' && given !== null, 'light.filter must be an object', given);
-    const known = filter.arguments.filter(argument => argument.name !== 'rotation');
+    const hardens = filter.arguments.some(argument => argument.name === 'softness');
+    const known = hardens ? hardening : filter.arguments.filter(argument => argument.name !== 'rotation');
+    must(!hardens || given.light_size !== undefined, 'light.filter.light_size must be given', given.light_size);
     for (const key of Object.keys(given))
         must(known.some(argument => argument.name === key), `light.filter must have no properties but arguments of ${name}`, key);
     return known.flatMap(({ name, type, value }) => numbers(`filter.${name}`, given[name] === undefined ? value : given[name],
@@ -69,6 +74,8 @@ const box = { low: 3, high: 3 }, camera = { view: 16, projection: 16, z_near: 1,
 function numbers_of({ kind, filter, direction, map_size }, light) {
     const { clip, splits = [], casters } = light, zeros = size => new Array(size).fill(0), sum = sizes => sizes.reduce((a, b) => a + b);
     must_be_clip_space(must, 'light.clip', clip);
+    const bits = clip.subpixel_bits ?? 4;
+    must(Number.isInteger(bits) && bits >= 3 && bits <= 16, 'light.clip.subpixel_bits must be a whole number from 3 to 16', bits);
     must(clip.direction === direction, `light.clip must have the direction of the shadow, ${direction}`, clip.direction);
     const of = (key, size = 1, what = number) => key in light ? numbers(key, light[key], size, what) : zeros(size);
     const parts = (key, sizes) => {
@@ -79,7 +86,7 @@ function numbers_of({ kind, filter, direction, map_size }, light) {
     must(splits?.length === 0 || splits?.length >= 2 && splits.length <= 9, 'light.splits must be 2 to 9 distances, or none', splits);
     must(!('snap' in light) || typeof light.snap === 'boolean', 'light.snap must be true or false', light.snap);
     const distances = numbers('splits', splits, splits.length), given = arguments_of(filter, light.filter);
-    return [clip.hand === 'left', clip.range === 'minus_one_to_one', direction === 'reversed', clip.origin === 'top', ...map_size,
+    return [clip.hand === 'left', clip.range === 'minus_one_to_one', direction === 'reversed', clip.origin === 'top', bits, ...map_size,
         ...of('origin', 3), ...of('position', 3), ...of('direction', 3), ...of('up', 3), ...of('outer_angle_radians'), ...of('aspect'),
         ...of('z_near'), ...of('range' in light ? 'range' : 'z_far'), ...of('gutter' in light ? 'gutter' : 'border', 1, whole),
         ...parts('receivers' in light ? 'receivers' : 'scene', box), Boolean(casters), ...casters === null ? zeros(6) : parts('casters', box),
@@ -103,6 +110,12 @@ function seen_of({ points = [], normals = [] }) {
     return seen;
 }
 
+/** The largest angle that a mesh's edge may span, as paraboloid_edge_angle of the C++ library gives it. */
+function edge_angle_of([size], { border }) {
+    const inner = size - 2 * border, rim = size / inner;
+    return 2 * Math.sqrt(2 / inner) * 2 / (1 + rim * rim);
+}
+
 /** Starts the WebAssembly, once; what it resolves to gives a shadow's block and matrices for a light. */
 export async function load_values() {
     const fail = message => {
@@ -119,8 +132,8 @@ export async function load_values() {
     c._initialize();
     return (shadow, light) => {
         must(shadow?.settings !== undefined, 'shadow must be one that shadow() made', shadow);
-        const { settings } = shadow, all = complete(settings.kind, light), numbers = numbers_of(settings, all);
-        const seen = seen_of(all), room = c.umbrage_seen(seen.length / 8);
+        const { settings } = shadow, whole = complete(settings.kind, light), numbers = numbers_of(settings, whole);
+        const seen = seen_of(whole), room = c.umbrage_seen(seen.length / 8);
         new Float64Array(memory().buffer, c.umbrage_input(), numbers.length).set(numbers);
         new Float32Array(memory().buffer, room, seen.length).set(seen);
         const stack = c.stackSave();
@@ -128,10 +141,21 @@ export async function load_values() {
         try {
             floats = c.umbrage_values(kinds.indexOf(settings.kind), filters.indexOf(settings.filter.name), encodings.indexOf(settings.encoding));
         } finally { c.stackRestore(stack); }
-        const at = c.umbrage_output(), block = new Float32Array(memory().buffer, at, floats).slice(), matrices = [];
-        for (let i = 0; i < c.umbrage_matrices(); i += 16)
-            matrices.push(new Float32Array(memory().buffer, at + 4 * (floats + i), 16).slice());
-        return { block, matrices };
+        const at = c.umbrage_output(), all = new Float32Array(memory().buffer, at, floats + 36 * c.umbrage_maps()).slice();
+        const maps = [...Array(c.umbrage_maps()).keys()], views = all.subarray(floats + 16 * maps.length);
+        const bends = settings.kind === 'dual_paraboloid_light';
+        return { block: all.slice(0, floats), ...bends && { edge_angle: edge_angle_of(settings.map_size, whole) },
+            matrices: bends ? [] : maps.map(i => all.slice(floats + 16 * i, floats + 16 * i + 16)),
+            views: maps.map(i => ({ to_clip: views.slice(20 * i, 20 * i + 16), anchor: views.slice(20 * i + 16, 20 * i + 20) })) };
     };
 }
-export * from './module/clip_spaces.mjs';
+export const opengl_clip_space = { hand: "right", range: "minus_one_to_one", direction: "forward", origin: "bottom", subpixel_bits: 4 };
+export const vulkan_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "bottom", subpixel_bits: 4 };
+export const direct3d_clip_space = { hand: "left", range: "zero_to_one", direction: "forward", origin: "top", subpixel_bits: 8 };
+export const webgpu_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "top", subpixel_bits: 4 };
+export const metal_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "top", subpixel_bits: 4 };
+export const unity_clip_space = { hand: "left", range: "zero_to_one", direction: "reversed", origin: "top", subpixel_bits: 4 };
+export const unity_opengl_clip_space = { hand: "left", range: "minus_one_to_one", direction: "forward", origin: "bottom", subpixel_bits: 4 };
+export const unreal_clip_space = { hand: "left", range: "zero_to_one", direction: "reversed", origin: "top", subpixel_bits: 4 };
+export const godot_clip_space = { hand: "right", range: "zero_to_one", direction: "reversed", origin: "bottom", subpixel_bits: 4 };
+export const cpu_clip_space = { hand: "right", range: "zero_to_one", direction: "forward", origin: "bottom", subpixel_bits: 8 };

@@ -4,14 +4,13 @@
 //     const shader = wgsl.text([wgsl.bind(wgsl.pcf_2x2, 'sun', { texture: 'array' })]) + my_main;
 //
 // Written by the C++ library's build, with which every text agrees to the character.
-import { bind_in } from './module/bind.mjs';
-import { compose, exactness_in } from './module/compose.mjs';
-import { declare_in_wgsl } from './module/declare.mjs';
+import { bind_in } from './npm/compose/bind.mjs';
+import { compose, exactness_in, functions_in } from './npm/compose/compose.mjs';
+import { declare_in_wgsl } from './npm/compose/declare.mjs';
 import { depth32f } from './module/wgsl/encodings.mjs';
-import { hooks } from './module/wgsl/hooks.mjs';
-import { language } from './module/wgsl/language.mjs';
-import { looks } from './module/wgsl/looks.mjs';
-import { shadow_in } from './module/shadow.mjs';
+import { hooks, looks } from './module/wgsl/shadows.mjs';
+import { wgsl as language } from './module/languages.mjs';
+import { shadow_in } from './npm/compose/shadow.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
@@ -21,10 +20,9 @@ export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */
 export const text = items => compose(language, items);
-export { functions } from './module/functions.mjs';
-export { debug } from './module/wgsl/debug.mjs';
+export const functions = items => functions_in(language, items);
+export { debug, spot_light, directional_light, cascades, cascades_8, point_light, tetrahedron_light, dual_paraboloid_light, warped_cascades, adaptive_pages } from './module/wgsl/shadows.mjs';
 export * from './module/wgsl/encodings.mjs';
-export * from './module/wgsl/kinds.mjs';
 export * from './module/wgsl/snippets.mjs';
 export * as encodings from './module/wgsl/encodings.mjs';
 export * as snippets from './module/wgsl/snippets.mjs';

@@ -41,3 +41,11 @@ export function install(engine: Engine, options: Options): void;
 /** Restores Babylon.js' own text, byte for byte.
  *  @throws Error   an engine of another copy of @babylonjs/core; options that do not fit */
 export function uninstall(engine: Engine, options?: { readonly scene?: Scene }): void;
+
+/** Gives the directional light of a shadow generator a size in the world, for contact hardening by pcss and dpcf: penumbras are
+ *  as wide as under a round light of that size, whatever the light's box and planes are or become. Sets
+ *  contactHardeningLightSizeUVRatio in each frame. Penumbras end at the largest radius of the filter's softness.
+ *  @param generator    a ShadowGenerator or CascadedShadowGenerator
+ *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
+ *  @throws Error       a generator of another light, or a size that is not finite or below 0 */
+export function set_light_size(generator: object, light_size: number): void;

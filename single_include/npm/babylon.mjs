@@ -17,7 +17,9 @@ import '@babylonjs/core/ShadersWGSL/ShadersInclude/shadowsFragmentFunctions.js';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
 import { check_options, further_arguments, must } from './options.mjs';
 
-const where = 'babylon: install', known = '@babylonjs/core must have the shadow shader of 9.35';
+export { set_light_size } from './babylon_light_size.mjs';
+
+const where = 'babylon: install', known = '@babylonjs/core must have the shadow shader of 9.33';
 const shadows = 'shadowsFragmentFunctions', last = 'oitFragment';  // the latter is included behind a material's color
 const stores = { glsl: ShaderStore.IncludesShadersStore, wgsl: ShaderStore.IncludesShadersStoreWGSL };
 const scene_of_babylon = ['a scene of Babylon.js', value => Array.isArray(value?.meshes)];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the addons share: options are checked before a host's text is touched, whose functions are found by their braces.
-import { shown } from '../module/check.mjs';
+import { shown } from './compose/check.mjs';
 
 export function must(where, holds, condition, got) {
     if (!holds) throw new Error(`umbrage/${where}: ${condition}; got ${shown(got)}`);
@@ -77,6 +77,10 @@ export function further_arguments(filter, given, { rotation, radius, vec3 }) {
         : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(${radius}, 1.0, 1.0))`
         : literal(type, given.all[name]))).join('');
 }
+
+/** What a frame adds to a pixel's y for its rotation: the frame's four bits reversed, so that any few frames in a row have
+ *  rotations far apart, and 16 frames have all of them once. */
+export const turn_of_frame = frame => [8, 4, 2, 1].reduce((turn, bit, i) => turn + ((frame >> i) & 1) * bit, 0);
 
 /** Where a body ends, behind its closing brace; begin lies behind the opening one. */
 export function end_of_body(text, begin) {

@@ -46,3 +46,10 @@ export function install(device: Device, options: Options): void;
 /** Restores PlayCanvas' own text, byte for byte.
  *  @throws Error   a device of another copy of playcanvas */
 export function uninstall(device: Device): void;
+
+/** Gives a directional light a size in the world, for SHADOW_PCSS_32F by pcss and dpcf: penumbras are as wide as under a round
+ *  light of that size. They end at the largest radius of the filter's softness.
+ *  @param light        the component of a directional light
+ *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
+ *  @throws Error       another light, or a size that is not finite or below 0 */
+export function set_light_size(light: object, light_size: number): void;

@@ -145,6 +145,15 @@ export function uninstall(device) {
     installed.delete(device);
 }
 
+/** Gives a directional light a size in the world: our filters take penumbraSize as the tangent of half its angle. */
+export function set_light_size(light, size) {
+    const where = 'playcanvas: set_light_size';
+    const good = light?.type === 'directional' && 'penumbraSize' in light;
+    must(where, good, 'light must be the component of a directional light', light?.type ?? light);
+    must(where, Number.isFinite(size) && size >= 0, 'light_size must be finite, 0 or more', size);
+    light.penumbraSize = size;
+}
+
 function check_device(where, device) {
     must(where, device instanceof GraphicsDevice, 'device must be a graphics device of this copy of playcanvas', device);
 }

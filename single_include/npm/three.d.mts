@@ -3,6 +3,10 @@
 // Types of umbrage/three. three.js itself comes with no types; @types/three fits.
 import type { Snippet } from '../umbrage.mjs';
 
+export { fit_shadow } from './three_fit.mjs';
+export { set_light_size } from './three_light_size.mjs';
+export type { Box, Fit, Fitted, Part, Parts } from './three_fit.mjs';
+
 /** What the addon uses of three.js: pass the whole module. */
 export interface Three {
     readonly REVISION: string;
@@ -20,6 +24,9 @@ export interface Options {
     readonly filter: Snippet;
     /** In place of the filter's defaults, see filter.filter.arguments; but for rotation, of which each pixel has its own. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** Discs, and what searches by them, rotate from frame to frame of this renderer, for temporal antialiasing (TAA): each
+     *  pixel has all 16 rotations in 16 frames. THREE must have ShaderLib. */
+    readonly frame?: boolean;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
     /** A scene that was drawn before: its materials are compiled again. Those with a customProgramCacheKey of their own may

@@ -8,9 +8,13 @@
 //     import { install } from 'umbrage/three';
 //     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
 import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
+import { in_use } from './three_fit.mjs';
 import {
-    check_filter, check_options, checked_arguments, checked_later, end_of_body, flag, further_arguments, must,
+    check_filter, check_options, checked_arguments, checked_later, end_of_body, flag, further_arguments, must, turn_of_frame,
 } from './options.mjs';
+
+export { fit_shadow } from './three_fit.mjs';
+export { set_light_size } from './three_light_size.mjs';
 
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
 const members = ['BasicShadowMap', 'Material', 'ShaderChunk', 'WebGLRenderer'];
@@ -30,17 +34,17 @@ function own_function(chunk) {
 }
 
 /** The chunk with our function in place of three's. */
-function with_filter(chunk, filter, given, direction, probe) {
+function with_filter(chunk, filter, given, direction, { probe = false, frame = false }) {
     const { head, begin, end } = own_function(chunk);
     const further = further_arguments(filter, given,
-        { rotation: 'umbrage_disc_rotation( gl_FragCoord.xy )', radius: 'shadowRadius', vec3: 'vec3' });
+        { rotation: `umbrage_disc_rotation( gl_FragCoord.xy${frame ? ' + umbrage_turn' : ''} )`, radius: 'shadowRadius', vec3: 'vec3' });
     const map = { texture: 'depth', direction, outside: 'bordered' };
     const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
     const declarations = `
 #if defined( SHADOWMAP_TYPE_BASIC )
 highp vec4 umbrage_receiver = vec4( 0.0 );  // texels, texels, depth, visibility
 highp vec3 umbrage_color = vec3( 0.5 );
-${text(items, '300 es')}
+${frame ? 'uniform highp vec2 umbrage_turn;\n' : ''}${text(items, '300 es')}
 #endif
 `;
     const body = `${head}
@@ -58,14 +62,21 @@ ${text(items, '300 es')}
     return chunk.slice(0, begin).replace(place, place + declarations) + body + chunk.slice(end);
 }
 
+/** A uniform of all lit materials that each frame of a renderer changes: three.js reads x and y when it draws. */
+function turn_by_frame(shaders, { info }) {
+    const value = { x: 0, get y() { return turn_of_frame(info.render.frame); } };
+    for (const { uniforms } of Object.values(shaders)) if (uniforms.directionalLightShadows) uniforms.umbrage_turn = { value };
+}
+
 /** Puts a filter in place of three's own, for all lights and materials of a page. */
 export function install(THREE, renderer, options = {}) {
     const where = 'three: install';
     must(where, Number.parseInt(THREE?.REVISION) >= first_revision, `THREE must be r${first_revision} or later`, THREE?.REVISION);
     for (const member of members) must(where, member in THREE, `THREE must have ${members.join(', ')}`, `no ${member}`);
     must(where, renderer instanceof THREE.WebGLRenderer, 'renderer must be a WebGLRenderer of this copy of three.js', renderer);
-    check_options(where, options, { filter: checked_later, arguments: checked_later, probe: flag, scene: scene_of_three });
-    const { filter, probe = false, scene } = options;
+    check_options(where, options, { filter: checked_later, arguments: checked_later, frame: flag, probe: flag, scene: scene_of_three });
+    const { filter, frame = false, probe = false, scene } = options;
+    must(where, !frame || THREE.ShaderLib, 'THREE must have ShaderLib for frame', 'no ShaderLib');
     check_filter(where, 'filter', filter, 'GLSL');
     const given = checked_arguments(where, filter, options.arguments);
     const { ShaderChunk, Material: { prototype: material } } = THREE;
@@ -77,7 +88,7 @@ export function install(THREE, renderer, options = {}) {
     const { chunks, key, first, types } = own;
     must(where, direction === first,
         `renderer must have the depth direction of the page's first, ${first}: call uninstall(THREE) before`, direction);
-    const text = with_filter(chunks.shadowmap_pars_fragment, filter, given, direction, probe);
+    const text = with_filter(chunks.shadowmap_pars_fragment, filter, given, direction, options);
     ShaderChunk.shadowmap_pars_fragment = text;
     ShaderChunk.dithering_fragment = chunks.dithering_fragment + (probe
         ? '\n#if defined( USE_SHADOWMAP ) && defined( SHADOWMAP_TYPE_BASIC )\ngl_FragColor.rgb = umbrage_color;\n#endif\n' : '');
@@ -86,7 +97,9 @@ export function install(THREE, renderer, options = {}) {
     material.customProgramCacheKey = function () { return key.call(this) + mark; };
     if (!types.has(renderer)) types.set(renderer, renderer.shadowMap.type);
     renderer.shadowMap.type = THREE.BasicShadowMap;  // depths as they are
+    if (frame) turn_by_frame(THREE.ShaderLib, renderer);
     installed.set(ShaderChunk, own);
+    in_use.webgl = { filter, given };
     compile_again(THREE, scene);
 }
 
@@ -99,7 +112,9 @@ export function uninstall(THREE, options = {}) {
     Object.assign(THREE.ShaderChunk, own.chunks);
     THREE.Material.prototype.customProgramCacheKey = own.key;
     for (const [renderer, type] of own.types) renderer.shadowMap.type = type;
+    for (const { uniforms } of Object.values(THREE.ShaderLib ?? {})) delete uniforms.umbrage_turn;
     installed.delete(THREE.ShaderChunk);
+    in_use.webgl = undefined;
     compile_again(THREE, options.scene);
 }
 

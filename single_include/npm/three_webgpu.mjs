@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
 // three.js with WebGPURenderer: a light's filter node, of the filters of this package. Each light may have its own; three's
-// bias, normalBias and intensity keep their meaning. Point lights keep three's own filter.
+// bias, normalBias and intensity keep their meaning. Point lights keep three's own filter, with a warning.
 //
 //     import * as wgsl from 'umbrage/wgsl';
 //     import { shadow_filter } from 'umbrage/three/webgpu';
 //     light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 });
-import { NearestFilter, REVISION } from 'three/webgpu';
+import { BasicShadowMap, NearestFilter, REVISION } from 'three/webgpu';
 import * as TSL from 'three/tsl';
 import { bind as bind_glsl, disc_rotation as rotation_glsl, text } from '../umbrage.mjs';
 import { bind, disc_rotation, functions, probe_color } from '../wgsl.mjs';
-import { check_filter, check_options, checked_arguments, checked_later, further_arguments, must } from './options.mjs';
+import { in_use } from './three_fit.mjs';
+import {
+    check_filter, check_options, checked_arguments, checked_later, flag, further_arguments, must, turn_of_frame,
+} from './options.mjs';
+
+export { fit_shadow } from './three_fit.mjs';
+export { set_light_size } from './three_light_size.mjs';
 
 const property_of_tsl = ["a property of TSL, such as property('vec4', 'color')", value => value?.isNode === true];
 const known = {
-    wgsl: checked_later, glsl: checked_later, arguments: checked_later, probe: property_of_tsl, receiver: property_of_tsl };
+    wgsl: checked_later, glsl: checked_later, arguments: checked_later, frame: flag, probe: property_of_tsl, receiver: property_of_tsl };
 const where = 'three/webgpu: shadow_filter', made = new Map(), pieces = new Map();
 
 /** A node for each function of WGSL: those of equal text are one node, so that several filters share a shader. */
@@ -58,34 +64,48 @@ function probe_of(at, size, bias, direction) {
     return made.get(key)({ at, size, bias });
 }
 
+/** three.js' own filter for a point light, with a word about it: its cube has no form of ours. */
+function own_point_filter(of_light, { renderer }, name) {
+    const own = renderer.shadowMap.type === BasicShadowMap ? TSL.BasicPointShadowFilter : TSL.PointShadowFilter;
+    const known_filter = typeof own === 'function', words = 'the light must have one map: a spot, a directional light or a SunLight';
+    must(where, known_filter, words, 'a point light');
+    console.warn(`umbrage/${where}: ${words}; got a point light. It keeps three.js' own filter in place of ${name}.`);
+    return own(of_light);
+}
+
 /** A filter node: light.shadow.filterNode = shadow_filter({ wgsl: wgsl.pcss16 }). */
 export function shadow_filter(options = {}) {
     check_options(where, options, known);
-    const { wgsl, glsl, probe, receiver } = options;
+    const { wgsl, glsl, frame = false, probe, receiver } = options;
     check_filter(where, 'wgsl', wgsl, 'WGSL');
     if (glsl !== undefined) check_filter(where, 'glsl', glsl, 'GLSL');
     must(where, glsl === undefined || glsl.name === wgsl.name, 'glsl must be the same filter in GLSL', glsl?.name);
     const given = checked_arguments(where, wgsl, options.arguments);
-    return TSL.Fn(({ depthTexture, shadowCoord, shadow }, builder) => {
+    const turn = TSL.uniform(0).setGroup(TSL.renderGroup).onRenderUpdate(({ frameId }) => turn_of_frame(frameId));
+    const node = TSL.Fn(({ depthTexture, shadowCoord, shadow, bd3D, dp, distance, texelSize }, builder) => {
         const { renderer } = builder, in_wgsl = renderer.backend.isWebGPUBackend === true;
         must(where, in_wgsl || glsl !== undefined, 'glsl must be given for the WebGL 2 fallback', glsl);
         must(where, renderer.backend.compatibilityMode !== true,
             'the device must have core features: compatibility mode cannot load depths', 'compatibility mode');
-        must(where, shadowCoord !== undefined, 'the light must have one map: a spot, a directional light or a SunLight', 'a point light');
+        if (shadowCoord === undefined)
+            return own_point_filter({ depthTexture, shadow, bd3D, dp, distance, texelSize }, builder, wgsl.name);
         must(where, !renderer.reversedDepthBuffer || shadow.camera?.reversedDepth !== false,
             'three.js must be r187 or later for reversed depth, as it drew maps of forward depth before', `r${REVISION}`);
         must(where, depthTexture.isArrayTexture !== true, 'the map must be one texture', 'an array');
         depthTexture.compareFunction = null;  // depths as they are
         depthTexture.minFilter = depthTexture.magFilter = NearestFilter;
         const of_shadow = (name, type) => TSL.reference(name, type, shadow).setGroup(TSL.renderGroup);
-        const size = of_shadow('mapSize', 'vec2'), coord = shadowCoord.toVar();
+        // the map's own size: a light's mapSize may have changed before a uniform of it has
+        const map = TSL.texture(depthTexture), size = TSL.vec2(TSL.textureSize(map)).toVar(), coord = shadowCoord.toVar();
         const direction = renderer.reversedDepthBuffer ? 'reversed' : 'forward';
         const lit = function_of(in_wgsl ? wgsl : glsl, given, in_wgsl ? 'wgsl' : 'glsl', direction)({
-            map: TSL.texture(depthTexture), size, uv: coord.xy, receiver: coord.z,
-            radius: of_shadow('radius', 'float'), pixel: TSL.screenCoordinate.xy }).toVar();
+            map, size, uv: coord.xy, receiver: coord.z,
+            radius: of_shadow('radius', 'float'), pixel: frame ? TSL.screenCoordinate.xy.add(TSL.vec2(0, turn)) : TSL.screenCoordinate.xy }).toVar();
         const at = TSL.vec3((in_wgsl ? coord.xy : TSL.vec2(coord.x, coord.y.oneMinus())).mul(size), coord.z);
         if (receiver) receiver.assign(TSL.vec4(at, lit));
         if (probe && in_wgsl) probe.assign(TSL.vec4(probe_of(at, size, of_shadow('bias', 'float').abs(), direction), 1));
         return lit;
     });
+    in_use.nodes.set(node, { filter: wgsl, given });
+    return node;
 }

@@ -4,9 +4,10 @@
 import * as BABYLON from '@babylonjs/core';
 import * as glsl from '/package/umbrage.mjs';
 import * as wgsl from '/package/wgsl.mjs';
-import { install, uninstall } from '/package/npm/babylon.mjs';
+import { install, set_light_size, uninstall } from '/package/npm/babylon.mjs';
 import { depths_in_webgl, depths_in_webgpu } from '/engine_maps.mjs';
 import { base64, height, map_size, width } from '/scene.mjs';
+import { edge_height, half, light_at, rows_of, softened } from '/soft_edge.mjs';
 
 const in_webgl = location.hash === '#webgl', { Vector3, MeshBuilder } = BABYLON;
 const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
@@ -129,6 +130,34 @@ function per_code({ generator }) {
     }).join();
 }
 
+/** A penumbra under a light with a size, whatever its planes and cascades. */
+async function edge({ far, cascades }, size) {
+    const engine = await started();
+    install(engine, { ...filters('pcss16'), arguments: { softness: [0.0625, 16, 320] } });
+    const scene = new BABYLON.Scene(engine), camera = new BABYLON.FreeCamera('camera', new Vector3(0, 1.5, 0), scene);
+    scene.useRightHandedSystem = true;
+    camera.rotation.set(Math.PI / 2, 0, 0);  // down
+    const side = half * width / height;
+    Object.assign(camera, { mode: BABYLON.Camera.ORTHOGRAPHIC_CAMERA, orthoLeft: -side, orthoRight: side, orthoBottom: -half, orthoTop: half,
+        minZ: 0.1, maxZ: 3 });
+    const light = new BABYLON.DirectionalLight('sun', new Vector3(...light_at).scale(-1), scene);
+    light.position = new Vector3(...light_at);
+    Object.assign(light, { autoUpdateExtends: false, orthoLeft: -5, orthoRight: 5, orthoBottom: -5, orthoTop: 5, shadowMinZ: 1, shadowMaxZ: far });
+    const generator = new BABYLON[cascades ? 'CascadedShadowGenerator' : 'ShadowGenerator'](1024, light, true);
+    Object.assign(generator, { useContactHardeningShadow: true, bias: 0.05 / far, ...(cascades && { numCascades: 2, shadowMaxZ: 3 }) });
+    set_light_size(generator, size);
+    const floor = MeshBuilder.CreateGround('floor', { width: 12, height: 12 }, scene);
+    const sheet = MeshBuilder.CreateBox('sheet', { width: 12, height: 0.01, depth: 6 }, scene);
+    sheet.position.set(0, edge_height + 0.005, -3);
+    generator.addShadowCaster(sheet);
+    floor.receiveShadows = true;
+    for (const mesh of [floor, sheet]) mesh.material = new BABYLON.PBRMaterial('paint', scene);
+    const values = await shown({ engine, scene, camera, generator }, 'umbrage_receiver');
+    uninstall(engine);
+    engine.dispose();
+    return softened(rows_of(i => values[4 * i + 3]), size);
+}
+
 export const done = (async () => {
     const pictures = {}, floats = {}, said = {}, cascades = true, reversed = true;
     const stores = [BABYLON.ShaderStore.IncludesShadersStore, BABYLON.ShaderStore.IncludesShadersStoreWGSL];
@@ -182,5 +211,10 @@ export const done = (async () => {
     uninstall(engine, { scene });
     said.off = await picture(made) === own;
     said.restored = texts() === own_text;
+    const soft_edges = {};
+    for (const [name, options] of Object.entries({ 'far 20': { far: 20 }, 'far 200': { far: 200 }, cascades: { far: 20, cascades } }))
+        soft_edges[name] = await edge(options, 0.05);
+    said.soft = JSON.stringify(soft_edges);
+    said.soft_wrong = Object.values(soft_edges).every(({ good }) => good) ? 'none' : said.soft;
     return { pictures, floats, said };
 })();

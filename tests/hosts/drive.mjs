@@ -58,6 +58,7 @@ mkdirSync(folder, { recursive: true });
 for (const [name, url] of Object.entries(pictures))
     writeFileSync(join(folder, `${name}.png`), Buffer.from(url.split(',')[1], 'base64'));
 for (const [name, text] of Object.entries(floats)) writeFileSync(join(folder, name), Buffer.from(text, 'base64'));
+writeFileSync(join(folder, 'said.json'), JSON.stringify(said, undefined, 4));
 let failed = 0;
 const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what}`); };
 const compared = Object.keys(floats).filter(name => name.endsWith('.receivers')).map(name => name.replace(/\.receivers$/, ''));

@@ -213,13 +213,20 @@ async function three() {
     check('three: a refused second leaves the first', texts() === first && key() === by_light && a.shadowMap.type === basic);
     install(THREE, a, { filter: disc16, arguments: { radius: 2 } });
     check("three: the default of one's own is another program", texts() !== first && key() !== by_light);
+    install(THREE, Object.assign(a, { info: { render: { frame: 5 } } }), { filter: disc16, frame: true });
+    const turn = THREE.ShaderLib.physical.uniforms.umbrage_turn.value, turns = new Set(), { info: { render } } = a;
+    check(`three: the turn of frame 5 is 5 in reverse, 10: ${turn.y}`, turn.y === 10 && turn.x === 0);
+    for (render.frame = 0; render.frame < 16; ++render.frame) turns.add(turn.y);
+    check('three: 16 frames have 16 turns', turns.size === 16);
+    refused('three', head, 'no ShaderLib', () => install({ ...THREE, ShaderLib: undefined }, a, { filter: disc16, frame: true }),
+        'THREE must have ShaderLib for frame; got no ShaderLib');
     install(THREE, b, { filter: disc16, scene });
     check('three: the same filter is the same program', texts() === first && key() === by_light);
     check('three: materials of a scene are compiled again, with keys of their own too',
         plain.version === 1 && keyed.version === 1 && disposed.length === 1 && disposed[0] === keyed);
     check('three: two renderers', a.shadowMap.type === basic && b.shadowMap.type === basic);
     uninstall(THREE, { scene });
-    check('three: restored', texts() === own && a.shadowMap.type === own_type && b.shadowMap.type === own_type
+    check('three: restored', !('umbrage_turn' in THREE.ShaderLib.physical.uniforms) && texts() === own && a.shadowMap.type === own_type && b.shadowMap.type === own_type
         && key() === new THREE.Material().customProgramCacheKey() && !key().includes('umbrage') && disposed.length === 2);
     install(THREE, reversed, { filter: hard });
     check('three: the other direction afterwards', reversed.shadowMap.type === basic && texts() !== own);
@@ -274,6 +281,7 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
         further?.(language, engine, say);
         say('another engine', () => addon.install({}, { [language]: pcss16 }), 'of this copy of');
         refused(where, `${name}: uninstall`, 'no engine', () => addon.uninstall(), 'got undefined');
+        refused(where, `${name}: set_light_size`, 'no light', () => addon.set_light_size({}, 1), 'must be ');
         check(`${where}: untouched by what is refused`, texts() === own);
         chunks.set(first, chunks.get(first).replace(unknown.split(' ').at(-1), 'renamed'));
         const changed = texts();

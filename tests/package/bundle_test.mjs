@@ -18,9 +18,9 @@ const programs = {
     one: [`import { pcf_2x2, source } from 'umbrage'; globalThis.text = source('300 es', [pcf_2x2]);`, 2],
     wgsl: [`import * as wgsl from 'umbrage/wgsl'; globalThis.text = wgsl.text([wgsl.pcf_2x2]);`, 2],
     hlsl: [`import { pcf_2x2, text } from 'umbrage/hlsl'; globalThis.text = text([pcf_2x2]);`, 2],
-    // Which function a map has is known when the program runs: it carries those of every kind of map.
+    // Which function a map has is known when the program runs: it carries those of every kind of map, along planes too.
     bound: [`import { bind, pcf_2x2, source } from 'umbrage';
-        globalThis.text = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]);`, 9],
+        globalThis.text = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]);`, 10],
     shadow: [`import { shadow, source, spot_light, tent3 } from 'umbrage';
         globalThis.text = source('300 es', [shadow('sun', { kind: spot_light, filter: tent3, map_size: 1024 })]);`, 5],
 };
@@ -34,7 +34,7 @@ const bundlers = {
     },
     async rollup(input) {
         const resolveId = id => id.startsWith('umbrage')
-            ? { id: join(umbrage, exports[id.replace('umbrage', '.')].default.default), moduleSideEffects: false } : null;
+            ? { id: join(umbrage, exports[id.replace('umbrage', '.')].default), moduleSideEffects: false } : null;
         const bundle = await required('rollup').rollup({ input, plugins: [{ name: 'package', resolveId }] });
         const { output } = await bundle.generate({ format: 'es' });
         return (await required('terser').minify(output[0].code, { module: true })).code;

@@ -2,11 +2,11 @@
 #
 # Fails when the committed package is not what the programs write.
 file(REMOVE_RECURSE ${MADE})
-execute_process(COMMAND ${WRITER} ${TEMPLATES} ${MADE} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WRITER} ${SOURCE} ${MADE} COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE made RELATIVE ${MADE} ${MADE}/*)
-file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/shaders/* ${COMMITTED}/*.[cm]js ${COMMITTED}/*.[cm]ts
+file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/shaders/* ${COMMITTED}/*.mjs ${COMMITTED}/*.mts
      ${COMMITTED}/LICENSE)
-list(FILTER committed EXCLUDE REGEX "^(npm|wasm)/") # written by hand, and by wasm.mjs
+list(FILTER committed EXCLUDE REGEX "^(npm|wasm)/") # by hand, and by wasm.mjs
 if(NOT made STREQUAL committed)
     message(FATAL_ERROR "${COMMITTED} has files too many or too few; write them anew: cmake --build --preset dev --target single_include")
 endif()

@@ -80,8 +80,10 @@ inline constexpr bool bends<umbrage::dual_paraboloid_light<float>> = true;
 /// Calls use(filter) for each that a shadow of the light takes.
 template <class Light, class Use>
 void for_each_shadow_filter(const Light&, const Use& use) {
-    const auto taken = [&](const auto& filter) {
-        using type = std::decay_t<decltype(filter)>;
+    const auto taken = [&](auto filter) {
+        using type = decltype(filter);
+        if constexpr (umbrage::detail::contact_hardening<type>)
+            filter.softness = umbrage::make_penumbra_params(0.25f, 1.0f, 6.0f);
         if constexpr (umbrage::shadow_filter<type> && !(bends<Light> && umbrage::detail::contact_hardening<type>))
             use(filter);
     };

@@ -2,7 +2,6 @@
 //
 // The package's texts against C++'s, character for character:  node texts_test.mjs FOLDER EXPECTED
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -69,12 +68,8 @@ for (const [language, all] of Object.entries(umbrage)) {
     const wanted = `bind debug encodings exactness shadow snippets text ${kinds}${others}`.split(' ').sort().join(' ');
     const got = Object.keys(all).filter(name => !(name in all.snippets) && !(name in all.encodings)).sort().join(' ');
     named(got === wanted, `exports of ${language}: ${got}`);
-    const required = createRequire(import.meta.url)(resolve(folder, `${entries[language]}.cjs`));
-    named(Object.keys(required).sort().join() === Object.keys(all).sort().join(), `exports of ${language} by require`);
-    named(required.text([required.bind(required.box, 'a', required.rg11)])
-        === all.text([all.bind(all.box, 'a', all.rg11)]), `text in ${language} by require`);
 }
-for (const [name, { write, reversed, depth }] of Object.entries(encodings).filter(([name]) => name !== 'depth32f')) {
+for (const [name, { write, reversed, depth }] of Object.entries(encodings).filter(([name]) => !name.startsWith('depth'))) {
     named(write === reversed.write && write.needs.some(s => s === snippets[`write_${name}`] || s === snippets[`encode_${name}`]),
         `writer of ${name}`);
     const reader = depth.match(/^umbrage_decode_(\w+)\(value/)?.[1];  // one reader for a format and its repaired writer

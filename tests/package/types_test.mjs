@@ -18,7 +18,7 @@ symlinkSync(umbrage, join(folder, 'node_modules/umbrage'));
 
 const program = `
 import { adaptive_pages, bind, box, cascades, debug, encodings, exactness, pcf_2x2, pcss16, rg11, shadow, snippets, source, supports, text, versions } from 'umbrage';
-import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, Texture, Version } from 'umbrage';
+import type { Binding, Bound, Encoding, Exactness, Filter, Shadow, Snippet, SnippetName, Texture, Version } from 'umbrage';
 import * as hlsl from 'umbrage/hlsl';
 import * as msl from 'umbrage/msl';
 import { load_values, webgpu_clip_space } from 'umbrage/values';
@@ -26,9 +26,9 @@ import * as wgsl from 'umbrage/wgsl';
 
 const version: Version = versions[0] ?? '300 es', texture: Texture = 'array', map: Binding = { texture, gather: true };
 const item: Bound = bind(pcf_2x2, 'sun', map), packed: Encoding = encodings.rg11, tier: Exactness = exactness([item, box]);
-const by_name: Snippet | undefined = snippets['box'], cleared: number = rg11.reversed.cleared[0];
+const name: SnippetName = 'box', by_name: Snippet = snippets[name], cleared: number = rg11.reversed.cleared[0];
 export const all: string[] = [source(version, [item]), text([bind(box, '', packed)], '450'), tier, String(cleared),
-    String(by_name?.needs.length), String(supports(item, version))];
+    String(by_name.needs.length), String(supports(item, version))];
 const in_wgsl: wgsl.Bound = wgsl.bind(wgsl.box, 'sun', wgsl.rg11.reversed);
 all.push(wgsl.text([wgsl.pcf_2x2, in_wgsl]), hlsl.text([hlsl.pcf_2x2]), msl.text([]), wgsl.exactness([wgsl.box]));
 const soft: Filter | undefined = pcss16.filter, first: wgsl.WgslFunction | undefined = wgsl.functions([wgsl.box, in_wgsl])[0];
@@ -40,7 +40,7 @@ all.push(text([debugged], '450'), text([debugged.vertex_pass(webgpu_clip_space)]
 export async function floats(): Promise<Float32Array> {
     const values = await load_values();
     const { block, matrices } = values(sun, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera:
-        { view: new Float32Array(16), projection: new Float64Array(16), z_near: 1, z_far: 9 }, filter: { softness: [1, 16, 96] } });
+        { view: new Float32Array(16), projection: new Float64Array(16), z_near: 1, z_far: 9 }, filter: { light_size: 0.1, max_radius: 6 } });
     const pages: Shadow = shadow('pages', { kind: adaptive_pages, filter: box, map_size: 136 }), camera =
         { view: new Float32Array(16), projection: new Float32Array(16), z_near: 1, z_far: 9 };
     values(pages, { clip: webgpu_clip_space, scene: { low: [-9, 0, -9], high: [9, 3, 9] }, camera, picture: [640, 360],
@@ -76,19 +76,32 @@ wgsl.text([wgsl.pcf_2x2], '450');
 rg11.format = 'R8';
 // @ts-expect-error no such encoding
 encodings.rg17;
+// @ts-expect-error no such snippet
+bind(snippets.pcf_3x3, 'sun');
+// @ts-expect-error no such snippet
+wgsl.snippets['pcf_3x3'];
 `;
 const addons = `
 import { pcss16 } from 'umbrage';
 import * as babylon from 'umbrage/babylon';
 import * as playcanvas from 'umbrage/playcanvas';
-import { install, uninstall } from 'umbrage/three';
-import { shadow_filter } from 'umbrage/three/webgpu';
+import { fit_shadow, install, set_light_size, uninstall, type Fitted } from 'umbrage/three';
+import { fit_shadow as fit_in_webgpu, shadow_filter } from 'umbrage/three/webgpu';
 import * as wgsl from 'umbrage/wgsl';
 
 declare const THREE: import('umbrage/three').Three, renderer: object;
-install(THREE, renderer, { filter: pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true });
+install(THREE, renderer, { filter: pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, frame: true });
 uninstall(THREE);
-shadow_filter({ wgsl: wgsl.pcss16, glsl: pcss16 });
+const low = { x: 0, y: 0, z: 0 }, fitted: Fitted = fit_shadow({}, { receivers: { min: low, max: low }, steady: true });
+export const numbers: number[] = [fitted.texels_per_unit, fitted.detachment ?? 0, fitted.cascades?.finer ?? 1];
+set_light_size({}, 0.1);
+// @ts-expect-error no size
+set_light_size({});
+// @ts-expect-error no receivers
+fit_in_webgpu({}, { casters: [{ min: low, max: low }] });
+// @ts-expect-error no such option
+fit_shadow({}, { receivers: [{ min: low, max: low }], bias: 0 });
+shadow_filter({ wgsl: wgsl.pcss16, glsl: pcss16, frame: true });
 // @ts-expect-error a filter in another language
 install(THREE, renderer, { filter: wgsl.pcss16 });
 // @ts-expect-error no filter
@@ -96,6 +109,8 @@ shadow_filter({});
 declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device, light: playcanvas.Light;
 babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, scene });
 babylon.uninstall(engine, { scene });
+babylon.set_light_size({}, 0.1);
+playcanvas.set_light_size(light, 0.1);
 playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, lights: [light] });
 playcanvas.uninstall(device);
 // @ts-expect-error a filter in another language
@@ -103,12 +118,12 @@ babylon.install(engine, { wgsl: pcss16 });
 // @ts-expect-error a filter in another language
 playcanvas.install(device, { glsl: wgsl.pcss16 });
 `;
-writeFileSync(join(folder, 'addons.mts'), addons);
+for (const file of ['addons.mts', 'addons.cts']) writeFileSync(join(folder, file), addons);
 writeFileSync(join(folder, 'import.mts'), program);
 writeFileSync(join(folder, 'require.cts'), program);
 writeFileSync(join(folder, 'bundled.ts'), program);
 let failed = false;
-for (const [module, resolution, files] of [['nodenext', 'nodenext', ['import.mts', 'require.cts', 'addons.mts']], ['esnext', 'bundler', ['bundled.ts']]]) {
+for (const [module, resolution, files] of [['nodenext', 'nodenext', ['import.mts', 'require.cts', 'addons.mts', 'addons.cts']], ['esnext', 'bundler', ['bundled.ts']]]) {
     const options = ['--noEmit', '--strict', '--noUncheckedIndexedAccess', '--exactOptionalPropertyTypes', '--target', 'es2022',
         '--module', module, '--moduleResolution', resolution];
     try {

@@ -28,14 +28,16 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
     const test = JSON.parse(line), { kind, filter, encoding, calls, light } = test, clip = clips[test.clip];
     const of = shadow('sun', { kind: umbrage[kind], filter: snippets[filter], map_size: 256, direction: clip.direction,
         ...encoding && { encoding: encodings[encoding] } });
-    const { block, matrices } = values(of, { clip, ...light });
-    const all = matrices.reduce((list, m) => [...list, ...m], []);
-    const most = Math.max(difference(block, floats(test.block)), difference(Float32Array.from(all), floats(test.matrices)));
+    const { block, matrices, views, edge_angle = 0 } = values(of, { clip, ...light });
+    const all = list => Float32Array.from(list.flatMap(part => [...part]));
+    const most = Math.max(difference(block, floats(test.block)), difference(all(matrices), floats(test.matrices)));
+    // What is left of an offset that cancels is the last bits of doubles.
+    const off = difference(all(views.flatMap(view => [view.to_clip, view.anchor])), floats(test.views));
     const key = calls || 'none';
     counts[key] = (counts[key] ?? 0) + 1;
     worst[key] = Math.max(worst[key] ?? 0, most);
-    if (block.byteLength === of.bytes && most <= (calls ? bound : 0)) continue;
-    if (++failed < 5) console.log(`FAILED: ${line.slice(0, 160)}: ${most}`);
+    if (block.byteLength === of.bytes && Math.abs(edge_angle - test.edge_angle) <= 2 ** -52 && most <= (calls ? bound : 0) && off <= (calls ? bound : 2 ** -38)) continue;
+    if (++failed < 5) console.log(`FAILED: ${line.slice(0, 160)}: ${most}, ${off}`);
 }
 for (const key in counts) console.log(`${counts[key]} cases that call ${key}: at most ${worst[key]} off`);
 
@@ -43,12 +45,12 @@ for (const key in counts) console.log(`${counts[key]} cases that call ${key}: at
 const spot = shadow('a', { kind: umbrage.spot_light, filter: umbrage.tent3, map_size: 64 }), clip = clips.opengl_clip_space;
 const before = values(spot, { clip }).block.join();
 for (const [light, message] of [
-    [{ outer_angle_radians: 30 }, 'umbrage::make_spot_light: outer_angle_radians must be above 0 and below pi / 2; got 30. Is it in degrees?'],
+    [{ outer_angle_radians: 30 }, 'umbrage::make_spot_light: outer_angle_radians must be above 0 and at most 1.5 (86 degrees); got 30. Is it in degrees?'],
     [{ direction: [0, 0, 0] }, 'umbrage::make_spot_light: direction must be'], [{ outer_angle: 1 }, 'umbrage: values: light must have no properties but'],
     [{ clip: clips.godot_clip_space }, 'umbrage: values: light.clip must have the direction of the shadow, forward; got reversed'],
     [{ clip: undefined }, 'umbrage: values: light.clip must be given'], [{ position: [0, 0] }, 'umbrage: values: light.position must be 3 numbers'],
     [{ position: [0, 0, NaN] }, 'umbrage: values: light.position must be 3 numbers; got [0, 0, NaN]'],
-    [{ position: [1e300, 0, 0] }, 'umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; got'], [{ filter: { radius: 3 } }, 'umbrage: values: light.filter must have no properties but']])
+    [{ position: [1e300, 0, 0] }, 'umbrage::shadow: light and origin must be such that the map'], [{ filter: { radius: 3 } }, 'umbrage: values: light.filter must have no properties but']])
     for (let i = 0; i < 300; ++i) {
         let got = 'no error';
         try { values(spot, { clip, ...light }); } catch (error) { got = error.message; }

@@ -99,7 +99,7 @@ private:
     void add(const glsl::snippet& s, const binding& map) {
         try {
             if (maps_.empty() || !(maps_.back() == map)) maps_.push_back(map);
-            const bound item = bind(s, "map" + std::to_string(maps_.size()), map);
+            const bound item = glsl::bind(s, "map" + std::to_string(maps_.size()), map);
             (void)language_.text({item});
             all_.push_back(item);
         } catch (const std::invalid_argument& error) {

@@ -107,7 +107,7 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
     std::string text = "null", exactness = "null";
     try {
         for (const bound& item : items)
-            (void)bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
+            (void)glsl::bind(item.what, item.suffix.substr(item.suffix.empty() ? 0 : 1), item.map);
         text = literal(l.text(items));
         const glsl::tier worst = glsl::detail::composition<>(*l.words, items).worst().exactness;
         exactness = literal(std::string_view("abc").substr(static_cast<std::size_t>(worst), 1));

@@ -9,7 +9,6 @@
 
 #include "languages.hpp"
 #include "module_filters.hpp"
-#include "module_names.hpp"
 #include "shadows.hpp"
 
 namespace package {
@@ -137,7 +136,7 @@ void of_debug(writer& out, const umbrage::clip_space& clip) {
         add(umbrage::filters::tent<3>);
         add(umbrage::filters::disc{});
         add(umbrage::prefilters::vsm{});
-        if constexpr (!bent) add(umbrage::filters::pcss{});
+        if constexpr (!bent) add(umbrage::filters::pcss{.softness = umbrage::make_penumbra_params(0.25f, 1.0f, 6.0f)});
         if constexpr (has_one_map<decltype(light)> || (whole && bent))
             if (bent || kind == "spot_light")
                 umbrage::for_each_encoding([&](const auto& encoding) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/sun_pages.hpp"
-#include "module_names.hpp"
+#include "languages.hpp"
 #include "shadows.hpp"
 
 namespace package {
@@ -36,12 +36,12 @@ std::string json(const bounding_box<double>& box) {
 
 /// Floats as their bits.
 std::string bits(const void* from, std::size_t count) {
-    std::string out;
+    std::string out = "[";
     const auto* bytes = static_cast<const unsigned char*>(from);
     for (std::size_t i = 0; i < count; ++i) {
         std::uint32_t word;
         std::memcpy(&word, bytes + 4 * i, 4);
-        out += (i > 0 ? "," : "[") + std::to_string(word);
+        out += (i > 0 ? "," : "") + std::to_string(word);
     }
     return out + ']';
 }
@@ -54,7 +54,12 @@ public:
         clip_name_ = name;
         clip_ = clip;
         for_each_light(clip, [&](std::string_view kind, const auto& light) {
-            for_each_shadow_filter(light, [&](const auto& filter) { of_kind(kind, filter, depth32f{}); });
+            for_each_shadow_filter(light, [&]<class Filter>(const Filter& filter) {
+                if constexpr (detail::contact_hardening<Filter>)
+                    given_ = ",\"filter\":{\"light_size\":0.25,\"max_radius\":6}";
+                of_kind(kind, filter, depth32f{});
+                given_ = "";
+            });
         });
         for_each_encoding([&](auto encoding) {
             encoding = {.direction = clip_.direction};
@@ -65,8 +70,10 @@ public:
         of_kind("point_light", filters::disc{.points = 8, .radius_texels = 3.25f}, depth32f{});
         given_ = ",\"filter\":{\"radius\":4}";
         of_kind("spot_light", filters::box{.radius = 4}, depth32f{});
-        given_ = ",\"filter\":{\"softness\":[0.125,16,64]}";
-        of_kind("directional_light", filters::dpcf{.points = 32, .softness = {0.125f, 16, 64}}, depth32f{});
+        given_ = ",\"filter\":{\"light_size\":0.125,\"min_radius\":0.5,\"max_radius\":4}";
+        for (const auto& kind : {"directional_light", "cascades", "cascades_8", "adaptive_pages", "point_light"})
+            of_kind(kind, filters::dpcf{.points = 32, .softness = make_penumbra_params(0.125f, 0.5f, 4.0f)},
+                    depth32f{});
         given_ = ",\"filter\":{\"exponents\":[20,5]}";
         prefilters::evsm4 evsm;
         evsm.parameters.exponents = {20, 5};
@@ -192,17 +199,23 @@ private:
     }
     void print(std::string_view kind, const auto& of, std::string_view encoding, glm::dvec3 origin,
                const std::string& told, std::string_view calls) {
-        const auto block = of.uniforms({.origin = origin});
+        const auto block = of.relative_to(origin).uniforms();
         std::vector<glm::mat4> matrices;
-        for (const light_space<double>& light : of.set_up().lights()) {
-            const auto placed = detail::relative_to(origin, light);
-            matrices.emplace_back(placed.projection * placed.view);
-        }
+        double edge_angle = 0;
+        if constexpr (has_bent_lines<std::decay_t<decltype(of.set_up())>>)  // whose vertices no matrix has
+            edge_angle = paraboloid_edge_angle<double>(shadow_size, of.set_up().light.border);
+        else
+            for (const light_space<double>& light : of.set_up().lights()) {
+                const auto placed = detail::relative_to(origin, light);
+                matrices.emplace_back(placed.projection * placed.view);
+            }
+        const std::vector<depth_view> views = of.relative_to(origin).depth_views();
         out_ << "{\"kind\":" << literal(kind) << ",\"filter\":" << literal(of.filter().snippet->name)
              << ",\"encoding\":" << literal(encoding) << ",\"calls\":" << literal(kind == "spot_light" ? "tan" : calls)
              << ",\"clip\":" << literal(clip_name_) << ",\"light\":{\"origin\":" << json(origin) << told << given_
-             << "},\"block\":" << bits(&block, sizeof block / 4)
-             << ",\"matrices\":" << bits(matrices.data(), 16 * matrices.size()) << "}\n";
+             << "},\"edge_angle\":" << json(edge_angle) << ",\"block\":" << bits(&block, sizeof block / 4)
+             << ",\"matrices\":" << bits(matrices.data(), 16 * matrices.size())
+             << ",\"views\":" << bits(views.data(), 20 * views.size()) << "}\n";
     }
 
     std::ostream& out_;

@@ -131,7 +131,7 @@ await visit(async ({ open, check, picture, axe }) => {
     check((await page.textContent('#time')).includes(`${pages.maps} of 64 pages`), 'the page says how many pages there are');
     for (const language of ['hlsl', 'msl', 'wgsl', 'glsl']) {
         await page.check(`input[value=${language}]`);
-        await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('umbrage_page_tile('));
+        await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('umbrage_map_tile('));
     }
     await page.waitForURL(/light=adaptive_pages/);
     await page.reload();

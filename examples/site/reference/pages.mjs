@@ -63,7 +63,7 @@ function of_markdown(all, { path, title, description, body }) {
     if (!folder) return framed(path, title, description, prose_html);
     const top = folder[1]
         ? way(path, folder[1])
-        : '<p class="way">Reference: the rooms below, then <a href="#headers">all headers and names</a></p>';
+        : '<p class="way">Reference: the folders below, then <a href="#headers">all headers and names</a></p>';
     return framed(
         path,
         title,

@@ -63,10 +63,10 @@ void with_filter(int number, const Use& use) {
 
 template <class SetUp, class Filter>
 void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
-    typename SetUp::uniforms maps;
-    shadow_terms terms;
-    std::memcpy(&maps, block, sizeof maps);
-    std::memcpy(&terms, reinterpret_cast<const char*>(block) + sizeof maps, sizeof terms);
+    umbrage::shadow_uniforms<SetUp, umbrage::detail::softness_matrices<SetUp, Filter>> uniforms;
+    std::memcpy(&uniforms, block, sizeof uniforms);
+    const auto& maps = uniforms.maps;
+    const shadow_terms& terms = uniforms.terms;
     filter = umbrage::detail::with_packed_numbers(filter, terms.filter_terms);
     filter.is_lit.direction = direction;
     const umbrage::depth32f stored{.direction = direction};
@@ -77,14 +77,16 @@ void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
         if (points[i].w == 0.0f) continue;
         const glm::ivec2 pixel(static_cast<int>(i) % width, static_cast<int>(i) / width);
         const auto look = [&](const map_place& place) {
+            if (place.at == umbrage::outside_all_maps) return 1.0f;
             const auto own = umbrage::image_view<const float>(depths).region(
                 umbrage::detail::first_texel(place.number, SetUp::grid, map_size), map_size);
-            const float bias = umbrage::detail::bias_of<Filter>(terms, place.slope);
-            const glm::vec3 receiver(place.at.x, place.at.y, umbrage::biased(place.at.z, bias, filter.is_lit));
+            const glm::vec3 receiver = umbrage::detail::receiver_of<SetUp, Filter>(terms, place, direction);
             places[i] = glm::vec4(place.at.x, place.at.y, static_cast<float>(place.number), 1.0f);
-            return umbrage::detail::look<SetUp::outside>(own, filter, stored, receiver, place.slope, pixel);
+            const Filter in_map = umbrage::detail::filter_of_map<SetUp>(filter, uniforms, place.number);
+            return umbrage::detail::look<SetUp>(own, in_map, stored, receiver, place.slope, pixel);
         };
-        visibility[i] = SetUp::visibility(maps, terms, glm::vec3(points[i]), glm::vec3(normals[i]), look);
+        const auto of_point = SetUp::places(maps, terms, glm::vec3(points[i]), glm::vec3(normals[i]));
+        visibility[i] = umbrage::detail::blended(of_point, look);
     }
 }
 

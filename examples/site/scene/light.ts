@@ -20,7 +20,7 @@ export interface Asked {
 }
 
 /** Argument of the filter that the size of the light sets, if it has one. */
-export const argument_of = ({ filter }: State) => snippets[filter]?.filter?.arguments[0];
+export const argument_of = ({ filter }: State) => snippets[filter].filter?.arguments[0];
 
 /** Maps of a kind share the memory of one map of the size that was chosen: four cascades have half its width. Pages have an
  *  eighth of it, and a gutter that holds all that the filter reads around them. */
@@ -70,14 +70,9 @@ function properties(state: State, scene: Scene, camera: Camera, seen: Seen | und
     }
 }
 
-/** Numbers of contact hardening: how many sixteenths of a texel a penumbra's radius grows by with each code of depth,
- *  smallest and largest radius. As make_penumbra_params of C++, for a light under whose half an angle of this tangent it
- *  is seen. */
-function softness_of(to_clip: Float32Array, map_size: number, tangent: number): [number, number, number] {
-    const row = (r: number) => Math.hypot(to_clip[r]!, to_clip[r + 4]!, to_clip[r + 8]!) / 2;
-    const depth_a_world = row(2), texels_a_world = row(0) * map_size;
-    return [Math.min(16 * tangent * texels_a_world / (65536 * depth_a_world), 255), 16, 255];
-}
+/** Size of the light for contact hardening: tangent of half the angle under which a sun is seen, or radius of a lamp. */
+const light_size_of = (state: State, scene: Scene) =>
+    Math.max(state.softness, 0.01) * (state.light === 'spot_light' || state.light === 'point_light' ? 0.04 * scene.camera_distance : 0.12);
 
 /** Block and matrices of a shadow for this light; pages need what is seen. */
 export function values_of(values: ValuesOf, shadow: Shadow, state: State, scene: Scene, camera: Camera, seen?: Seen): Values {
@@ -87,7 +82,5 @@ export function values_of(values: ValuesOf, shadow: Shadow, state: State, scene:
         return values(shadow, { ...light, filter: { radius: argument.type === 'int' ? Math.round(radius) : radius } });
     }
     if (argument?.name !== 'softness') return values(shadow, light);
-    const { matrices } = values(shadow, light), finest = matrices.at(state.light === 'adaptive_pages' ? -1 : 0)!;
-    const softness = softness_of(finest, shadow.target.map_size[0], 0.12 * state.softness);
-    return values(shadow, { ...light, filter: { softness } });
+    return values(shadow, { ...light, filter: { light_size: light_size_of(state, scene) } });
 }

@@ -20,7 +20,7 @@ export async function lines_of(asked: Asked, language: Language, pixel: boolean)
         glsl: () => import('umbrage'), hlsl: () => import('umbrage/hlsl'), wgsl: () => import('umbrage/wgsl'), msl: () => import('umbrage/msl'),
     }[language]() as typeof import('umbrage');  // the four have the same exports
     const { kind, filter, encoding, map_size, direction } = asked;
-    const sun = umbrage.shadow('sun', { kind: umbrage[kind], filter: umbrage.snippets[filter]!, encoding: umbrage.encodings[encoding],
+    const sun = umbrage.shadow('sun', { kind: umbrage[kind], filter: umbrage.snippets[filter], encoding: umbrage.encodings[encoding],
         map_size, direction });
     const text = language === 'glsl' ? umbrage.source('300 es', [sun]) : umbrage.text([sun]);
     return { text: text.trim() + '\n', call: how_to_call[language](pixel) };

@@ -8,12 +8,12 @@ import type { Asked } from './light';
 
 /** The shadow of a state in GLSL. */
 export function shadow_of({ kind, filter, encoding, map_size, direction }: Asked): Shadow {
-    return shadow('sun', { kind: umbrage[kind] as Light, filter: snippets[filter]!, encoding: encodings[encoding], map_size, direction });
+    return shadow('sun', { kind: umbrage[kind] as Light, filter: snippets[filter], encoding: encodings[encoding], map_size, direction });
 }
 
 /** True for filters whose discs turn from pixel to pixel. */
-export const turns = (filter: string) =>
-    snippets[filter]!.filter!.arguments.some(argument => argument.name === 'rotation');
+export const turns = (filter: Asked['filter']) =>
+    snippets[filter].filter!.arguments.some(argument => argument.name === 'rotation');
 
 const in_place = `
 layout(location = 0) in vec3 position;
@@ -31,7 +31,8 @@ void main() {
 export const depth_pass = (sun: Shadow, clip: Parameters<Shadow['vertex_pass']>[0]) => ({
     vertex: `${source('300 es', [sun.vertex_pass(clip)], 'precision highp float;')}${in_place}
 uniform mat4 to_clip;
-void main() { gl_Position = umbrage_vertex_sun(to_clip, vec3(place * vec4(position, 1.0))); }`,
+uniform vec4 anchor;
+void main() { gl_Position = umbrage_vertex_sun(to_clip, vec3(place * vec4(position, 1.0)), anchor); }`,
     fragment: `${source('300 es', [sun.depth_pass], 'precision highp float;')}
 out vec4 texel;
 void main() { texel = umbrage_write_sun(gl_FragCoord.z); }`,

@@ -230,7 +230,7 @@ export class Picture {
         return { picture: [width, height], points: read_back(gl, few, 0, 'floats'), normals: read_back(gl, few, 1, 'floats') };
     }
 
-    private draw_maps({ sun, depths, map }: Look, state: State, { matrices }: Values) {
+    private draw_maps({ sun, depths, map }: Look, state: State, { matrices, views }: Values) {
         const { gl } = this, reversed = state.depth === 'reversed', [columns] = sun.target.grid, [width, height] = sun.target.map_size;
         gl.bindFramebuffer(gl.FRAMEBUFFER, map.frame);
         gl.viewport(0, 0, map.width, map.height);
@@ -239,17 +239,19 @@ export class Picture {
         gl.enable(gl.DEPTH_TEST);
         gl.depthFunc(reversed ? gl.GREATER : gl.LESS);
         gl.useProgram(depths);
-        matrices.forEach((to_clip, i) => {
+        views.forEach(({ to_clip, anchor }, i) => {
             gl.viewport(i % columns * width, Math.floor(i / columns) * height, width, height);
-            this.draw_scene(depths, to_clip);
+            gl.uniform4fv(gl.getUniformLocation(depths, 'anchor'), anchor);
+            this.draw_scene(depths, to_clip, matrices[i]!);
         });
     }
 
-    private draw_scene(program: WebGLProgram, to_clip: Float32Array) {
+    /** @param within   world to clip space, for what lies outside */
+    private draw_scene(program: WebGLProgram, to_clip: Float32Array, within = to_clip) {
         const { gl } = this;
         gl.uniformMatrix4fv(gl.getUniformLocation(program, 'to_clip'), false, to_clip);
         for (const { array, indices, places, box } of this.drawables) {
-            if (is_outside(box, to_clip)) continue;
+            if (is_outside(box, within)) continue;
             gl.bindVertexArray(array);
             gl.drawElementsInstanced(gl.TRIANGLES, indices, gl.UNSIGNED_INT, 0, places);
         }

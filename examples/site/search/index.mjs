@@ -74,7 +74,7 @@ function situations(page) {
     let above = page.headings[0]?.anchor,
         rows = false;
     for (const line of page.text.split('\n')) {
-        if (line.startsWith('#')) above = anchor(line.replace(/^#+ /, ''));
+        if (/^#+ /.test(line)) above = anchor(line.replace(/^#+ /, ''));
         const cells = line.startsWith('| ') ? line.slice(2).split(' | ') : [];
         if (cells.length === 0) rows = rows && line.startsWith('|-');
         else if (

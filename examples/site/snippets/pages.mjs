@@ -34,6 +34,8 @@ const properties = {
         'stored as',
         {
             depth32f: 'depth, or a float',
+            depth24: 'depth texture of 24 bits',
+            depth16: 'depth texture of 16 bits',
             ...Object.fromEntries(ours.map(name => [name, name])),
             threejs_rgba: 'three.js RGBA, r167 on',
             threejs_rgb: 'three.js RGB',

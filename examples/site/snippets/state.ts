@@ -39,6 +39,8 @@ export const choices = {
     ],
     stored: [
         'depth32f',
+        'depth24',
+        'depth16',
         'rg9',
         'rg10',
         'rg11',

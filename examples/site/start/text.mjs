@@ -34,8 +34,8 @@ copy [a whole program for your API](examples/recipes/README.md), or see where it
 
 ## As text in your shader
 
-Copy functions from [Snippets](single_include/shaders), in GLSL, HLSL, WGSL or Metal. Each brings all that it needs. For a first
-shadow, paste <a href="snippets/?snippet=project_coordinate"><code>project_coordinate</code></a> and
+Copy functions from [Snippets](single_include/shaders), in GLSL, HLSL, WGSL or Metal. Each brings all that it needs.
+HLSL and Metal also have one header of all functions. For a first shadow, paste <a href="snippets/?snippet=project_coordinate"><code>project_coordinate</code></a> and
 <a href="snippets/?snippet=pcf_2x2"><code>pcf_2x2</code></a> above this:
 
 ${quoted(context, 'single_include/README.md', 'uniform sampler2D shadow_map;  // the depth texture', '}')}

@@ -1,4 +1,4 @@
-import { language } from './language.mjs';
+import { glsl as language } from '../languages.mjs';
 
 export const shadow_coordinate = { language, name: "shadow_coordinate", summary: "world to texels and depth, before the division by w",
     exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -142,8 +142,7 @@ export const cascade_weight = { language, name: "cascade_weight", summary: "weig
     needs: [], text: `
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
-    return steps * (1.0 / 256.0);
+    return v > 0.0 ? min(floor(v * 256.0), 256.0) * (1.0 / 256.0) : 0.0;
 }
 ` };
 
@@ -4114,7 +4113,7 @@ export const clamp_bias = { language, name: "clamp_bias", summary: "clamp of a b
 // umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
     UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
-    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+    return bias < 1.0 ? (bias >= least ? bias : 0.0) : 1.0;
 }
 ` };
 
@@ -4147,7 +4146,7 @@ export const clamp_slope = { language, name: "clamp_slope", summary: "clamp of a
     needs: [], text: `
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
 }
 ` };
 
@@ -4160,9 +4159,9 @@ export const plane_slope = { language, name: "plane_slope", summary: "change of 
 //   world         point on the plane
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
-                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 ` };
@@ -4174,7 +4173,7 @@ export const receiver_slope = { language, name: "receiver_slope", summary: "chan
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     return none ? vec2(0.0, 0.0) : slope;
 }
 ` };
@@ -4186,9 +4185,9 @@ export const cascade_slope = { language, name: "cascade_slope", summary: "change
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
+    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
     return none ? vec2(0.0, 0.0) : slope;
 }
@@ -4299,27 +4298,60 @@ UMBRAGE_HIGHP vec3 umbrage_receiver_plane_slope(UMBRAGE_HIGHP vec3 dx, UMBRAGE_H
 }
 ` };
 
-export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth moved along the receiver's plane to it",
+export const plane_reference = { language, name: "plane_reference", summary: "depth that a texel is compared with, by the receiver's plane",
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
-//   stored  depth of the texel
+// umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
 //   slope   slope of the receiver's plane, per texel
-//   coord   receiver position, in texels
+//   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
-UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
-                                                 UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
-    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
-    return cleared ? stored : depth;
+UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
 }
 ` };
 
-export const acne_free_bias = { language, name: "acne_free_bias", summary: "smallest bias without acne, from slope, reach and error",
+export const bordered_plane_reference = { language, name: "bordered_plane_reference", summary: "plane_reference in a map whose border is lit",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
+//   slope, at, texel   as for umbrage_plane_reference
+//   inside             index of the nearest texel in the map
+UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
+                                                     UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
+    UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moves = slope * (texel - (vec2(at.x, at.y) - 0.5));
+    UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
+    UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
+    return nearer ? plane : at.z;
+}
+` };
+
+export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth, or the far plane's if lit along the receiver's plane",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, compare, plane_reference], text: `
+// umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                                 UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float lit = umbrage_compare(umbrage_plane_reference(slope, at, texel), stored);
+    return lit > 0.5 ? umbrage_cleared_depth() : stored;
+}
+` };
+
+export const acne_free_bias = { language, name: "acne_free_bias", summary: "bias without acne, from slope, reach and error",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+// umbrage_acne_free_bias: bias in depth without shadow acne, 0.0 to 1.0
 //   slope  change of depth per texel, in x and y
 //   reach  filter radius, in texels
 //   error  largest error of a decoded depth towards the light
@@ -4331,10 +4363,10 @@ UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIG
 }
 ` };
 
-export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "smallest bias without acne, for filters that read a disc",
+export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "bias without acne, for filters that read a disc",
     exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+// umbrage_acne_free_disc_bias: bias in depth without shadow acne for a disc, 0.0 to 1.0
 //   slope   change of depth per texel, in x and y
 //   radius  distance to the disc's farthest point, in texels
 //   error   largest error of a decoded depth towards the light
@@ -4431,7 +4463,7 @@ export const probe_color = { language, name: "probe_color", summary: "debug colo
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
                                        UMBRAGE_HIGHP float number) {
     UMBRAGE_HIGHP float limit = 18446744073709551616.0;
@@ -4444,7 +4476,7 @@ UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
     UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
     UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
-    UMBRAGE_HIGHP vec3 bits = floor(vec3(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
     color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
@@ -4472,5 +4504,401 @@ UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP 
     bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
     UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
     return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+` };
+
+export const map_tile = { language, name: "map_tile", summary: "first texel of a map in an atlas of equal maps",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_map_tile: first texel of a map in an atlas of maps of size texels, row by row
+//   number    number of the map, a whole number
+//   columns   maps per row, and 1.0 / their number
+UMBRAGE_HIGHP vec2 umbrage_map_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 columns, UMBRAGE_HIGHP vec2 size) {
+    UMBRAGE_HIGHP float row = floor((number + 0.5) * columns.y);
+    return vec2(number - row * columns.x, row) * size;
+}
+` };
+
+export const anchored_vertex = { language, name: "anchored_vertex", summary: "vertex of a depth pass in clip space, far from the origin too",
+    exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate], text: `
+// umbrage_anchored_vertex: clip space position of a vertex of a depth pass
+//   to_clip, anchor   of a depth_view: anchor.xyz is subtracted from world, and anchor.w times w is added to z
+UMBRAGE_HIGHP vec4 umbrage_anchored_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world,
+                                           UMBRAGE_HIGHP vec4 anchor) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = umbrage_shadow_coordinate(to_clip, way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.z + anchor.w * c.w;
+    return vec4(c.x, c.y, depth, c.w);
+}
+` };
+
+export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and a bound of its rounding",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [receiver_slope], text: `
+// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
+//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
+//   way                 position less anchor.xyz
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_receiver_slope(planes, normal, way);
+    bool before = c.w > 0.0;
+    UMBRAGE_HIGHP float i = before ? 1.0 / c.w : 0.0;
+    UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+}
+` };
+
+export const single_map_places = { language, name: "single_map_places", summary: "place of a point of the world in a light's one map",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [anchored_place], text: `
+// umbrage_single_map_places: place of a point of the world in a light's one map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+}
+` };
+
+export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
+    exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
+//   coordinate   position in the cascade's map: texels, texels, depth
+//   size, reach  size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
+UMBRAGE_HIGHP float umbrage_cascade_edge(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond =
+        abs(vec2(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
+    bool near_map = beyond.x + beyond.y < 65536.0;  // false for NaN
+    return coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map ? max(beyond.x, beyond.y) : 65536.0;
+}
+` };
+
+export const cascade_pair = { language, name: "cascade_pair", summary: "places in a cascade and in the next one, with their weights",
+    exactness: "c", operations: 14, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope, cascade_weight], text: `
+// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
+//   across                    normal, rotated into the light's axes
+//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
+//   there                     (texels, texels, depth) in the next one
+//   edges                     umbrage_cascade_edge of both
+//   scale                     scale of the cascade, and error of its texels by rounding
+//   next_scale                that of the next one
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
+                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+    bool last = found.w >= blending.y;
+    UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
+    UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
+    UMBRAGE_HIGHP float held = edges.y <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
+    UMBRAGE_HIGHP float weight = last ? leaves : min(leaves, held);
+    UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
+    UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
+    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
+    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+}
+` };
+
+export const cascaded_maps_places = { language, name: "cascaded_maps_places", summary: "places of a point of the world in up to four cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_edge, cascade_pair], text: `
+// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+//   rotation          rotation from the world to the light's axes
+//   scales, offsets   scales and offsets of the cascades
+//   anchor            position that is subtracted from world
+//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                                UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor,
+                                                UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    UMBRAGE_HIGHP vec4 across =
+        rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    UMBRAGE_HIGHP vec4 a = light * scales[0] + offsets[0];
+    UMBRAGE_HIGHP vec4 b = light * scales[1] + offsets[1];
+    UMBRAGE_HIGHP vec4 c = light * scales[2] + offsets[2];
+    UMBRAGE_HIGHP vec4 d = light * scales[3] + offsets[3];
+    UMBRAGE_HIGHP float edge_a = umbrage_cascade_edge(vec3(a.x, a.y, a.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_b = umbrage_cascade_edge(vec3(b.x, b.y, b.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_c = umbrage_cascade_edge(vec3(c.x, c.y, c.z), size, terms.z);
+    UMBRAGE_HIGHP float edge_d = umbrage_cascade_edge(vec3(d.x, d.y, d.z), size, terms.z);
+    bool in_a = edge_a <= 0.0;
+    bool in_b = edge_b <= 0.0;
+    bool in_c = edge_c <= 0.0;
+    UMBRAGE_HIGHP vec4 none = vec4(65536.0, 65536.0, 0.0, 4.0);
+    UMBRAGE_HIGHP vec4 found = edge_d <= 0.0 ? vec4(d.x, d.y, d.z, 3.0) : none;
+    found = in_c ? vec4(c.x, c.y, c.z, 2.0) : found;
+    found = in_b ? vec4(b.x, b.y, b.z, 1.0) : found;
+    found = in_a ? vec4(a.x, a.y, a.z, 0.0) : found;
+    // the next cascade is already looked at; no column is chosen by number
+    UMBRAGE_HIGHP vec4 there = in_a ? b : (in_b ? c : d);
+    UMBRAGE_HIGHP float edge = in_a ? edge_a : (in_b ? edge_b : (in_c ? edge_c : edge_d));
+    UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
+    UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
+    UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
+    return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
+                                vec2(edge, next_edge), scale, next_scale, blending);
+}
+` };
+
+export const cascaded_maps_places_8 = { language, name: "cascaded_maps_places_8", summary: "places of a point of the world in up to eight cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate, cascade_by_projection_8, cascade_column_8, cascade_coordinate, cascade_edge, cascade_pair], text: `
+// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+//   the others, and what it returns   as umbrage_cascaded_maps_places
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                                  UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                  UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor,
+                                                  UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, way);
+    UMBRAGE_HIGHP vec4 turned_normal = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 across = vec3(turned_normal.x, turned_normal.y, turned_normal.z);
+    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets,
+                                                               size, terms.z);
+    UMBRAGE_HIGHP float number = min(found.w, blending.y);
+    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
+    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
+                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
+    UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+}
+` };
+
+export const cube_maps_places = { language, name: "cube_maps_places", summary: "place of a point of the world in a cube's six maps",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_face, cube_face_point, anchored_place], text: `
+// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                            UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                            UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+                               umbrage_cube_face_point(face, normal));
+    return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+}
+` };
+
+export const tetrahedron_map_places = { language, name: "tetrahedron_map_places", summary: "place of a point of the world in a tetrahedron's map",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_face, tetrahedron_face_point, tetrahedron_turned, anchored_place], text: `
+// umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                         to the center; the anchor is the light
+//   center                                half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                                  UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
+    UMBRAGE_HIGHP mat4 place =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+                               umbrage_tetrahedron_face_point(face, normal));
+    UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
+    UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
+    return mat4(vec4(at, place[0].z, 0.0), vec4(slope, place[1].z, place[1].w), place[2], place[3]);
+}
+` };
+
+export const paraboloid_maps_places = { language, name: "paraboloid_maps_places", summary: "place of a point of the world in two paraboloid maps",
+    exactness: "c", operations: 57, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [dual_paraboloid_coordinate, distance_depth, dual_paraboloid_slope], text: `
+// umbrage_paraboloid_maps_places: place of a point of the world in two paraboloid maps
+//   position   position of the light, and depth per world unit
+//   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
+//   rounding   error of a depth by rounding
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_paraboloid_maps_places(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves,
+                                                  UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms,
+                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(position.x, position.y, position.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_dual_paraboloid_coordinate(way);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 at = vec2(found.x, found.y) * halves.x + halves.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = umbrage_distance_depth(way, position.w) + halves.w;
+    UMBRAGE_HIGHP vec2 slope = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    return mat4(vec4(at, depth, found.z), vec4(slope, 1.0, rounding.x), none, none);
+}
+` };
+
+export const paraboloid_vertex = { language, name: "paraboloid_vertex", summary: "clip space position of a vertex in a paraboloid map",
+    exactness: "c", operations: 51, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [dual_paraboloid_position], text: `
+// umbrage_paraboloid_vertex: clip space position of a vertex in a paraboloid map
+//   to_clip    the light's projection
+//   anchor     position of the light
+//   number     0.0 or 1.0, the map
+UMBRAGE_HIGHP vec4 umbrage_paraboloid_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP float number) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 p = umbrage_dual_paraboloid_position(way, number);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 place =
+        to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+    return place;
+}
+` };
+
+export const warped_maps_places = { language, name: "warped_maps_places", summary: "places of a point of the world in up to four warped cascades",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [anchored_place, cascade_by_depth, cascade_column, cascade_fade], text: `
+// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding                  one column per map: its rounding there
+//   fades                     one column per map: scale and offset of the next one's weight
+//   added                     for each map what is added to its depth
+//   anchor                    the one anchor of all maps
+//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends                      ends of the first three cascades, number of the last one
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
+                                              UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
+                                              UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
+                                              UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
+                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
+                                              UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                              UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
+    UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
+    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
+    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
+    UMBRAGE_HIGHP mat4 planes = planes_0;
+    UMBRAGE_HIGHP mat4 to_next = to_texels_1;
+    UMBRAGE_HIGHP mat4 next_planes = planes_1;
+    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+        to_next = to_texels_2;
+        next_planes = planes_2;
+        depths = vec4(added.y, added.z, 0.0, 0.0);
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+        to_next = to_texels_3;
+        next_planes = planes_3;
+        depths = vec4(added.z, added.w, 0.0, 0.0);
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+        depths = vec4(added.w, added.w, 0.0, 0.0);
+    }
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
+                                                   umbrage_cascade_column(rounding, number), way, normal);
+    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
+                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
+    UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
+    return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),
+                vec4(there[1].x, there[1].y, weight, there[1].w));
+}
+` };
+
+export const adaptive_maps_places = { language, name: "adaptive_maps_places", summary: "place of a point of the world in the pages of an adaptive map",
+    exactness: "c", operations: 68, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate, cascade_column_8, receiver_slope, clamp_slope], text: `
+// umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
+//   to_root              matrix from the world to 1.0 to 2.0 across the root page
+//   planes               plane matrix in texels of the deepest level
+//   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
+//                        slot + 64.0 (2^level - 1.0)
+//   anchor               position that is subtracted from world
+//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
+                                                UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
+                                                UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
+                                                UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
+                                                UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
+                                                UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
+                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
+    bool inside = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    UMBRAGE_HIGHP vec2 coord = inside ? vec2(in_root.x, in_root.y) : vec2(1.0, 1.0);
+    UMBRAGE_HIGHP vec2 cell = floor(coord * 16.0 - 16.0);
+    UMBRAGE_HIGHP float right = floor(cell.x * 0.125);
+    UMBRAGE_HIGHP float column = cell.y * 2.0 + right;
+    UMBRAGE_HIGHP vec4 a = umbrage_cascade_column_8(cells_0, cells_1, column);
+    UMBRAGE_HIGHP vec4 b = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    UMBRAGE_HIGHP vec4 c = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    UMBRAGE_HIGHP vec4 d = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    UMBRAGE_HIGHP vec4 low = column < 7.5 ? a : b;
+    UMBRAGE_HIGHP vec4 high = column < 23.5 ? c : d;
+    UMBRAGE_HIGHP vec4 eight = column < 15.5 ? low : high;
+    UMBRAGE_HIGHP float along = cell.x - right * 8.0;
+    UMBRAGE_HIGHP float pair = floor(along * 0.5);
+    UMBRAGE_HIGHP float left_two = pair < 0.5 ? eight.x : eight.y;
+    UMBRAGE_HIGHP float right_two = pair < 2.5 ? eight.z : eight.w;
+    UMBRAGE_HIGHP float two = pair < 1.5 ? left_two : right_two;
+    UMBRAGE_HIGHP float second = floor(two * (1.0 / 1024.0));
+    UMBRAGE_HIGHP float code = along - pair * 2.0 < 0.5 ? two - second * 1024.0 : second;
+    UMBRAGE_HIGHP float before = floor(code * (1.0 / 64.0));
+    UMBRAGE_HIGHP float across = before + 1.0;
+    UMBRAGE_HIGHP vec2 place = coord * across;
+    UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
+    UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
+    UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
+    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    return mat4(vec4(at, in_root.z, code - before * 64.0),
+                vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+}
+` };
+
+export const map_softness = { language, name: "map_softness", summary: "one of 16 numbers of a matrix, without dynamic indexing",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
+UMBRAGE_HIGHP float umbrage_map_softness(UMBRAGE_HIGHP mat4 sixteen, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float column = floor(number * 0.25);
+    UMBRAGE_HIGHP float i = number - 4.0 * column;
+    UMBRAGE_HIGHP vec4 four = umbrage_cascade_column(sixteen, column);
+    UMBRAGE_HIGHP float low = i < 0.5 ? four.x : four.y;
+    UMBRAGE_HIGHP float high = i < 2.5 ? four.z : four.w;
+    return i < 1.5 ? low : high;
 }
 ` };

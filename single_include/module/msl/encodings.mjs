@@ -1,4 +1,4 @@
-import { language } from './language.mjs';
+import { msl as language } from '../languages.mjs';
 import * as snippets from './snippets.mjs';
 
 const write_depth32f = { language, name: "write", summary: "color of a depth, for a target of depth32f",
@@ -14,6 +14,34 @@ export const depth32f = { name: "depth32f", direction: "forward", depth: "", cha
     cleared: [1, 0, 0, 0], format: "R32F", write: write_depth32f,
     reversed: { name: "depth32f", direction: "reversed", depth: "", channels: 1, needs: [],
     cleared: [0, 0, 0, 0], format: "R32F", write: write_depth32f } };
+
+const write_depth24 = { language, name: "write", summary: "color of a depth, for a target of depth24",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.saturate], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float texel = umbrage_saturate(depth);
+    return float4(texel, 0.0, 0.0, 0.0);
+}
+` };
+export const depth24 = { name: "depth24", direction: "forward", depth: "", channels: 1, needs: [],
+    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT24", write: write_depth24,
+    reversed: { name: "depth24", direction: "reversed", depth: "", channels: 1, needs: [],
+    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT24", write: write_depth24 } };
+
+const write_depth16 = { language, name: "write", summary: "color of a depth, for a target of depth16",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [snippets.cleared_depth, snippets.saturate], text: `
+// umbrage_write: what the depth pass writes of a depth, 0.0 to 1.0, into a color target
+inline float4 umbrage_write(float depth) {
+    float texel = umbrage_saturate(depth);
+    return float4(texel, 0.0, 0.0, 0.0);
+}
+` };
+export const depth16 = { name: "depth16", direction: "forward", depth: "", channels: 1, needs: [],
+    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT16", write: write_depth16,
+    reversed: { name: "depth16", direction: "reversed", depth: "", channels: 1, needs: [],
+    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT16", write: write_depth16 } };
 
 const write_rg9 = { language, name: "write", summary: "color of a depth, for a target of rg9",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,

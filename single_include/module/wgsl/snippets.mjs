@@ -1,4 +1,4 @@
-import { language } from './language.mjs';
+import { wgsl as language } from '../languages.mjs';
 
 export const shadow_coordinate = { language, name: "shadow_coordinate", summary: "world to texels and depth, before the division by w",
     exactness: "b", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -136,8 +136,7 @@ export const cascade_weight = { language, name: "cascade_weight", summary: "weig
     needs: [], text: `
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0
 fn umbrage_cascade_weight(v: f32) -> f32 {
-    let steps: f32 = select(select(0.0, 256.0, v >= 1.0), floor(v * 256.0), v > 0.0 && v < 1.0);
-    return steps * (1.0 / 256.0);
+    return select(0.0, min(floor(v * 256.0), 256.0) * (1.0 / 256.0), v > 0.0);
 }
 ` };
 
@@ -3973,7 +3972,7 @@ export const clamp_bias = { language, name: "clamp_bias", summary: "clamp of a b
 // umbrage_clamp_bias: bias in depth clamped to [0, 1]; 0.0 below 2^-64, and 1.0 (no shadows) for NaN
 fn umbrage_clamp_bias(bias: f32) -> f32 {
     let least: f32 = (1.0 / 18446744073709551616.0);
-    return select(select(1.0, 0.0, bias < least), bias, bias >= least && bias < 1.0);
+    return select(1.0, select(0.0, bias, bias >= least), bias < 1.0);
 }
 ` };
 
@@ -4005,7 +4004,7 @@ export const clamp_slope = { language, name: "clamp_slope", summary: "clamp of a
     needs: [], text: `
 // umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
 fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
+    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
 }
 ` };
 
@@ -4030,7 +4029,7 @@ export const receiver_slope = { language, name: "receiver_slope", summary: "chan
 // umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
-    let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     return select(slope, vec2f(0.0, 0.0), none);
 }
 ` };
@@ -4044,7 +4043,7 @@ export const cascade_slope = { language, name: "cascade_slope", summary: "change
 fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
     let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
-    let none: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
     let slope: vec2f = vec2f(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
     return select(slope, vec2f(0.0, 0.0), none);
 }
@@ -4150,26 +4149,58 @@ fn umbrage_receiver_plane_slope(dx: vec3f, dy: vec3f) -> vec3f {
 }
 ` };
 
-export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth moved along the receiver's plane to it",
+export const plane_reference = { language, name: "plane_reference", summary: "depth that a texel is compared with, by the receiver's plane",
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_apply_receiver_plane: a texel's depth moved along the receiver's plane to the receiver; not if cleared
-//   stored  depth of the texel
+// umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
 //   slope   slope of the receiver's plane, per texel
-//   coord   receiver position, in texels
+//   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
-fn umbrage_apply_receiver_plane(stored: f32, slope: vec2f, coord: vec2f, texel: vec2f) -> f32 {
-    let way: vec2f = texel + 0.5 - coord;
-    let depth: f32 = stored - (slope.x * way.x + slope.y * way.y);
-    let cleared: bool = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
-    return select(depth, stored, cleared);
+fn umbrage_plane_reference(slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
+    let way: vec2f = texel - (vec2f(at.x, at.y) - 0.5);
+    let plane: f32 = (at.z + slope.x * way.x) + slope.y * way.y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
+    return select(at.z, plane, nearer);
 }
 ` };
 
-export const acne_free_bias = { language, name: "acne_free_bias", summary: "smallest bias without acne, from slope, reach and error",
+export const bordered_plane_reference = { language, name: "bordered_plane_reference", summary: "plane_reference in a map whose border is lit",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
+//   slope, at, texel   as for umbrage_plane_reference
+//   inside             index of the nearest texel in the map
+fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, inside: vec2f) -> f32 {
+    let lights: f32 = select(16777216.0, -16777216.0, umbrage_cleared_depth() > 0.5);
+    let moves: vec2f = slope * (texel - (vec2f(at.x, at.y) - 0.5));
+    let x: f32 = select(lights, moves.x, inside.x == texel.x);  // the same for all texels of a column
+    let y: f32 = select(lights, moves.y, inside.y == texel.y);
+    let plane: f32 = (at.z + x) + y;
+    // not min() and max(), which differ between implementations where the plane is NaN
+    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
+    return select(at.z, plane, nearer);
+}
+` };
+
+export const apply_receiver_plane = { language, name: "apply_receiver_plane", summary: "stored depth, or the far plane's if lit along the receiver's plane",
+    exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth, compare, plane_reference], text: `
+// umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
+//   stored  depth of the texel
+//   slope   slope of the receiver's plane, per texel
+//   at      receiver position in texels, and its depth, bias applied
+//   texel   index of the texel
+fn umbrage_apply_receiver_plane(stored: f32, slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
+    let lit: f32 = umbrage_compare(umbrage_plane_reference(slope, at, texel), stored);
+    return select(stored, umbrage_cleared_depth(), lit > 0.5);
+}
+` };
+
+export const acne_free_bias = { language, name: "acne_free_bias", summary: "bias without acne, from slope, reach and error",
     exactness: "b", operations: 4, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_bias: smallest bias in depth without shadow acne, 0.0 to 1.0
+// umbrage_acne_free_bias: bias in depth without shadow acne, 0.0 to 1.0
 //   slope  change of depth per texel, in x and y
 //   reach  filter radius, in texels
 //   error  largest error of a decoded depth towards the light
@@ -4179,10 +4210,10 @@ fn umbrage_acne_free_bias(slope: vec2f, reach: f32, error: f32) -> f32 {
 }
 ` };
 
-export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "smallest bias without acne, for filters that read a disc",
+export const acne_free_disc_bias = { language, name: "acne_free_disc_bias", summary: "bias without acne, for filters that read a disc",
     exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [clamp_bias], text: `
-// umbrage_acne_free_disc_bias: smallest bias in depth without shadow acne for a disc, 0.0 to 1.0
+// umbrage_acne_free_disc_bias: bias in depth without shadow acne for a disc, 0.0 to 1.0
 //   slope   change of depth per texel, in x and y
 //   radius  distance to the disc's farthest point, in texels
 //   error   largest error of a decoded depth towards the light
@@ -4271,7 +4302,7 @@ export const probe_color = { language, name: "probe_color", summary: "debug colo
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
-//   else     squares of one texel
+//   else     squares of one texel, gray or in the map's color: all is well
 fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f {
     let limit: f32 = 18446744073709551616.0;
     // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
@@ -4283,7 +4314,7 @@ fn umbrage_probe_color(at: vec3f, size: vec2f, bias: f32, number: f32) -> vec3f 
     let place: vec2f = clamp(vec2f(at.x, at.y), vec2f(0.0, 0.0), vec2f(65536.0, 65536.0));
     let square: f32 = floor(place.x) + floor(place.y);
     let shade: f32 = select(1.0, 0.75, square - 2.0 * floor(square * 0.5) > 0.5);
-    var bits: vec3f = floor(vec3f(number + 1.0, (number + 1.0) * 0.5, (number + 1.0) * 0.25));
+    var bits: vec3f = floor(vec3f(number, number * 0.5, number * 0.25));
     bits = bits - 2.0 * floor(bits * 0.5);
     var color: vec3f = (bits * 0.5 + 0.375) * shade;
     color = select(vec3f(1.0, 0.0, 0.0), color, bias < 1.0);
@@ -4310,5 +4341,376 @@ fn umbrage_probe_inputs(color: vec3f, world: vec3f, normal: vec3f) -> vec3f {
     let zero: bool = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
     let given: vec3f = select(color, vec3f(1.0, 1.0, 0.0), zero);
     return select(vec3f(1.0, 0.0, 1.0), given, usable);
+}
+` };
+
+export const map_tile = { language, name: "map_tile", summary: "first texel of a map in an atlas of equal maps",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_map_tile: first texel of a map in an atlas of maps of size texels, row by row
+//   number    number of the map, a whole number
+//   columns   maps per row, and 1.0 / their number
+fn umbrage_map_tile(number: f32, columns: vec2f, size: vec2f) -> vec2f {
+    let row: f32 = floor((number + 0.5) * columns.y);
+    return vec2f(number - row * columns.x, row) * size;
+}
+` };
+
+export const anchored_vertex = { language, name: "anchored_vertex", summary: "vertex of a depth pass in clip space, far from the origin too",
+    exactness: "b", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate], text: `
+// umbrage_anchored_vertex: clip space position of a vertex of a depth pass
+//   to_clip, anchor   of a depth_view: anchor.xyz is subtracted from world, and anchor.w times w is added to z
+fn umbrage_anchored_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f) -> vec4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let c: vec4f = umbrage_shadow_coordinate(to_clip, way);
+    let depth: f32 = c.z + anchor.w * c.w;
+    return vec4f(c.x, c.y, depth, c.w);
+}
+` };
+
+export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and a bound of its rounding",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [receiver_slope], text: `
+// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
+//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
+//   way                 position less anchor.xyz
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+                          normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    let slope: vec2f = umbrage_receiver_slope(planes, normal, way);
+    let before: bool = c.w > 0.0;
+    let i: f32 = select(0.0, 1.0 / c.w, before);
+    let at: vec3f = vec3f(c.x, c.y, c.z) * i;
+    let steep: f32 = abs(slope.x) + abs(slope.y);
+    let moves: f32 = rounding.x + rounding.y * i;
+    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
+                   none);
+}
+` };
+
+export const single_map_places = { language, name: "single_map_places", summary: "place of a point of the world in a light's one map",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [anchored_place], text: `
+// umbrage_single_map_places: place of a point of the world in a light's one map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                             world: vec3f, normal: vec3f) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+}
+` };
+
+export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
+    exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
+//   coordinate   position in the cascade's map: texels, texels, depth
+//   size, reach  size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
+fn umbrage_cascade_edge(coordinate: vec3f, size: vec2f, reach: f32) -> f32 {
+    let half_size: vec2f = size * 0.5;
+    let beyond: vec2f = abs(vec2f(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
+    let near_map: bool = beyond.x + beyond.y < 65536.0;  // false for NaN
+    return select(65536.0, max(beyond.x, beyond.y), coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map);
+}
+` };
+
+export const cascade_pair = { language, name: "cascade_pair", summary: "places in a cascade and in the next one, with their weights",
+    exactness: "c", operations: 14, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope, cascade_weight], text: `
+// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
+//   across                    normal, rotated into the light's axes
+//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
+//   there                     (texels, texels, depth) in the next one
+//   edges                     umbrage_cascade_edge of both
+//   scale                     scale of the cascade, and error of its texels by rounding
+//   next_scale                that of the next one
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, scale: vec4f, next_scale: vec4f,
+                        blending: vec4f) -> mat4x4f {
+    let last: bool = found.w >= blending.y;
+    let v: vec2f = edges * blending.x + 1.0;
+    let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
+    let held: f32 = select(0.0, 1.0 - umbrage_cascade_weight(v.y), edges.y <= 0.0);
+    let weight: f32 = select(min(leaves, held), leaves, last);
+    let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
+    let slope: vec2f = umbrage_cascade_slope(across, scale);
+    let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
+    let off: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
+    let next_off: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
+    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, off),
+                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_off));
+}
+` };
+
+export const cascaded_maps_places = { language, name: "cascaded_maps_places", summary: "places of a point of the world in up to four cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_edge, cascade_pair], text: `
+// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+//   rotation          rotation from the world to the light's axes
+//   scales, offsets   scales and offsets of the cascades
+//   anchor            position that is subtracted from world
+//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
+fn umbrage_cascaded_maps_places(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                                terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let light: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    let across: vec4f = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    let a: vec4f = light * scales[0] + offsets[0];
+    let b: vec4f = light * scales[1] + offsets[1];
+    let c: vec4f = light * scales[2] + offsets[2];
+    let d: vec4f = light * scales[3] + offsets[3];
+    let edge_a: f32 = umbrage_cascade_edge(vec3f(a.x, a.y, a.z), size, terms.z);
+    let edge_b: f32 = umbrage_cascade_edge(vec3f(b.x, b.y, b.z), size, terms.z);
+    let edge_c: f32 = umbrage_cascade_edge(vec3f(c.x, c.y, c.z), size, terms.z);
+    let edge_d: f32 = umbrage_cascade_edge(vec3f(d.x, d.y, d.z), size, terms.z);
+    let in_a: bool = edge_a <= 0.0;
+    let in_b: bool = edge_b <= 0.0;
+    let in_c: bool = edge_c <= 0.0;
+    let none: vec4f = vec4f(65536.0, 65536.0, 0.0, 4.0);
+    var found: vec4f = select(none, vec4f(d.x, d.y, d.z, 3.0), edge_d <= 0.0);
+    found = select(found, vec4f(c.x, c.y, c.z, 2.0), in_c);
+    found = select(found, vec4f(b.x, b.y, b.z, 1.0), in_b);
+    found = select(found, vec4f(a.x, a.y, a.z, 0.0), in_a);
+    // the next cascade is already looked at; no column is chosen by number
+    let there: vec4f = select(select(d, c, in_b), b, in_a);
+    let edge: f32 = select(select(select(edge_d, edge_c, in_c), edge_b, in_b), edge_a, in_a);
+    let next_edge: f32 = select(select(edge_d, edge_c, in_b), edge_b, in_a);
+    let scale: vec4f = select(select(select(scales[3], scales[2], in_c), scales[1], in_b), scales[0], in_a);
+    let next_scale: vec4f = select(select(scales[3], scales[2], in_b), scales[1], in_a);
+    return umbrage_cascade_pair(vec3f(across.x, across.y, across.z), found, vec3f(there.x, there.y, there.z),
+                                vec2f(edge, next_edge), scale, next_scale, blending);
+}
+` };
+
+export const cascaded_maps_places_8 = { language, name: "cascaded_maps_places_8", summary: "places of a point of the world in up to eight cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate, cascade_by_projection_8, cascade_column_8, cascade_coordinate, cascade_edge, cascade_pair], text: `
+// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+//   the others, and what it returns   as umbrage_cascaded_maps_places
+fn umbrage_cascaded_maps_places_8(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, world: vec3f,
+                                  normal: vec3f) -> mat4x4f {
+    let size: vec2f = vec2f(terms.x, terms.y);
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let turned: vec4f = umbrage_shadow_coordinate(rotation, way);
+    let turned_normal: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let across: vec3f = vec3f(turned_normal.x, turned_normal.y, turned_normal.z);
+    let found: vec4f =
+        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
+    let number: f32 = min(found.w, blending.y);
+    let next: f32 = min(number + 1.0, blending.y);
+    let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
+    let there: vec3f =
+        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    let edge: f32 = umbrage_cascade_edge(vec3f(found.x, found.y, found.z), size, terms.z);
+    let next_edge: f32 = umbrage_cascade_edge(there, size, terms.z);
+    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge),
+                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+}
+` };
+
+export const cube_maps_places = { language, name: "cube_maps_places", summary: "place of a point of the world in a cube's six maps",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cube_face, cube_face_point, anchored_place], text: `
+// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+fn umbrage_cube_maps_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                            world: vec3f, normal: vec3f) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let face: f32 = umbrage_cube_face(way);
+    let place: mat4x4f =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+                               umbrage_cube_face_point(face, normal));
+    return mat4x4f(vec4f(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+}
+` };
+
+export const tetrahedron_map_places = { language, name: "tetrahedron_map_places", summary: "place of a point of the world in a tetrahedron's map",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [tetrahedron_face, tetrahedron_face_point, tetrahedron_turned, anchored_place], text: `
+// umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
+//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                         to the center; the anchor is the light
+//   center                                half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+fn umbrage_tetrahedron_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, center: vec4f,
+                                  terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let face: f32 = umbrage_tetrahedron_face(way);
+    let place: mat4x4f =
+        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+                               umbrage_tetrahedron_face_point(face, normal));
+    let at: vec2f = umbrage_tetrahedron_turned(face, vec2f(place[0].x, place[0].y)) + center.x;
+    let slope: vec2f = umbrage_tetrahedron_turned(face, vec2f(place[1].x, place[1].y));
+    return mat4x4f(vec4f(at, place[0].z, 0.0), vec4f(slope, place[1].z, place[1].w), place[2], place[3]);
+}
+` };
+
+export const paraboloid_maps_places = { language, name: "paraboloid_maps_places", summary: "place of a point of the world in two paraboloid maps",
+    exactness: "c", operations: 57, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [dual_paraboloid_coordinate, distance_depth, dual_paraboloid_slope], text: `
+// umbrage_paraboloid_maps_places: place of a point of the world in two paraboloid maps
+//   position   position of the light, and depth per world unit
+//   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
+//   rounding   error of a depth by rounding
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+fn umbrage_paraboloid_maps_places(position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, world: vec3f,
+                                  normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let way: vec3f = world - vec3f(position.x, position.y, position.z);
+    let found: vec3f = umbrage_dual_paraboloid_coordinate(way);
+    let at: vec2f = vec2f(found.x, found.y) * halves.x + halves.y;
+    let depth: f32 = umbrage_distance_depth(way, position.w) + halves.w;
+    let slope: vec2f = umbrage_dual_paraboloid_slope(way, normal, halves.z);
+    return mat4x4f(vec4f(at, depth, found.z), vec4f(slope, 1.0, rounding.x), none, none);
+}
+` };
+
+export const paraboloid_vertex = { language, name: "paraboloid_vertex", summary: "clip space position of a vertex in a paraboloid map",
+    exactness: "c", operations: 51, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [dual_paraboloid_position], text: `
+// umbrage_paraboloid_vertex: clip space position of a vertex in a paraboloid map
+//   to_clip    the light's projection
+//   anchor     position of the light
+//   number     0.0 or 1.0, the map
+fn umbrage_paraboloid_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f, number: f32) -> vec4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let p: vec4f = umbrage_dual_paraboloid_position(way, number);
+    let place: vec4f = to_clip[3] * p.w + to_clip[0] * p.x + to_clip[1] * p.y + to_clip[2] * p.z;
+    return place;
+}
+` };
+
+export const warped_maps_places = { language, name: "warped_maps_places", summary: "places of a point of the world in up to four warped cascades",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [anchored_place, cascade_by_depth, cascade_column, cascade_fade], text: `
+// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding                  one column per map: its rounding there
+//   fades                     one column per map: scale and offset of the next one's weight
+//   added                     for each map what is added to its depth
+//   anchor                    the one anchor of all maps
+//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends                      ends of the first three cascades, number of the last one
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                              planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                              rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
+                              terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let depth: f32 = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
+    let number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
+    let own: vec4f = umbrage_cascade_column(fades, number);
+    let weight: f32 = umbrage_cascade_fade(depth, own.x, own.y);
+    var to_texels: mat4x4f = to_texels_0;
+    var planes: mat4x4f = planes_0;
+    var to_next: mat4x4f = to_texels_1;
+    var next_planes: mat4x4f = planes_1;
+    var depths: vec4f = vec4f(added.x, added.y, 0.0, 0.0);
+    if (number > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+        to_next = to_texels_2;
+        next_planes = planes_2;
+        depths = vec4f(added.y, added.z, 0.0, 0.0);
+    }
+    if (number > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+        to_next = to_texels_3;
+        next_planes = planes_3;
+        depths = vec4f(added.z, added.w, 0.0, 0.0);
+    }
+    if (number > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+        depths = vec4f(added.w, added.w, 0.0, 0.0);
+    }
+    let at: mat4x4f =
+        umbrage_anchored_place(to_texels, planes, vec4f(0.0, 0.0, 0.0, depths.x),
+                               umbrage_cascade_column(rounding, number), way, normal);
+    let there: mat4x4f =
+        umbrage_anchored_place(to_next, next_planes, vec4f(0.0, 0.0, 0.0, depths.y),
+                               umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    let after: vec3f = vec3f(there[0].x, there[0].y, there[0].z);
+    let next: vec3f = select(after, vec3f(-65536.0, -65536.0, 0.0), number >= ends.w);
+    return mat4x4f(vec4f(at[0].x, at[0].y, at[0].z, number), at[1], vec4f(next, min(number + 1.0, ends.w)),
+                   vec4f(there[1].x, there[1].y, weight, there[1].w));
+}
+` };
+
+export const adaptive_maps_places = { language, name: "adaptive_maps_places", summary: "place of a point of the world in the pages of an adaptive map",
+    exactness: "c", operations: 68, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [shadow_coordinate, cascade_column_8, receiver_slope, clamp_slope], text: `
+// umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
+//   to_root              matrix from the world to 1.0 to 2.0 across the root page
+//   planes               plane matrix in texels of the deepest level
+//   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
+//                        slot + 64.0 (2^level - 1.0)
+//   anchor               position that is subtracted from world
+//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
+//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                                cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                                cells_7: mat4x4f, anchor: vec4f, pages: vec4f, terms: vec4f, world: vec3f,
+                                normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let in_root: vec4f = umbrage_shadow_coordinate(to_root, way);
+    let inside: bool = in_root.x >= 1.0 && in_root.x < 2.0 && in_root.y >= 1.0 && in_root.y < 2.0;
+    let coord: vec2f = select(vec2f(1.0, 1.0), vec2f(in_root.x, in_root.y), inside);
+    let cell: vec2f = floor(coord * 16.0 - 16.0);
+    let right: f32 = floor(cell.x * 0.125);
+    let column: f32 = cell.y * 2.0 + right;
+    let a: vec4f = umbrage_cascade_column_8(cells_0, cells_1, column);
+    let b: vec4f = umbrage_cascade_column_8(cells_2, cells_3, column - 8.0);
+    let c: vec4f = umbrage_cascade_column_8(cells_4, cells_5, column - 16.0);
+    let d: vec4f = umbrage_cascade_column_8(cells_6, cells_7, column - 24.0);
+    let low: vec4f = select(b, a, column < 7.5);
+    let high: vec4f = select(d, c, column < 23.5);
+    let eight: vec4f = select(high, low, column < 15.5);
+    let along: f32 = cell.x - right * 8.0;
+    let pair: f32 = floor(along * 0.5);
+    let left_two: f32 = select(eight.y, eight.x, pair < 0.5);
+    let right_two: f32 = select(eight.w, eight.z, pair < 2.5);
+    let two: f32 = select(right_two, left_two, pair < 1.5);
+    let second: f32 = floor(two * (1.0 / 1024.0));
+    let code: f32 = select(second, two - second * 1024.0, along - pair * 2.0 < 0.5);
+    let before: f32 = floor(code * (1.0 / 64.0));
+    let across: f32 = before + 1.0;
+    let place: vec2f = coord * across;
+    let within: vec2f = (place - floor(place)) * pages.x + pages.y;
+    let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
+    let deepest: vec2f = umbrage_receiver_slope(planes, normal, way);
+    let slope: vec2f = deepest * (16.0 / across);
+    let off: f32 = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    return mat4x4f(vec4f(at, in_root.z, code - before * 64.0),
+                   vec4f(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+}
+` };
+
+export const map_softness = { language, name: "map_softness", summary: "one of 16 numbers of a matrix, without dynamic indexing",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
+fn umbrage_map_softness(sixteen: mat4x4f, number: f32) -> f32 {
+    let column: f32 = floor(number * 0.25);
+    let i: f32 = number - 4.0 * column;
+    let four: vec4f = umbrage_cascade_column(sixteen, column);
+    let low: f32 = select(four.y, four.x, i < 0.5);
+    let high: f32 = select(four.w, four.z, i < 2.5);
+    return select(high, low, i < 1.5);
 }
 ` };

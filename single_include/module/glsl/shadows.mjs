@@ -1,0 +1,1496 @@
+import { glsl as language } from '../languages.mjs';
+import * as snippets from './snippets.mjs';
+
+const cleared_depth_reversed = { name: "cleared_depth", role: "chosen", needs: [],
+    text: `
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 0.0;
+}
+` };
+const map_covers_clamped = { name: "map_covers", role: "chosen", needs: [],
+    text: `
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
+bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    return true;
+}
+` };
+const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver < 0.0;
+}
+` };
+const beyond_far_plane_without = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
+bool umbrage_beyond_far_plane(UMBRAGE_HIGHP float receiver) {
+    return false;
+}
+` };
+const within_far_plane_reversed = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    return receiver >= 0.0;
+}
+` };
+const within_far_plane_without = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
+bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
+    // a sum of choices: compilers take an or of the comparisons for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return number > 0.5;
+}
+` };
+const compare_reversed = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+` };
+const compare_own = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: visibility of one comparison, by the map's own comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_COMPARE;
+}
+` };
+const decode = { name: "decode", role: "chosen", needs: [],
+    text: `
+// umbrage_decode: depth of a value that the sampler returned
+UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
+    return UMBRAGE_DEPTH;
+}
+` };
+const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
+    text: `
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
+}
+` };
+const lit_texel = { name: "lit_texel", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
+}
+` };
+const lit_clamped = { name: "lit", role: "chosen", needs: [lit_texel],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+` };
+const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
+    text: `
+// umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return inside.x == texel.x && inside.y == texel.y ? lit : outside;
+}
+` };
+const lit_along_a_plane = { name: "lit", role: "chosen", needs: [snippets.texel, snippets.compare],
+    text: `
+// umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
+}
+` };
+const lit_texel_along_a_plane = { name: "lit_texel", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_LIT_TEXEL;
+}
+` };
+const lit_compared_along_a_plane = { name: "lit", role: "chosen", needs: [lit_texel_along_a_plane],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
+}
+` };
+const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
+    text: `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
+}
+` };
+const gather_lit_one_channel = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+` };
+const gather_lit_two_channels = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+` };
+const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+` };
+const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+` };
+const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? lit.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
+    return vec4(a, b, c, d);
+}
+` };
+const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+` };
+const lit_filtered_clamped = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    return umbrage_within_far_plane(receiver) ? lit : 0.0;
+}
+` };
+const lit_filtered_bordered = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane, snippets.compare],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
+}
+` };
+const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+` };
+const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+` };
+const lit_sampled_along_a_plane = { name: "lit_sampled", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_sampled: 2x2 comparisons of the sampler around a point
+UMBRAGE_HIGHP float umbrage_lit_sampled(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+` };
+const lit_at_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+}
+` };
+const lit_at_bordered_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet. Lit outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+    UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    return 1.0 + inside.x * inside.y * (lit - 1.0);
+}
+` };
+const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
+}
+` };
+const depth_at_sampled_and_bordered = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(UMBRAGE_SAMPLED);
+    return abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5 ? depth : UMBRAGE_BORDER;
+}
+` };
+
+export const hooks = {
+    language,
+    receiver_plane: "UMBRAGE_HIGHP vec2 receiver_slope, UMBRAGE_HIGHP vec3 receiver_at", plane_reference: snippets.plane_reference,
+    bordered_plane_reference: snippets.bordered_plane_reference, apply_receiver_plane: snippets.apply_receiver_plane,
+    textures: {
+        texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", size: "vec2(textureSize(map, 0))", needs: [] },
+        atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", size: "vec2(textureSize(map, 0))", needs: [] },
+        array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", sampled: "textureLod(map, vec3(uv, layer), 0.0)", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", size: "vec2(textureSize(map, 0))", needs: [] },
+        cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", size: "vec2(textureSize(map, 0))", needs: [snippets.cube_direction] },
+        cube_faces: { parameters: "UMBRAGE_HIGHP samplerCube map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);\n#else\n    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));\n#endif\n", size: "vec2(textureSize(map, 0))", needs: [snippets.cube_atlas_direction] },
+        integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", size: "vec2(textureSize(map, 0))", needs: [] },
+        depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", size: "vec2(textureSize(map, 0))", needs: [] },
+        depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", sampled: "textureLod(map, vec3(uv, layer), 0.0)", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", size: "vec2(textureSize(map, 0))", needs: [] },
+        shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureLod(map, vec3(uv, receiver), 0.0)", size: "vec2(textureSize(map, 0))", needs: [] },
+        shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", size: "vec2(textureSize(map, 0))", needs: [] },
+    },
+    unfilled: {
+        texel: `
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+        fetch_depth: `
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
+    UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
+    return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
+}
+`,
+    },
+    chosen: {
+        "cleared_depth, reversed": cleared_depth_reversed,
+        "map_covers, clamped": map_covers_clamped,
+        "beyond_far_plane, reversed": beyond_far_plane_reversed,
+        "beyond_far_plane, without": beyond_far_plane_without,
+        "within_far_plane, reversed": within_far_plane_reversed,
+        "within_far_plane, without": within_far_plane_without,
+        "compare, reversed": compare_reversed,
+        "compare, own": compare_own,
+        "decode": decode,
+        "fetch_depth, clamped": fetch_depth_clamped,
+        "lit_texel": lit_texel,
+        "lit, clamped": lit_clamped,
+        "lit, bordered": lit_bordered,
+        "lit, along a plane": lit_along_a_plane,
+        "lit_texel, along a plane": lit_texel_along_a_plane,
+        "lit, compared along a plane": lit_compared_along_a_plane,
+        "gather_lit, compared": gather_lit_compared,
+        "gather_lit, one channel": gather_lit_one_channel,
+        "gather_lit, two channels": gather_lit_two_channels,
+        "lit_2x2, gathered": lit_2x2_gathered,
+        "lit_2x2, gathered in a region": lit_2x2_gathered_in_a_region,
+        "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
+        "lit_2x2, gathered in a bordered region": lit_2x2_gathered_in_a_bordered_region,
+        "lit_filtered, clamped": lit_filtered_clamped,
+        "lit_filtered, bordered": lit_filtered_bordered,
+        "lit_at, sampled": lit_at_sampled,
+        "lit_at, sampled and bordered": lit_at_sampled_and_bordered,
+        "lit_sampled, along a plane": lit_sampled_along_a_plane,
+        "lit_at, along a plane": lit_at_along_a_plane,
+        "lit_at, bordered along a plane": lit_at_bordered_along_a_plane,
+        "depth_at, sampled": depth_at_sampled,
+        "depth_at, sampled and bordered": depth_at_sampled_and_bordered,
+    },
+};
+
+export const looks = {
+    "": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), 0.5, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);
+    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver);
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver);
+}
+`,
+    },
+    },
+    "radius": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), 0.5, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);
+    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, int(filter_terms.x));
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, int(filter_terms.x));
+}
+`,
+    },
+    },
+    "radius, rotation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), 0.5, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);
+    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x, umbrage_disc_rotation(pixel));
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_disc_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_disc_bias(vec2(slope.x, slope.y), filter_terms.y, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x, umbrage_disc_rotation(pixel));
+}
+`,
+    },
+    },
+    "softness, rotation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), 0.5, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);
+    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, vec3(filter_terms.x, filter_terms.y, filter_terms.z), umbrage_disc_rotation(pixel));
+}
+`,
+    },
+    "min_variance": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x);
+}
+`,
+    },
+    "exponent": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x);
+}
+`,
+    },
+    "exponent, deviation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, filter_terms.x, filter_terms.y);
+}
+`,
+    },
+    "exponents, deviations": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, vec2(filter_terms.x, filter_terms.y), vec2(filter_terms.z, filter_terms.w));
+}
+`,
+    },
+    "bias": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);
+    return umbrage_FILTER(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver, vec2(filter_terms.x, filter_terms.y));
+}
+`,
+    },
+};
+
+const one_map = {
+    name: "one_map", grid: [1, 1], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.single_map_places], chooses: [],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_single_map_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const cascaded_maps = {
+    name: "cascaded_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
+    needs: [snippets.cascaded_maps_places, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const cascaded_maps_8 = {
+    name: "cascaded_maps_8", grid: [2, 4], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
+    needs: [snippets.cascaded_maps_places_8, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const warped_maps = {
+    name: "warped_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "fades", matrix: true }, { name: "added", matrix: false }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
+    needs: [snippets.warped_maps_places, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP float sum = 1.0;
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP float layer = number;
+            UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+            UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            UMBRAGE_HIGHP float next = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const adaptive_maps = {
+    name: "adaptive_maps", grid: [8, 8], outside: "clamped", bends: false,
+    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }],
+    needs: [snippets.adaptive_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(8.0, 1.0 / 8.0), vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }, { name: "softness_1", matrix: true }, { name: "softness_2", matrix: true }, { name: "softness_3", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP mat4 softness_1, UMBRAGE_HIGHP mat4 softness_2, UMBRAGE_HIGHP mat4 softness_3, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(8.0, 1.0 / 8.0), vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+    softness = number >= 16.0 ? umbrage_map_softness(softness_1, number - 16.0) : softness;
+    softness = number >= 32.0 ? umbrage_map_softness(softness_2, number - 32.0) : softness;
+    softness = number >= 48.0 ? umbrage_map_softness(softness_3, number - 48.0) : softness;
+    UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP mat4 softness_1, UMBRAGE_HIGHP mat4 softness_2, UMBRAGE_HIGHP mat4 softness_3, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);
+    softness = number >= 16.0 ? umbrage_map_softness(softness_1, number - 16.0) : softness;
+    softness = number >= 32.0 ? umbrage_map_softness(softness_2, number - 32.0) : softness;
+    softness = number >= 48.0 ? umbrage_map_softness(softness_3, number - 48.0) : softness;
+    UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, own_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+` },
+};
+const cube_maps = {
+    name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.cube_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(3.0, 1.0 / 3.0), vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const tetrahedron_map = {
+    name: "tetrahedron_map", grid: [1, 1], outside: "clamped", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "center", matrix: false }],
+    needs: [snippets.tetrahedron_map_places], chooses: [],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_tetrahedron_map_places(to_texels, planes, anchor, rounding, center, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const paraboloid_maps = {
+    name: "paraboloid_maps", grid: [2, 1], outside: "clamped", bends: true,
+    fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.paraboloid_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_shadow(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP mat4 places = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP float layer = number;
+    UMBRAGE_HIGHP float sum = umbrage_look(map, terms, filter_terms, vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+
+const projected = { needs: [snippets.anchored_vertex, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec4 anchor) {
+    return umbrage_anchored_vertex(to_clip, world, anchor);
+}
+` };
+const pancaked = { needs: [snippets.anchored_vertex, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec4 anchor) {
+    return umbrage_pancake(umbrage_anchored_vertex(to_clip, world, anchor), NEAR);
+}
+` };
+const bent = { needs: [snippets.paraboloid_vertex, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+UMBRAGE_HIGHP vec4 umbrage_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP float number) {
+    return umbrage_paraboloid_vertex(to_clip, world, anchor, number);
+}
+` };
+
+export const spot_light = { language, name: "spot_light", maps: one_map, vertex: projected };
+export const directional_light = { language, name: "directional_light", maps: one_map, vertex: pancaked };
+export const cascades = { language, name: "cascades", maps: cascaded_maps, vertex: pancaked };
+export const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8, vertex: pancaked };
+export const point_light = { language, name: "point_light", maps: cube_maps, vertex: projected };
+export const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
+export const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
+export const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
+export const adaptive_pages = { language, name: "adaptive_pages", maps: adaptive_maps, vertex: pancaked };
+
+export const debug = {
+    language,
+    needs: { place: snippets.probe_color, point: [snippets.cleared_depth, snippets.probe_inputs] },
+    place_color: {
+        plane: { bias: snippets.acne_free_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+UMBRAGE_HIGHP vec3 umbrage_place_color(UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), 0.5, error);
+    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);
+}
+` },
+        plain: { bias: snippets.acne_free_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+UMBRAGE_HIGHP vec3 umbrage_place_color(UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_bias(vec2(slope.x, slope.y), terms.z, error);
+    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);
+}
+` },
+        disc: { bias: snippets.acne_free_disc_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+UMBRAGE_HIGHP vec3 umbrage_place_color(UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;
+    UMBRAGE_HIGHP float bias = umbrage_acne_free_disc_bias(vec2(slope.x, slope.y), filter_terms.y, error);
+    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);
+}
+` },
+    },
+    lit_at: `
+// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {
+    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;
+    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);
+    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)) > 0.5 ? 1.0 : 0.0;
+}
+`,
+    lit_at_turned: `
+// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {
+    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;
+    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);
+    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0), vec2(0.5, 0.5)) > 0.5 ? 1.0 : 0.0;
+}
+`,
+    reading: `
+// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right
+UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float tolerance = 1.0 / PARTS.0;
+    UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
+    UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
+    UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec3 seen = vec3(0.0, 0.0, 0.0);
+    for (int block = 0; block < 4; ++block) {
+        UMBRAGE_HIGHP float row = block < 2 ? 0.0 : 1.0;
+        UMBRAGE_HIGHP float column = float(block) - 2.0 * row;
+        UMBRAGE_HIGHP vec2 coord = vec2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        UMBRAGE_HIGHP float found = 0.0;
+        UMBRAGE_HIGHP float step_size = 0.5;
+        for (int i = 0; i < 20; ++i) {
+            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            step_size *= 0.5;
+        }
+        UMBRAGE_HIGHP float first = 8.0 * float(block);
+        UMBRAGE_HIGHP float turned = 8.0 * (column + 2.0 - 2.0 * row);
+        UMBRAGE_HIGHP float here = abs(found - (first + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float there = abs(found - (turned + own) * (1.0 / 34.0));
+        UMBRAGE_HIGHP float nearest = clamp(floor(found * 34.0 + 0.5), first + 1.0, first + 8.0);
+        UMBRAGE_HIGHP float other = abs(found - nearest * (1.0 / 34.0));
+        met += vec4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0,
+                    other <= coarse ? 1.0 : 0.0);
+        UMBRAGE_HIGHP float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
+        UMBRAGE_HIGHP float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        seen += vec3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
+    }
+    UMBRAGE_HIGHP float reading = 7.0;
+    reading = met.w > 3.5 ? 4.0 : reading;
+    reading = met.z > 3.5 ? 3.0 : reading;
+    reading = met.y > 3.5 ? 6.0 : reading;
+    reading = seen.y > 3.5 ? 2.0 : reading;
+    reading = seen.x > 3.5 ? 1.0 : reading;
+    reading = seen.z > 3.5 ? 5.0 : reading;
+    return met.x > 3.5 ? 0.0 : reading;
+}
+`,
+    layer: `    UMBRAGE_HIGHP float layer = number;
+`,
+    parts: { moments: 72, depth32f: 262144, depth24: 262144, depth16: 16384, rg9: 128, rg10: 256, rg11: 512, rg12: 1024, rg13: 2048, rg14: 4096, rg15: 8192, rg16: 16384, rgb24: 262144, rgb10: 262144, r16: 16384, float_bits: 262144, threejs_rgba: 262144, threejs_rgb: 262144, threejs_rg: 16384, threejs_legacy: 262144, threejs_legacy_repaired: 262144, base255: 262144, base255_repaired: 262144 },
+    parts_of_bent: { moments: 72, depth32f: 1024, depth24: 1024, depth16: 1024, rg9: 128, rg10: 256, rg11: 512, rg12: 512, rg13: 1024, rg14: 1024, rg15: 1024, rg16: 1024, rgb24: 1024, rgb10: 1024, r16: 1024, float_bits: 1024, threejs_rgba: 1024, threejs_rgb: 1024, threejs_rg: 1024, threejs_legacy: 1024, threejs_legacy_repaired: 1024, base255: 1024, base255_repaired: 1024 },
+    maps: {
+        one_map: {
+            choice: ``,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_single_map_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_texels, planes, anchor, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        cascaded_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(rotation, scales, offsets, anchor, blending, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(rotation, scales, offsets, anchor, blending, softness_0, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        cascaded_maps_8: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales, UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales, UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, softness_0, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        warped_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+#if __VERSION__ >= 130
+    int count = places[3].z > 0.0 ? 2 : 1;
+#else
+    const int count = 2;
+#endif
+    UMBRAGE_HIGHP vec3 sum = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        if (slope.z > 0.0) {
+            UMBRAGE_HIGHP float number = at.w;
+            UMBRAGE_HIGHP vec3 next = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+            sum = vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z), umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1, UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3, UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1, UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3, UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2, planes_3, rounding, fades, added, anchor, ahead, ends, softness_0, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        adaptive_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(8.0, 1.0 / 8.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP mat4 softness_1, UMBRAGE_HIGHP mat4 softness_2, UMBRAGE_HIGHP mat4 softness_3, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1, UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3, UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5, UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages, UMBRAGE_HIGHP mat4 softness_0, UMBRAGE_HIGHP mat4 softness_1, UMBRAGE_HIGHP mat4 softness_2, UMBRAGE_HIGHP mat4 softness_3, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7, anchor, pages, softness_0, softness_1, softness_2, softness_3, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        cube_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(3.0, 1.0 / 3.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_texels, planes, anchor, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        tetrahedron_map: {
+            choice: ``,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_tetrahedron_map_places(to_texels, planes, anchor, rounding, center, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(to_texels, planes, anchor, rounding, center, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        paraboloid_maps: {
+            choice: `    UMBRAGE_HIGHP vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+UMBRAGE_HIGHP vec3 umbrage_blended_color(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP mat4 places = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    UMBRAGE_HIGHP vec4 at = places[0];
+    UMBRAGE_HIGHP vec4 slope = places[1];
+    UMBRAGE_HIGHP float number = at.w;
+    UMBRAGE_HIGHP vec3 sum = umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+UMBRAGE_HIGHP vec3 umbrage_point_color(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves, UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec3 color = umbrage_blended_color(position, halves, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+    },
+};

@@ -1,8 +1,0 @@
-const language = {
-    name: "HLSL", preprocessor: true, may_reorder: "",
-    prelude: ``,
-};
-
-module.exports = {
-    language,
-};

@@ -1,4 +1,0 @@
-export const language = {
-    name: "HLSL", preprocessor: true, may_reorder: "",
-    prelude: ``,
-};

@@ -1,8 +1,0 @@
-const language = {
-    name: "WGSL", preprocessor: false, may_reorder: "WGSL",
-    prelude: ``,
-};
-
-module.exports = {
-    language,
-};

@@ -1,4 +1,0 @@
-export const language = {
-    name: "WGSL", preprocessor: false, may_reorder: "WGSL",
-    prelude: ``,
-};

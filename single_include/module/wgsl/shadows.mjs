@@ -1,0 +1,1605 @@
+import { wgsl as language } from '../languages.mjs';
+import * as snippets from './snippets.mjs';
+
+const cleared_depth_reversed = { name: "cleared_depth", role: "chosen", needs: [],
+    text: `
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 0.0;
+}
+` };
+const map_covers_clamped = { name: "map_covers", role: "chosen", needs: [],
+    text: `
+// umbrage_map_covers: always true, as the nearest texel inside is used outside the map
+fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
+    return true;
+}
+` };
+const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: true when a receiver is beyond the far plane
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return receiver < 0.0;
+}
+` };
+const beyond_far_plane_without = { name: "beyond_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_beyond_far_plane: always false for this map. Receivers beyond the far plane have a value that every texel
+// lights
+fn umbrage_beyond_far_plane(receiver: f32) -> bool {
+    return false;
+}
+` };
+const within_far_plane_reversed = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: true when a receiver is a number and not beyond the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
+    return receiver >= 0.0;
+}
+` };
+const within_far_plane_without = { name: "within_far_plane", role: "chosen", needs: [],
+    text: `
+// umbrage_within_far_plane: true when a receiver is a number, as no receiver of this map is beyond the far plane
+fn umbrage_within_far_plane(receiver: f32) -> bool {
+    // a sum of choices: compilers take an or of the comparisons for true
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return number > 0.5;
+}
+` };
+const compare_reversed = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth. Near is 1.0
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver >= stored);
+}
+` };
+const compare_own = { name: "compare", role: "chosen", needs: [],
+    text: `
+// umbrage_compare: visibility of one comparison, by the map's own comparison
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return UMBRAGE_COMPARE;
+}
+` };
+const decode = { name: "decode", role: "chosen", needs: [],
+    text: `
+// umbrage_decode: depth of a value that the sampler returned
+fn umbrage_decode(value: vec4f) -> f32 {
+    return UMBRAGE_DEPTH;
+}
+` };
+const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
+    text: `
+// umbrage_fetch_depth: stored depth of a texel, that of the nearest texel inside when outside the map
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
+    return UMBRAGE_DEPTH;
+}
+` };
+const lit_texel = { name: "lit_texel", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map. NaN is in shadow
+fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: f32 = UMBRAGE_LIT_TEXEL;
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
+}
+` };
+const lit_clamped = { name: "lit", role: "chosen", needs: [lit_texel],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, with the nearest texel inside when outside the map
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+}
+` };
+const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
+    text: `
+// umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
+}
+` };
+const lit_along_a_plane = { name: "lit", role: "chosen", needs: [snippets.texel, snippets.compare],
+    text: `
+// umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
+}
+` };
+const lit_texel_along_a_plane = { name: "lit_texel", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map
+//   receiver   no NaN
+fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_LIT_TEXEL;
+}
+` };
+const lit_compared_along_a_plane = { name: "lit", role: "chosen", needs: [lit_texel_along_a_plane],
+    text: `
+// umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let lit: f32 = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return lit * number;
+}
+` };
+const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
+    text: `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: vec4f = UMBRAGE_GATHER_LIT;
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return vec4f(lit.w, lit.z, lit.x, lit.y) * number;
+}
+` };
+const gather_lit_one_channel = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, 0.0, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, 0.0, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, 0.0, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, 0.0, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const gather_lit_two_channels = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let g: vec4f = UMBRAGE_GATHER_GREEN;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, g.w, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, g.z, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, g.x, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, g.y, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+` };
+const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
+// row and column
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0) - first;
+    let high: vec2f = clamp(texel + 1.0, vec2f(0.0, 0.0), size - 1.0) - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), high.x > 0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), high.y > 0.5);
+    return vec4f(bottom.x, bottom.y, top.x, top.y);
+}
+` };
+const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The sampler's border color does not matter
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let lit: vec4f = umbrage_gather_lit(map, size, texel, receiver);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let a: f32 = select(outside, lit.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, lit.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, lit.z, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, lit.w, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+// Outside the map the far plane is compared. The gather stays inside
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = texel - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, top.y, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_filtered_clamped = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+//   coord   in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    return select(0.0, lit, umbrage_within_far_plane(receiver));
+}
+` };
+const lit_filtered_bordered = { name: "lit_filtered", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.within_far_plane, snippets.compare],
+    text: `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler. NaN is in shadow
+// Outside the map the far plane is compared
+//   coord   in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_within_far_plane(receiver));
+}
+` };
+const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return UMBRAGE_LIT_FILTERED;
+}
+` };
+const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
+    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    return outside + inside.x * inside.y * (lit - outside);
+}
+` };
+const lit_sampled_along_a_plane = { name: "lit_sampled", role: "chosen", needs: [],
+    text: `
+// umbrage_lit_sampled: 2x2 comparisons of the sampler around a point
+fn umbrage_lit_sampled(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return UMBRAGE_LIT_FILTERED;
+}
+` };
+const lit_at_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = floor(uv * size + 0.5) - 0.5;
+    return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+}
+` };
+const lit_at_bordered_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
+    text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
+// meet. Lit outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = floor(uv * size + 0.5) - 0.5;
+    let lit: f32 = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
+    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    return 1.0 + inside.x * inside.y * (lit - 1.0);
+}
+` };
+const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_decode(UMBRAGE_SAMPLED);
+}
+` };
+const depth_at_sampled_and_bordered = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
+    text: `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler, that of the far plane outside the map
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    let depth: f32 = umbrage_decode(UMBRAGE_SAMPLED);
+    return select(UMBRAGE_BORDER, depth, abs(uv.x - 0.5) <= 0.5 && abs(uv.y - 0.5) <= 0.5);
+}
+` };
+
+export const hooks = {
+    language,
+    receiver_plane: "receiver_slope: vec2f, receiver_at: vec3f", plane_reference: snippets.plane_reference,
+    bordered_plane_reference: snippets.bordered_plane_reference, apply_receiver_plane: snippets.apply_receiver_plane,
+    textures: {
+        texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, i32(layer), 0.0)", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", size: "vec2f(textureDimensions(map))", needs: [snippets.cube_direction] },
+        cube_faces: { parameters: "map: texture_cube<f32>, map_sampler: sampler", arguments: "map, map_sampler", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", size: "vec2f(textureDimensions(map))", needs: [snippets.cube_atlas_direction] },
+        integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", size: "vec2f(textureDimensions(map))", needs: [] },
+        depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, 0))", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, i32(layer), 0))", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+        shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, receiver)", size: "vec2f(textureDimensions(map))", needs: [] },
+        shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", needs: [] },
+    },
+    unfilled: {
+        texel: `
+// umbrage_texel: value of a texel inside the map
+//   map    texture with the texels; a sampler that reads them must filter by nearest
+//   size   size of the map, in texels
+//   texel  integers, (0, 0) is the first
+fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+        fetch_depth: `
+// umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let value: vec4f = umbrage_texel(map, size, inside);
+    let depth: f32 = UMBRAGE_DEPTH;
+    return select(UMBRAGE_BORDER, depth, inside.x == texel.x && inside.y == texel.y);
+}
+`,
+    },
+    chosen: {
+        "cleared_depth, reversed": cleared_depth_reversed,
+        "map_covers, clamped": map_covers_clamped,
+        "beyond_far_plane, reversed": beyond_far_plane_reversed,
+        "beyond_far_plane, without": beyond_far_plane_without,
+        "within_far_plane, reversed": within_far_plane_reversed,
+        "within_far_plane, without": within_far_plane_without,
+        "compare, reversed": compare_reversed,
+        "compare, own": compare_own,
+        "decode": decode,
+        "fetch_depth, clamped": fetch_depth_clamped,
+        "lit_texel": lit_texel,
+        "lit, clamped": lit_clamped,
+        "lit, bordered": lit_bordered,
+        "lit, along a plane": lit_along_a_plane,
+        "lit_texel, along a plane": lit_texel_along_a_plane,
+        "lit, compared along a plane": lit_compared_along_a_plane,
+        "gather_lit, compared": gather_lit_compared,
+        "gather_lit, one channel": gather_lit_one_channel,
+        "gather_lit, two channels": gather_lit_two_channels,
+        "lit_2x2, gathered": lit_2x2_gathered,
+        "lit_2x2, gathered in a region": lit_2x2_gathered_in_a_region,
+        "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
+        "lit_2x2, gathered in a bordered region": lit_2x2_gathered_in_a_bordered_region,
+        "lit_filtered, clamped": lit_filtered_clamped,
+        "lit_filtered, bordered": lit_filtered_bordered,
+        "lit_at, sampled": lit_at_sampled,
+        "lit_at, sampled and bordered": lit_at_sampled_and_bordered,
+        "lit_sampled, along a plane": lit_sampled_along_a_plane,
+        "lit_at, along a plane": lit_at_along_a_plane,
+        "lit_at, bordered along a plane": lit_at_bordered_along_a_plane,
+        "depth_at, sampled": depth_at_sampled,
+        "depth_at, sampled and bordered": depth_at_sampled_and_bordered,
+    },
+};
+
+export const looks = {
+    "": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), 0.5, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    let receiver_slope: vec2f = vec2f(slope.x, slope.y);
+    let receiver_at: vec3f = vec3f(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver);
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver);
+}
+`,
+    },
+    },
+    "radius": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), 0.5, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    let receiver_slope: vec2f = vec2f(slope.x, slope.y);
+    let receiver_at: vec3f = vec3f(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, i32(filter_terms.x));
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, i32(filter_terms.x));
+}
+`,
+    },
+    },
+    "radius, rotation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f, pixel: vec2f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), 0.5, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    let receiver_slope: vec2f = vec2f(slope.x, slope.y);
+    let receiver_at: vec3f = vec3f(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x,
+                          umbrage_disc_rotation(pixel));
+}
+`,
+        bent: { needs: filter => [snippets.acne_free_disc_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f, pixel: vec2f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_disc_bias(vec2f(slope.x, slope.y), filter_terms.y, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x,
+                          umbrage_disc_rotation(pixel));
+}
+`,
+    },
+    },
+    "softness, rotation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter, snippets.disc_rotation],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f, pixel: vec2f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), 0.5, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    let receiver_slope: vec2f = vec2f(slope.x, slope.y);
+    let receiver_at: vec3f = vec3f(at.x, at.y, receiver);
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver,
+                          vec3f(filter_terms.x, filter_terms.y, filter_terms.z), umbrage_disc_rotation(pixel));
+}
+`,
+    },
+    "min_variance": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x);
+}
+`,
+    },
+    "exponent": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x);
+}
+`,
+    },
+    "exponent, deviation": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver, filter_terms.x, filter_terms.y);
+}
+`,
+    },
+    "exponents, deviations": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver,
+                         vec2f(filter_terms.x, filter_terms.y), vec2f(filter_terms.z, filter_terms.w));
+}
+`,
+    },
+    "bias": {
+        needs: filter => [snippets.acne_free_bias, snippets.biased, snippets.beyond_far_plane, filter],
+        text: `
+// umbrage_look: visibility of a receiver in one map
+fn umbrage_look(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, at: vec3f, slope: vec3f) -> f32 {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    let receiver: f32 = select(umbrage_biased(at.z, bias), at.z, umbrage_beyond_far_plane(at.z));
+    return umbrage_FILTER(map, vec2f(terms.x, terms.y), vec2f(at.x, at.y), receiver,
+                       vec2f(filter_terms.x, filter_terms.y));
+}
+`,
+    },
+};
+
+const one_map = {
+    name: "one_map", grid: [1, 1], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.single_map_places], chooses: [],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f = umbrage_single_map_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const cascaded_maps = {
+    name: "cascaded_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
+    needs: [snippets.cascaded_maps_places, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                  terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                  terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                  softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                  softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const cascaded_maps_8 = {
+    name: "cascaded_maps_8", grid: [2, 4], outside: "bordered", bends: false,
+    fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
+    needs: [snippets.cascaded_maps_places_8, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, filter_terms: vec4f,
+                  world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, filter_terms: vec4f,
+                  world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, softness_0: mat4x4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, softness_0: mat4x4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const warped_maps = {
+    name: "warped_maps", grid: [2, 2], outside: "bordered", bends: false,
+    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "fades", matrix: true }, { name: "added", matrix: false }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
+    needs: [snippets.warped_maps_places, snippets.blend_cascades], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
+                  terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
+                  terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let next: f32 =
+                umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w),
+                             pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
+                  softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f,
+                  to_texels_3: mat4x4f, planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                  rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
+                  softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f,
+                  pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: f32 = 1.0;
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let layer: f32 = number;
+            let softness: f32 = umbrage_map_softness(softness_0, number);
+            let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+            let next: f32 =
+                umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+            sum = umbrage_blend_cascades(sum, next, slope.z);
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+` },
+};
+const adaptive_maps = {
+    name: "adaptive_maps", grid: [8, 8], outside: "clamped", bends: false,
+    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }],
+    needs: [snippets.adaptive_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, anchor: vec4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let origin: vec2f = umbrage_map_tile(number, vec2f(8.0, 1.0 / 8.0), vec2f(terms.x, terms.y));
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, anchor: vec4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let layer: f32 = number;
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    softened: { fields: [{ name: "softness_0", matrix: true }, { name: "softness_1", matrix: true }, { name: "softness_2", matrix: true }, { name: "softness_3", matrix: true }], needs: [snippets.map_softness], text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, anchor: vec4f, pages: vec4f, softness_0: mat4x4f, softness_1: mat4x4f,
+                  softness_2: mat4x4f, softness_3: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let origin: vec2f = umbrage_map_tile(number, vec2f(8.0, 1.0 / 8.0), vec2f(terms.x, terms.y));
+    var softness: f32 = umbrage_map_softness(softness_0, number);
+    softness = select(softness, umbrage_map_softness(softness_1, number - 16.0), number >= 16.0);
+    softness = select(softness, umbrage_map_softness(softness_2, number - 32.0), number >= 32.0);
+    softness = select(softness, umbrage_map_softness(softness_3, number - 48.0), number >= 48.0);
+    let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+    let sum: f32 =
+        umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f,
+                  cells_2: mat4x4f, cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
+                  cells_7: mat4x4f, anchor: vec4f, pages: vec4f, softness_0: mat4x4f, softness_1: mat4x4f,
+                  softness_2: mat4x4f, softness_3: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                  normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let layer: f32 = number;
+    var softness: f32 = umbrage_map_softness(softness_0, number);
+    softness = select(softness, umbrage_map_softness(softness_1, number - 16.0), number >= 16.0);
+    softness = select(softness, umbrage_map_softness(softness_2, number - 32.0), number >= 32.0);
+    softness = select(softness, umbrage_map_softness(softness_3, number - 48.0), number >= 48.0);
+    let own_terms: vec4f = vec4f(softness, filter_terms.y, filter_terms.z, filter_terms.w);
+    let sum: f32 =
+        umbrage_look(map, terms, own_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+` },
+};
+const cube_maps = {
+    name: "cube_maps", grid: [3, 2], outside: "clamped", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.cube_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let origin: vec2f = umbrage_map_tile(number, vec2f(3.0, 1.0 / 3.0), vec2f(terms.x, terms.y));
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                  filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let layer: f32 = number;
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const tetrahedron_map = {
+    name: "tetrahedron_map", grid: [1, 1], outside: "clamped", bends: false,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "center", matrix: false }],
+    needs: [snippets.tetrahedron_map_places], chooses: [],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, center: vec4f,
+                  terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f =
+        umbrage_tetrahedron_map_places(to_texels, planes, anchor, rounding, center, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+const paraboloid_maps = {
+    name: "paraboloid_maps", grid: [2, 1], outside: "clamped", bends: true,
+    fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }, { name: "rounding", matrix: false }],
+    needs: [snippets.paraboloid_maps_places], chooses: [snippets.map_tile],
+    text: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, filter_terms: vec4f,
+                  world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+    of_layers: `
+// umbrage_shadow: visibility of a point of the world, 1.0 is lit
+fn umbrage_shadow(UMBRAGE_MAP map, position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, filter_terms: vec4f,
+                  world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
+    let places: mat4x4f = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let layer: f32 = number;
+    let sum: f32 =
+        umbrage_look(map, terms, filter_terms, vec3f(at.x, at.y, at.z), vec3f(slope.x, slope.y, slope.w), pixel);
+    return sum;
+}
+`,
+};
+
+const projected = { needs: [snippets.anchored_vertex, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f) -> vec4f {
+    return umbrage_anchored_vertex(to_clip, world, anchor);
+}
+` };
+const pancaked = { needs: [snippets.anchored_vertex, snippets.pancake, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f) -> vec4f {
+    return umbrage_pancake(umbrage_anchored_vertex(to_clip, world, anchor), NEAR);
+}
+` };
+const bent = { needs: [snippets.paraboloid_vertex, snippets.cleared_depth], text: `
+// umbrage_vertex: clip space position of a vertex of the depth pass
+fn umbrage_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f, number: f32) -> vec4f {
+    return umbrage_paraboloid_vertex(to_clip, world, anchor, number);
+}
+` };
+
+export const spot_light = { language, name: "spot_light", maps: one_map, vertex: projected };
+export const directional_light = { language, name: "directional_light", maps: one_map, vertex: pancaked };
+export const cascades = { language, name: "cascades", maps: cascaded_maps, vertex: pancaked };
+export const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8, vertex: pancaked };
+export const point_light = { language, name: "point_light", maps: cube_maps, vertex: projected };
+export const tetrahedron_light = { language, name: "tetrahedron_light", maps: tetrahedron_map, vertex: projected };
+export const dual_paraboloid_light = { language, name: "dual_paraboloid_light", maps: paraboloid_maps, vertex: bent };
+export const warped_cascades = { language, name: "warped_cascades", maps: warped_maps, vertex: pancaked };
+export const adaptive_pages = { language, name: "adaptive_pages", maps: adaptive_maps, vertex: pancaked };
+
+export const debug = {
+    language,
+    needs: { place: snippets.probe_color, point: [snippets.cleared_depth, snippets.probe_inputs] },
+    place_color: {
+        plane: { bias: snippets.acne_free_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+fn umbrage_place_color(terms: vec4f, filter_terms: vec4f, at: vec4f, slope: vec3f) -> vec3f {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), 0.5, error);
+    return umbrage_probe_color(vec3f(at.x, at.y, at.z), vec2f(terms.x, terms.y), bias, at.w);
+}
+` },
+        plain: { bias: snippets.acne_free_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+fn umbrage_place_color(terms: vec4f, filter_terms: vec4f, at: vec4f, slope: vec3f) -> vec3f {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_bias(vec2f(slope.x, slope.y), terms.z, error);
+    return umbrage_probe_color(vec3f(at.x, at.y, at.z), vec2f(terms.x, terms.y), bias, at.w);
+}
+` },
+        disc: { bias: snippets.acne_free_disc_bias, text: `
+// umbrage_place_color: a receiver's debug color in one map
+fn umbrage_place_color(terms: vec4f, filter_terms: vec4f, at: vec4f, slope: vec3f) -> vec3f {
+    let error: f32 = terms.w + slope.z;
+    let bias: f32 = umbrage_acne_free_disc_bias(vec2f(slope.x, slope.y), filter_terms.y, error);
+    return umbrage_probe_color(vec3f(at.x, at.y, at.z), vec2f(terms.x, terms.y), bias, at.w);
+}
+` },
+    },
+    lit_at: `
+// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit
+fn umbrage_lit_at(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, coord: vec2f, distance: f32) -> f32 {
+    let depth: f32 = select(1.0 - distance, distance, umbrage_cleared_depth() > 0.5);
+    let at: vec3f = vec3f(coord.x, coord.y, depth);
+    return select(0.0, 1.0, umbrage_look(map, terms, filter_terms, at, vec3f(0.0, 0.0, 0.0)) > 0.5);
+}
+`,
+    lit_at_turned: `
+// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit
+fn umbrage_lit_at(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, coord: vec2f, distance: f32) -> f32 {
+    let depth: f32 = select(1.0 - distance, distance, umbrage_cleared_depth() > 0.5);
+    let at: vec3f = vec3f(coord.x, coord.y, depth);
+    return select(0.0, 1.0, umbrage_look(map, terms, filter_terms, at, vec3f(0.0, 0.0, 0.0), vec2f(0.5, 0.5)) > 0.5);
+}
+`,
+    reading: `
+// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right
+fn umbrage_reading(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, number: f32) -> f32 {
+    let tolerance: f32 = 1.0 / PARTS.0;
+    let coarse: f32 = 1.0 / 72.0;
+    let own: f32 = number - 8.0 * floor(number * 0.125) + 1.0;
+    var met: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    var seen: vec3f = vec3f(0.0, 0.0, 0.0);
+    for (var block: i32 = 0; block < 4; block++) {
+        let row: f32 = select(1.0, 0.0, block < 2);
+        let column: f32 = f32(block) - 2.0 * row;
+        let coord: vec2f = vec2f(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        var found: f32 = 0.0;
+        var step_size: f32 = 0.5;
+        for (var i: i32 = 0; i < 20; i++) {
+            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            step_size *= 0.5;
+        }
+        let first: f32 = 8.0 * f32(block);
+        let turned: f32 = 8.0 * (column + 2.0 - 2.0 * row);
+        let here: f32 = abs(found - (first + own) * (1.0 / 34.0));
+        let there: f32 = abs(found - (turned + own) * (1.0 / 34.0));
+        let nearest: f32 = clamp(floor(found * 34.0 + 0.5), first + 1.0, first + 8.0);
+        let other: f32 = abs(found - nearest * (1.0 / 34.0));
+        met +=
+            vec4f(select(0.0, 1.0, here <= tolerance), select(0.0, 1.0, here <= coarse),
+                  select(0.0, 1.0, there <= coarse), select(0.0, 1.0, other <= coarse));
+        let front: f32 = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
+        let back: f32 = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        seen += vec3f(select(0.0, 1.0, found > 0.9999), select(0.0, 1.0, found < 0.0001), (1.0 - front) * back);
+    }
+    var reading: f32 = 7.0;
+    reading = select(reading, 4.0, met.w > 3.5);
+    reading = select(reading, 3.0, met.z > 3.5);
+    reading = select(reading, 6.0, met.y > 3.5);
+    reading = select(reading, 2.0, seen.y > 3.5);
+    reading = select(reading, 1.0, seen.x > 3.5);
+    reading = select(reading, 5.0, seen.z > 3.5);
+    return select(reading, 0.0, met.x > 3.5);
+}
+`,
+    layer: `    let layer: f32 = number;
+`,
+    parts: { moments: 72, depth32f: 262144, depth24: 262144, depth16: 16384, rg9: 128, rg10: 256, rg11: 512, rg12: 1024, rg13: 2048, rg14: 4096, rg15: 8192, rg16: 16384, rgb24: 262144, rgb10: 262144, r16: 16384, float_bits: 262144, threejs_rgba: 262144, threejs_rgb: 262144, threejs_rg: 16384, threejs_legacy: 262144, threejs_legacy_repaired: 262144, base255: 262144, base255_repaired: 262144 },
+    parts_of_bent: { moments: 72, depth32f: 1024, depth24: 1024, depth16: 1024, rg9: 128, rg10: 256, rg11: 512, rg12: 512, rg13: 1024, rg14: 1024, rg15: 1024, rg16: 1024, rgb24: 1024, rgb10: 1024, r16: 1024, float_bits: 1024, threejs_rgba: 1024, threejs_rgb: 1024, threejs_rg: 1024, threejs_legacy: 1024, threejs_legacy_repaired: 1024, base255: 1024, base255_repaired: 1024 },
+    maps: {
+        one_map: {
+            choice: ``,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                         filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f = umbrage_single_map_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                       filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f = umbrage_blended_color(to_texels, planes, anchor, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        cascaded_maps: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                         terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                       terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(rotation, scales, offsets, anchor, blending, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                         softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                       softness_0: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(rotation, scales, offsets, anchor, blending, softness_0, terms, filter_terms, world,
+                              normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        cascaded_maps_8: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                         farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, filter_terms: vec4f,
+                         world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                       farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, filter_terms: vec4f,
+                       world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms,
+                              filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                         farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, softness_0: mat4x4f, terms: vec4f,
+                         filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                       terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                       farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, softness_0: mat4x4f, terms: vec4f,
+                       filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, softness_0,
+                              terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        warped_maps: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                         planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f, rounding: mat4x4f,
+                         fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f, terms: vec4f,
+                         filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                       planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f, rounding: mat4x4f,
+                       fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f, terms: vec4f,
+                       filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                              planes_3, rounding, fades, added, anchor, ahead, ends, terms, filter_terms, world,
+                              normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                         planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f, rounding: mat4x4f,
+                         fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f, softness_0: mat4x4f,
+                         terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_warped_maps_places(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                                   planes_3, rounding, fades, added, anchor, ahead, ends, terms, world, normal);
+    var at: vec4f = places[0];
+    var slope: vec4f = places[1];
+    let count: i32 = select(1, 2, places[3].z > 0.0);
+    var sum: vec3f = vec3f(1.0, 1.0, 1.0);
+    for (var i: i32 = 0; i < count; i++) {
+        if (slope.z > 0.0) {
+            let number: f32 = at.w;
+            let next: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+            sum =
+                vec3f(umbrage_blend_cascades(sum.x, next.x, slope.z), umbrage_blend_cascades(sum.y, next.y, slope.z),
+                      umbrage_blend_cascades(sum.z, next.z, slope.z));
+        }
+        at = places[2];
+        slope = places[3];
+    }
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                       planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f, rounding: mat4x4f,
+                       fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f, softness_0: mat4x4f,
+                       terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(to_texels_0, to_texels_1, to_texels_2, to_texels_3, planes_0, planes_1, planes_2,
+                              planes_3, rounding, fades, added, anchor, ahead, ends, softness_0, terms, filter_terms,
+                              world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        adaptive_maps: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(8.0, 1.0 / 8.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                         cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                         anchor: vec4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                         normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                       cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                       anchor: vec4f, pages: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                       normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7,
+                              anchor, pages, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            softened: { blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                         cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                         anchor: vec4f, pages: vec4f, softness_0: mat4x4f, softness_1: mat4x4f, softness_2: mat4x4f,
+                         softness_3: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_adaptive_maps_places(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6,
+                                     cells_7, anchor, pages, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
+                       cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f, cells_7: mat4x4f,
+                       anchor: vec4f, pages: vec4f, softness_0: mat4x4f, softness_1: mat4x4f, softness_2: mat4x4f,
+                       softness_3: mat4x4f, terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(to_root, planes, cells_0, cells_1, cells_2, cells_3, cells_4, cells_5, cells_6, cells_7,
+                              anchor, pages, softness_0, softness_1, softness_2, softness_3, terms, filter_terms, world,
+                              normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+            },
+        },
+        cube_maps: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(3.0, 1.0 / 3.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                         filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f = umbrage_cube_maps_places(to_texels, planes, anchor, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
+                       filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f = umbrage_blended_color(to_texels, planes, anchor, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        tetrahedron_map: {
+            choice: ``,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, center: vec4f,
+                         terms: vec4f, filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f =
+        umbrage_tetrahedron_map_places(to_texels, planes, anchor, rounding, center, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, center: vec4f, terms: vec4f,
+                       filter_terms: vec4f, world: vec3f, normal: vec3f) -> vec3f {
+    let color: vec3f =
+        umbrage_blended_color(to_texels, planes, anchor, rounding, center, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+        paraboloid_maps: {
+            choice: `    let origin: vec2f = umbrage_map_tile(number, vec2f(2.0, 1.0 / 2.0), vec2f(terms.x, terms.y));
+`,
+            blended_color: `
+// umbrage_blended_color: debug color of a point of the world
+fn umbrage_blended_color(position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, filter_terms: vec4f,
+                         world: vec3f, normal: vec3f) -> vec3f {
+    let places: mat4x4f = umbrage_paraboloid_maps_places(position, halves, rounding, terms, world, normal);
+    let at: vec4f = places[0];
+    let slope: vec4f = places[1];
+    let number: f32 = at.w;
+    let sum: vec3f = umbrage_place_color(terms, filter_terms, at, vec3f(slope.x, slope.y, slope.w));
+    return sum;
+}
+`,
+            point_color: `
+// umbrage_point_color: debug color of a point of the world, or what is wrong with it
+fn umbrage_point_color(position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, filter_terms: vec4f, world: vec3f,
+                       normal: vec3f) -> vec3f {
+    let color: vec3f = umbrage_blended_color(position, halves, rounding, terms, filter_terms, world, normal);
+    return umbrage_probe_inputs(color, world, normal);
+}
+`,
+        },
+    },
+};

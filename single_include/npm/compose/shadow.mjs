@@ -1,0 +1,111 @@
+// A light's shadow as functions of a shader, its maps' target, and its depth pass. The texts are those of C++'s bind() and
+// bind_depth_pass(); the values of its uniforms are those of values.mjs.
+import { bound, check, complete, plane_needs } from './bind.mjs';
+import { given_as_encoding, must_be_clip_space, must_in } from './check.mjs';
+
+const must = /*#__PURE__*/ must_in('shadow');
+const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
+    block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
+const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
+
+/** shadow() of a language. */
+export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) => {
+    const { language } = hooks;
+    must(typeof name === 'string' && /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
+        'name must be letters, digits and single underscores between them', name);
+    must(typeof options === 'object' && options !== null, 'options must be an object', options);
+    for (const key of Object.keys(options))
+        must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
+    const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
+    must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
+    const look = filter?.language === language && filter.filter !== undefined
+        ? looks[filter.filter.arguments.map(argument => argument.name).join(', ')] : undefined;
+    must(look !== undefined && filter.filter.offsets === undefined, `filter must be one that a shadow takes, of ${language.name}`, filter);
+    const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
+    must(!('encoding' in options && options.encoding === undefined) && encoding?.write?.language === language,
+        `encoding must be one of ${language.name}`, given_as_encoding(options.encoding));
+    must(encoding.reversed !== undefined, `encoding must be ${encoding.name} itself, whose reversed depth comes of direction`,
+        `${encoding.name}.reversed`);
+    must(!is_moments || options.encoding === undefined, 'encoding must be left out for a filter of moments', filter.name);
+    must(direction === 'forward' || reversed, 'direction must be forward or reversed', direction);
+    const size = typeof map_size === 'number' ? [map_size, map_size] : map_size;
+    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1 && n <= 2 ** 24),
+        'map_size must be whole texels from 1 to 2^24, or two of them', map_size);
+    for (const [key, slot] of Object.entries({ block, texture, sampler, set }))
+        must(slot === (slot | 0) && slot >= 0, `${key} must be a whole number, 0 or above`, slot);
+    must(debug === undefined || debug?.language === language && debug.reading !== undefined, `debug must be debug of ${language.name}`, debug);
+    const hardens = filter.filter.arguments.some(argument => argument.name === 'softness');
+    const along_plane = !is_moments && !kind.maps.bends;  // each texel is compared along the receiver's plane
+    must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
+
+    const { grid: [columns, rows], outside } = kind.maps, several = columns * rows > 1;
+    const soft = hardens ? kind.maps.softened : undefined;  // maps that are not alike have an own softness each
+    const lies_in = rest.map === undefined ? (several ? 'atlas' : 'texture_2d') : rest.map;
+    const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
+    must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
+    const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow');
+    const whole = [size[0] * columns, size[1] * rows];
+    const stored = reversed ? encoding.reversed : encoding;
+    const map = complete(hooks, { texture: lies_in, direction, outside, depth: stored.depth, channels: stored.channels,
+        receiver_plane: along_plane, needs: stored.needs,
+        texture_size: lies_in === 'atlas' ? `vec2(${whole[0]}.0, ${whole[1]}.0)` : '' });
+    if (along_plane) map.needs = [...map.needs, ...plane_needs(hooks, map)];
+
+    const turns = filter.filter.arguments.some(argument => argument.name === 'rotation');
+    const own = (name, text, needs) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
+    const of_map = kind.maps.bends && look.bent || look;
+    const umbrage_look = own('look', of_map.text.replaceAll('umbrage_FILTER', `umbrage_${filter.name}`), of_map.needs(filter));
+    const with_pixel = (soft ?? kind.maps)[layers && several ? 'of_layers' : 'text'];
+    const umbrage_shadow = own('shadow', turns ? with_pixel : without_pixel(with_pixel),
+        [...kind.maps.needs, ...layers ? [] : kind.maps.chooses, ...soft?.needs ?? []]);
+    const texts = [umbrage_look, umbrage_shadow];
+    const tolerance = is_moments ? 'moments' : encoding.name;
+    if (debug) texts.push(...debug_texts(own, debug, kind.maps, { along_plane, hardens, turns, tolerance, layers: layers && several }));
+    texts.forEach((text, i) => text.needs.push(...texts.slice(0, i)));  // each may call those before it
+    for (const text of texts) check(hooks, text, map);
+    const item = bound(hooks, umbrage_shadow, name, map, texts);
+    const all_fields = [...kind.maps.fields, ...soft?.fields ?? [], ...terms];
+    const declares = { name, fields: all_fields, block, texture, sampler, set, functions: functions_of(turns, debug) };
+    const texel = is_moments ? filter.filter : encoding;
+    return {
+        ...item,
+        declared: { name, text: version => declare(declares, item.declarations(), version) },
+        depth_pass: bound(hooks, texel.write, name, complete(hooks, { direction })),
+        vertex_pass: clip => {
+            must_be_clip_space(must, 'clip', clip, ['direction', 'range']);
+            must(clip.direction === direction, `clip must be a clip space whose depth is ${direction}`, clip.direction);
+            const near = reversed ? '1.0' : clip.range === 'zero_to_one' ? '0.0' : '-1.0', { text, needs } = kind.vertex;
+            return bound(hooks, own('vertex', text.replace('NEAR', near), needs), name, complete(hooks, { direction }));
+        },
+        cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
+        target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
+            grid: layers ? [1, 1] : [columns, rows], map_size: size },
+        settings: { kind: kind.name, filter, encoding: is_moments ? '' : encoding.name, direction, map_size: size },
+        bytes: all_fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
+    };
+};
+
+/** The functions that a text declares for a shadow. */
+const functions_of = (turns, debug) => [
+    { name: '', calls: 'shadow', says: 'visibility of a point of the world, 1.0 is lit; a normal of zero is none', components: 1,
+        reads_map: true, reads_fields: true, arguments: [['world', 3], ['normal', 3], ...turns ? [['pixel', 2]] : []] },
+    ...debug ? [
+        { name: 'probe', calls: 'point_color', says: 'debug color of a point of the world, as umbrage_probe_color says', components: 3,
+            reads_map: false, reads_fields: true, arguments: [['world', 3], ['normal', 3]] },
+        { name: 'calibrate', calls: 'reading', components: 1, reads_map: true, reads_fields: false, arguments: [['number', 1]],
+            says: 'what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n'
+                + '//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths' }] : []];
+
+/** The texts behind umbrage_probe_<name> and umbrage_calibrate_<name>, in the order in which they call each other. */
+function debug_texts(own, debug, maps, { along_plane, hardens, turns, tolerance, layers }) {
+    const place = debug.place_color[along_plane ? 'plane' : turns ? 'disc' : 'plain'], of_maps = debug.maps[maps.name];
+    const choice = layers ? debug.layer : of_maps.choice, colors = hardens && of_maps.softened || of_maps;
+    return [own('place_color', place.text, [place.bias, debug.needs.place]),
+        own('blended_color', colors.blended_color, [...maps.needs]),
+        own('point_color', colors.point_color, [...debug.needs.point]),
+        own('lit_at', turns ? debug.lit_at_turned : debug.lit_at, [debug.needs.point[0]]),
+        own('reading', debug.reading.replace('{\n', `{\n${choice}`).replace('PARTS', (maps.bends ? debug.parts_of_bent : debug.parts)[tolerance]), [])];
+}
+
+/** A shadow's text for filters that do not turn from pixel to pixel. */
+const without_pixel = text => text.replace(/,\s+(UMBRAGE_HIGHP vec2 |float2 )?pixel(: vec2f)?\)/g, ')');
