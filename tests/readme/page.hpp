@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Context of the pages' code: a scene, a camera and a namespace, and the functions that its tests call.
+// Context of the pages' code: the functions that its tests call. Its names are the page's own.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,9 @@
 #include <vector>
 
 #include <umbrage/umbrage.hpp>
+
+/// For pages whose code goes on from another's.
+namespace of_a_scene {
 
 namespace glsl = umbrage::glsl;
 
@@ -46,6 +49,8 @@ inline umbrage::image<float> drawn_map() {
 }
 inline const umbrage::image<float> map = drawn_map();
 
+}  // namespace of_a_scene
+
 using page_code = void (*)();
 
 /// Code of every page, by the page's name.
@@ -70,10 +75,11 @@ inline void shader(const std::string& name, const std::string& text) {
 
 /// A text that a reader pastes below the snippets which it calls.
 inline void pasted(const std::string& name, const std::string& text) {
-    std::vector<glsl::bound> called;
-    for (const glsl::snippet* s : glsl::registry())
+    std::vector<umbrage::glsl::bound> called;
+    for (const umbrage::glsl::snippet* s : umbrage::glsl::registry())
         if (std::regex_search(text, std::regex("umbrage_" + std::string(s->name) + "\\("))) called.push_back(*s);
     expect(!called.empty(), "a page's GLSL calls a snippet");
     const bool whole = text.find("void main()") != text.npos;
-    shader(name, glsl::source(glsl::version::v330, called) + text + (whole ? "" : "void main() {}\n"));
+    shader(name,
+           umbrage::glsl::source(umbrage::glsl::version::v330, called) + text + (whole ? "" : "void main() {}\n"));
 }

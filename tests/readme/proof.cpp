@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include "tables.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include "proof.hpp"
 

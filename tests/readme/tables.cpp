@@ -10,7 +10,7 @@
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/registry.hpp>
 
 #include "headers.hpp"
 
