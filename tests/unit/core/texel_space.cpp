@@ -73,17 +73,19 @@ TEST_CASE("decoded: a packed map filters as the map of its decoded depths") {
                 packed[{x, y}] = encoding.encode(depth(random));
                 plain[{x, y}] = encoding.decode(packed[{x, y}]);
             }
+        int unlike = 0;
         for (int i = 0; i < 500; ++i) {
             const glm::vec2 c(coordinate(random), coordinate(random));
             // a reader of tier B may be fused in one place and not in another: then a tie goes either way
             const float receiver = i % 3 || ties_differ ? depth(random) : plain[{i % size.x, i % size.y}];
-            CHECK(hard(decoded(packed, encoding), c, receiver) == hard(bordered(plain), c, receiver));
-            CHECK(pcf_2x2(decoded(packed.view(), encoding), c, receiver) == pcf_2x2(bordered(plain), c, receiver));
-            CHECK(box(decoded(packed, encoding), c, receiver, 2) == box(bordered(plain), c, receiver, 2));
+            unlike += hard(decoded(packed, encoding), c, receiver) != hard(bordered(plain), c, receiver);
+            unlike += pcf_2x2(decoded(packed.view(), encoding), c, receiver) != pcf_2x2(bordered(plain), c, receiver);
+            unlike += box(decoded(packed, encoding), c, receiver, 2) != box(bordered(plain), c, receiver, 2);
             const float at_edge = box(clamped(plain), c, receiver, 2);
-            CHECK(box(decoded(clamped(packed), encoding), c, receiver, 2) == at_edge);
-            CHECK(box(clamped(decoded(packed, encoding)), c, receiver, 2) == at_edge);
+            unlike += box(decoded(clamped(packed), encoding), c, receiver, 2) != at_edge;
+            unlike += box(clamped(decoded(packed, encoding)), c, receiver, 2) != at_edge;
         }
+        CHECK(unlike == 0);
     };
     for_each_encoding(check);
     check(rg<11>{.edge = lower_edge<float>});
