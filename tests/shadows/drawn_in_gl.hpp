@@ -14,6 +14,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,18 @@ tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map
     return make(
         std::move(name), s, std::move(item), map, std::move(call),
         [&s, &texels](glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel) { return s(texels, world, normal, pixel); });
+}
+
+/// The maps of an atlas one below the other, as an array's layers lie.
+template <class Shadow>
+image<float> layers_of(const Shadow& s, const image<float>& atlas) {
+    const map_grid grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
+    const glm::ivec2 size = s.map_size();
+    image<float> layers({size.x, size.y * grid.columns * grid.rows});
+    for (glm::ivec2 p(0); p.y < layers.size().y; ++p.y)
+        for (p.x = 0; p.x < size.x; ++p.x)
+            layers[p] = atlas[detail::first_texel(p.y / size.y, grid, size) + glm::ivec2(p.x, p.y % size.y)];
+    return layers;
 }
 
 inline GLuint upload(const texture_data& t) {

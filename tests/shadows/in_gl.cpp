@@ -44,18 +44,6 @@ bool agree(version v, std::vector<tried> all, const receivers& of, bool fault) {
     return good;
 }
 
-/// The maps of an atlas one below the other, as an array's layers lie.
-template <class Shadow>
-image<float> layers_of(const Shadow& s, const image<float>& atlas) {
-    const map_grid grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
-    const glm::ivec2 size = s.map_size();
-    image<float> layers({size.x, size.y * grid.columns * grid.rows});
-    for (glm::ivec2 p(0); p.y < layers.size().y; ++p.y)
-        for (p.x = 0; p.x < size.x; ++p.x)
-            layers[p] = atlas[detail::first_texel(p.y / size.y, grid, size) + glm::ivec2(p.x, p.y % size.y)];
-    return layers;
-}
-
 /// tent<3> by a linear comparison sampler: each 2 x 2 texels are compared with the plane's depth where they meet.
 template <class Shadow>
 float by_sampler(const Shadow& s, const image<float>& map, glm::vec3 world, glm::vec3 normal) {
