@@ -23,10 +23,14 @@
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/core/line_allocator.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/debug/false_color.hpp>
+#include <umbrage/debug/overlay_texel.hpp>
+#include <umbrage/debug/probe_color.hpp>
 #include <umbrage/depth/code.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/depth16.hpp>
@@ -80,6 +84,7 @@
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/frustum.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/lighting.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/light/point/cube_map.hpp>
@@ -89,8 +94,4 @@
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shade/lighting.hpp>
 #include <umbrage/version.hpp>
-#include <umbrage/view/false_color.hpp>
-#include <umbrage/view/overlay_texel.hpp>
-#include <umbrage/view/probe_color.hpp>

@@ -29,12 +29,12 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/images/encode.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/prefilter.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/clamped_casters.hpp>
 #include <umbrage/shadow/frame.hpp>

@@ -26,7 +26,7 @@
 
 #include "light.hpp"
 #include "soft_shadows.hpp"
-#include "view.hpp"
+#include "debug.hpp"
 
 namespace {
 
@@ -251,7 +251,7 @@ void suite::all() const {
     run("clamp_slope", inputs, any, [](float v) { return clamp_slope(v); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
-    each_of_view([&](const char* name, auto draw_one, auto op) { run(name, inputs, draw_one, op); });
+    each_of_debug([&](const char* name, auto draw_one, auto op) { run(name, inputs, draw_one, op); });
 
     // Written, stored, read back: the byte must come through a store that rounds or truncates.
     for (const auto store : {unorm_store::rounds, unorm_store::truncates})

@@ -10,8 +10,8 @@
 
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/core/clip_space.hpp>
-#include <umbrage/images/instances.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/instances.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/pancake.hpp>
