@@ -9,7 +9,7 @@
 
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/debug/overlay.hpp>
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 #include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/filters.hpp>
 

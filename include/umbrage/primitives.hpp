@@ -31,13 +31,13 @@
 #include <umbrage/debug/false_color.hpp>
 #include <umbrage/debug/overlay_texel.hpp>
 #include <umbrage/debug/probe_color.hpp>
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/depth16.hpp>
 #include <umbrage/depth/depth24.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/quantize.hpp>
 #include <umbrage/depth/r16.hpp>
 #include <umbrage/depth/render_target.hpp>
 #include <umbrage/depth/rg.hpp>

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 

@@ -20,8 +20,8 @@
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 

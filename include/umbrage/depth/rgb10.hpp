@@ -12,8 +12,8 @@
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 

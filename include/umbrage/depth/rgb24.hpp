@@ -15,7 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 

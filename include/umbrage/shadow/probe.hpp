@@ -17,7 +17,7 @@
 #include <umbrage/debug/probe_color.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/shadow/frame.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 namespace umbrage {

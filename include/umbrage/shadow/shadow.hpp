@@ -38,7 +38,7 @@
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/clamped_casters.hpp>
 #include <umbrage/shadow/frame.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/place_images.hpp>
 #include <umbrage/shadow/set_up.hpp>
 #include <umbrage/shadow/single_map.hpp>

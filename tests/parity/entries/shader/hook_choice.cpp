@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Filters bound to maps of every kind: what they give is what they give for a plain map.
-#include <umbrage/shader/hooks.hpp>
+#include <umbrage/shader/hook_choice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -271,7 +271,7 @@ void expect_all(const std::vector<entry>& all) {
 
 }  // namespace
 
-void add_shader_hooks(std::vector<entry>& all) {
+void add_shader_hook_choice(std::vector<entry>& all) {
     add_kinds(all);
     add_packed(all);
     add_own(all);

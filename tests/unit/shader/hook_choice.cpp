@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <umbrage/shader/chosen.hpp>
+#include <umbrage/shader/hook_choice.hpp>
 
 #include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
 
 #include <umbrage/filter/pcf/hard.hpp>
 
 namespace glsl = umbrage::glsl;
-using umbrage::glsl::detail::chosen;
 using namespace umbrage::glsl;
 using umbrage::outside_map;
-
-TEST_CASE("four texels at once are gathered where the map says so, and stay inside a region") {
-    const binding gathered{.outside = outside_map::clamped, .gather = true}, whole{.gather = true},
-        region{.gather = true, .origin = "vec2(8.0, 0.0)"};
-    CHECK(&chosen(glsl::lit_2x2, binding{}) == &glsl::lit_2x2);
-    CHECK(&chosen(glsl::lit_2x2, gathered) == &hooks::gathered);
-    CHECK(&chosen(glsl::lit_2x2, region) == &hooks::gathered_region);
-    CHECK(&chosen(glsl::lit_2x2, whole) == &hooks::gathered_bordered);
-}
 
 TEST_CASE("outside whole maps and layers all is lit; tiles, regions and faces of cubes clamp; a name says otherwise") {
     using enum texture;
@@ -39,4 +33,18 @@ TEST_CASE("a snippet is a map's own where it is a hook or calls one, and reads t
     CHECK(is_of_map(glsl::beyond_far_plane));
     CHECK_FALSE(reads_map(glsl::in_filter_domain));
     CHECK_FALSE(is_of_map(glsl::inside_texel_space));
+}
+
+TEST_CASE("hooks that maps choose: functions without directives, named for the hook they stand for") {
+    std::set<std::string_view> summaries;
+    for (const snippet* s : hooks::all) {
+        CAPTURE(s->name);
+        CHECK(summaries.insert(s->summary).second);  // names are those of the hooks: these tell variants apart
+        CHECK(s->summary.starts_with(s->name));
+        CHECK(s->role != hook::none);
+        const std::string text = s->source.str();
+        CHECK(text.find("\n#") == text.npos);
+        CHECK(text.find(" umbrage_" + std::string(s->name) + "(") != text.npos);
+        CHECK(text.starts_with("\n// umbrage_" + std::string(s->name) + ": "));
+    }
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 #include "../special_values.hpp"
 

@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Hooks for each kind of map, part 1: those that interpret depths, and those that read texels without a filter.
-// See also: hooks.hpp, which explains the words.
-//
+// Hooks for each kind of map, of its depths and of single texels. bind() puts one of these functions in place of a
+// hook's own text, which is that of a plain map. The map fills in these words:
+//   UMBRAGE_MAP map   its parameters
+//   UMBRAGE_ORIGIN    its first texel in the texture
+//   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
+//   UMBRAGE_STORED    the depth of a `value`
+//   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
+//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
+//   UMBRAGE_BORDER    the depth outside
+//   UMBRAGE_COMPARE   a user's own comparison
+//   UMBRAGE_UV        texture coordinates for `at`
+// and words that read the texture at `at` or `uv`. See also: gather.hpp, sample.hpp.
 #pragma once
 
 #include <umbrage/core/texel_space.hpp>
@@ -172,54 +181,5 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 )GLSL"};
 
 // Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
-
-inline constexpr snippet gather_compared{
-    .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
-}
-)GLSL"};
-
-inline constexpr snippet gather_one_channel{.name = "gather_lit",
-                                            .summary = "gather_lit, one channel",
-                                            .needs = list<&decode, &compare>,
-                                            .role = hook::chosen,
-                                            .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-inline constexpr snippet gather_two_channels{.name = "gather_lit",
-                                             .summary = "gather_lit, two channels",
-                                             .needs = list<&decode, &compare>,
-                                             .role = hook::chosen,
-                                             .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
-    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
-    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
-    return vec4(a, b, c, d);
-}
-)GLSL"};
 
 }  // namespace umbrage::glsl::hooks

@@ -13,7 +13,7 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
-#include <umbrage/shader/chosen.hpp>
+#include <umbrage/shader/hook_choice.hpp>
 
 namespace umbrage::glsl::detail {
 

@@ -5,15 +5,15 @@
 
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 #include <umbrage/shadow/single_map.hpp>
-#include <umbrage/shadow/look.hpp>
 
 #include "own_filter.hpp"
 
 using namespace umbrage;
 
-TEST_CASE("look: which filters a shadow takes, and which encodings with them") {
+TEST_CASE("lookup: which filters a shadow takes, and which encodings with them") {
     static_assert(shadow_filter<filters::window> && shadow_filter<filters::disc> && shadow_filter<filters::dpcf>);
     static_assert(shadow_filter<prefilters::vsm> && shadow_filter<prefilters::msm_unorm16>);
     static_assert(!shadow_filter<filters::four_tap>);        // its offsets do not fit into a block
@@ -23,7 +23,7 @@ TEST_CASE("look: which filters a shadow takes, and which encodings with them") {
     static_assert(!shadow_encoding<moment_texels<prefilters::vsm>, prefilters::esm>);
 }
 
-TEST_CASE("look: each filter's numbers are in the block where its text reads them") {
+TEST_CASE("lookup: each filter's numbers are in the block where its text reads them") {
     CHECK(detail::terms_of(filters::pcss{.softness = {0.1f, 2, 9}}, 0.5f) == glm::vec4(0.1f, 2, 9, 0));
     CHECK(detail::arguments_of<filters::pcss>() ==
           ", vec3(filter_terms.x, filter_terms.y, filter_terms.z), umbrage_disc_rotation(pixel)");
@@ -40,14 +40,14 @@ TEST_CASE("look: each filter's numbers are in the block where its text reads the
     CHECK(detail::arguments_of<filters::hard>().empty());
 }
 
-TEST_CASE("look: numbers of any name and type reach a user's filter, each as its snippet takes it") {
+TEST_CASE("lookup: numbers of any name and type reach a user's filter, each as its snippet takes it") {
     static_assert(shadow_filter<own::two_taps>);
     CHECK(detail::terms_of(own::two_taps{.sharpness = 1.5f}, 0.5f) == glm::vec4(1.5f, 1, -2, 2));
     CHECK(detail::arguments_of<own::two_taps>() ==
           ", filter_terms.x, vec2(filter_terms.y, filter_terms.z), int(filter_terms.w)");
 }
 
-TEST_CASE("look: a receiver's bias is half a texel's, or that of the filter's reach or disc where maps bend planes") {
+TEST_CASE("lookup: a receiver's bias is half a texel's, or that of the filter's reach or disc where maps bend planes") {
     const map_place place{.slope = {0.01f, -0.02f}, .rounding = 2e-6f};
     const shadow_terms terms{.reach = 3, .error = 1e-4f, .filter_terms = {2, 2.5f, 0, 0}};
     const float error = 1e-4f + 2e-6f;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <umbrage/shader/texel_hooks.hpp>
+#include <umbrage/shader/hooks/fetch.hpp>
 
 #include <doctest/doctest.h>
 
-#include <umbrage/shader/chosen.hpp>
+#include <umbrage/shader/hook_choice.hpp>
 
 namespace glsl = umbrage::glsl;
 using umbrage::glsl::detail::chosen;

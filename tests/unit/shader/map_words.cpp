@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <umbrage/shader/fill.hpp>
+#include <umbrage/shader/map_words.hpp>
 
 #include <stdexcept>
 #include <string>

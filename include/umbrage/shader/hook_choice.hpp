@@ -8,9 +8,25 @@
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
-#include <umbrage/shader/hooks.hpp>
+#include <umbrage/shader/hooks/fetch.hpp>
+#include <umbrage/shader/hooks/gather.hpp>
+#include <umbrage/shader/hooks/sample.hpp>
 
-namespace umbrage::glsl::detail {
+namespace umbrage::glsl {
+namespace hooks {
+
+/// List of all hooks, for printers and packages.
+inline constexpr const auto& all =
+    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
+         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
+         &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
+         &gather_compared, &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
+         &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+
+}  // namespace hooks
+
+namespace detail {
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
@@ -94,4 +110,5 @@ template <class = umbrage::detail::on_use>
     return calls(s, hook::texel, hook::depth_at);
 }
 
-}  // namespace umbrage::glsl::detail
+}  // namespace detail
+}  // namespace umbrage::glsl
