@@ -34,7 +34,8 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/barycentrics.hpp>
 #include <umbrage/draw/mesh.hpp>
-#include <umbrage/draw/raster/depth_target.hpp>
+#include <umbrage/draw/raster/band_buffer.hpp>
+#include <umbrage/draw/raster/depth_writer.hpp>
 #include <umbrage/draw/raster/snapped_mesh.hpp>
 #include <umbrage/draw/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -42,6 +43,33 @@
 UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
+
+/// Target for batches of triangles: a depth image, or bands of it. Each thread has a copy, and draws bands by it.
+template <bool Forward>
+class depth_target {
+public:
+    /// @param image   row 0 at the bottom
+    explicit depth_target(image_view<float> image) : image_(image) {}
+
+    void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
+
+    /// Draws batches into a band of rows.
+    /// @param rows   first <= y < second, at least one row, to which nobody else draws meanwhile
+    /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
+    template <class Use>
+    void in_band(const glm::ivec2& rows, const Use& use) {
+        buffer_.begin(image_.rows(rows.x, rows.y));
+        use([&](const triangles& batch) {
+            buffer_.expect(batch);
+            draw<Forward>(buffer_.rows(), rows.x, batch);
+        });
+        buffer_.finish();
+    }
+
+private:
+    image_view<float> image_;
+    band_buffer<> buffer_;
+};
 
 template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::dmat4> to_clip,

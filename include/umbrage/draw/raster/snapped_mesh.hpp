@@ -28,7 +28,6 @@
 #include <umbrage/draw/raster/band_lists.hpp>
 #include <umbrage/draw/raster/clip.hpp>
 #include <umbrage/draw/raster/projection.hpp>
-#include <umbrage/draw/raster/row_locks.hpp>
 #include <umbrage/draw/raster/snapped_chunk.hpp>
 #include <umbrage/draw/raster/triangles.hpp>
 #include <umbrage/simd/dispatch.hpp>
@@ -37,6 +36,33 @@
 
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
+
+/// Locks for rows of an image to which several threads draw: one thread at a time may draw to a row.
+template <class = on_use>
+class row_locks {
+public:
+    explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
+
+    /// Runs `use` while no other thread draws to the rows.
+    /// @param rows   first <= y < second, at least one row
+    /// @param use    (); must not throw
+    template <class Use>
+    void hold(const glm::ivec2& rows, const Use& use) {
+        const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
+        // From the first on in every thread, so that no two threads wait for each other.
+        for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
+        use();
+        for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
+    }
+
+private:
+    static constexpr int rows_a_lock = 16;
+
+    struct alignas(64) lock {  // one cache line each: threads at other rows take none from each other
+        int held = 0;
+    };
+    std::vector<lock> locks_;
+};
 
 /// Triangles of a mesh, once for each of some matrices, chunk by chunk.
 template <class OnUse = on_use>
@@ -89,7 +115,7 @@ public:
     }
 
     /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
-    /// @param target   see depth_target.hpp; drawing a batch must not throw
+    /// @param target   see rasterize.hpp: depth_target; drawing a batch must not throw
     template <class ParallelFor, class Target>
     void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;

@@ -10,7 +10,7 @@
 #include <sched.h>
 #endif
 
-#include <umbrage/draw/raster/row_locks.hpp>
+#include <umbrage/draw/raster/snapped_mesh.hpp>
 
 using namespace umbrage;
 
