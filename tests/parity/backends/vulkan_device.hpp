@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "texture.hpp"
+#include "../texture.hpp"
 
 namespace parity {
 

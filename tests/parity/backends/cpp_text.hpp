@@ -12,9 +12,9 @@
 #include <umbrage/light/point/cube_map.hpp>
 
 #ifdef PARITY_ARITHMETIC
-#include "arithmetic/vectors.hpp"
+#include "../arithmetic/vectors.hpp"
 #endif
-#include "texture.hpp"
+#include "../texture.hpp"
 
 // The text is compiled several times, in a namespace each: with floats (glsl_as_cpp), with floats that are fused
 // (glsl_as_fused), with numbers of arithmetic/ (glsl_as_numbers, which defines PARITY_ARITHMETIC).

@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "backend.hpp"
+#include "../backend.hpp"
 #include "child.hpp"
-#include "shader.hpp"
+#include "../shader.hpp"
 #include "spirv.hpp"
-#include "texture.hpp"
+#include "../texture.hpp"
 #include "vulkan_device.hpp"
 #include "vulkan_pipeline.hpp"
 

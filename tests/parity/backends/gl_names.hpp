@@ -6,8 +6,8 @@
 #define GL_GLES_PROTOTYPES 0
 #include <GLES3/gl3.h>
 
-#include "entry.hpp"
-#include "texture.hpp"
+#include "../entry.hpp"
+#include "../texture.hpp"
 
 namespace parity {
 

@@ -3,7 +3,7 @@
 // Implementations in programs of their own: jobs go there, pixels come back.
 #pragma once
 
-#include "backend.hpp"
+#include "../backend.hpp"
 #include "child.hpp"
 
 namespace parity {

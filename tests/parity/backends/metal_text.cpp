@@ -8,9 +8,9 @@
 
 #include <umbrage/core/unorm.hpp>
 
-#include "backend.hpp"
-#include "shader.hpp"
-#include "texture.hpp"
+#include "../backend.hpp"
+#include "../shader.hpp"
+#include "../texture.hpp"
 
 namespace parity {
 namespace {

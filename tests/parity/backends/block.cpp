@@ -6,8 +6,8 @@
 #include <cstring>
 #include <sstream>
 
-#include "shader.hpp"
-#include "texture.hpp"
+#include "../shader.hpp"
+#include "../texture.hpp"
 
 namespace parity {
 

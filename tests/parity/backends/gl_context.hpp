@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "backend.hpp"
+#include "../backend.hpp"
 #include "gl_names.hpp"
-#include "shader.hpp"
-#include "texture.hpp"
+#include "../shader.hpp"
+#include "../texture.hpp"
 
 namespace parity {
 

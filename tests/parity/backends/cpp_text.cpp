@@ -5,7 +5,7 @@
 
 #include <umbrage/core/unorm.hpp>
 
-#include "shader.hpp"
+#include "../shader.hpp"
 
 namespace parity {
 
