@@ -32,8 +32,8 @@ endfunction()
 # kinds, which tools walk, other programs' formats, and those that fit lights to a scene or keep account of what they
 # drew: geometry and containers, which take their time to compile.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|shadow|warp|foreign)/|/(umbrage|primitives|registry|list|[a-z]*(filters|encodings))\\.hpp$")
-list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|scene_depths|warped)|adaptive/(pages|root))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(draw|images|simd|shader|shadow|warp|foreign)/|/debug/overlay\\.|/(umbrage|primitives|registry|list|[a-z]*(filters|encodings))\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|light_choice|pixels_per_texel|sweep|cascades/(cascades|scene_depths|warped)|adaptive/(pages|root))\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN primitives "" primitives)

@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 
 namespace tests {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "camera.hpp"
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 
 namespace example {
 

@@ -20,7 +20,7 @@
 
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 
 #include "scene.hpp"

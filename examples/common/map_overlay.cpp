@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <umbrage/images/dual_paraboloid_pass.hpp>
-#include <umbrage/images/overlay.hpp>
-#include <umbrage/images/tessellate.hpp>
+#include <umbrage/debug/overlay.hpp>
+#include <umbrage/draw/dual_paraboloid_pass.hpp>
+#include <umbrage/draw/tessellate.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

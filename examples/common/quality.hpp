@@ -20,7 +20,7 @@
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/scalar.hpp>
-#include <umbrage/images/quality.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 
 namespace example {
 

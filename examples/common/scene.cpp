@@ -10,7 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <umbrage/images/instances.hpp>
+#include <umbrage/draw/instances.hpp>
 
 #include "shapes.hpp"
 

@@ -12,14 +12,15 @@
 #include <glm/vector_relational.hpp>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/debug/false_color.hpp>
 #include <umbrage/images/depth_span.hpp>
-#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/light_choice.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_position.hpp>
@@ -28,7 +29,6 @@
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
-#include <umbrage/view/false_color.hpp>
 
 #include "point_maps.hpp"
 #include "sun_pages.hpp"

@@ -17,9 +17,9 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/clip_space.hpp>
-#include <umbrage/images/quality.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace example {

@@ -24,7 +24,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/barycentrics.hpp>
+#include <umbrage/draw/barycentrics.hpp>
 
 #include "camera.hpp"
 #include "scene.hpp"

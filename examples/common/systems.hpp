@@ -28,7 +28,7 @@
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/shade/lighting.hpp>
+#include <umbrage/light/lighting.hpp>
 
 #include "biases.hpp"
 #include "camera.hpp"

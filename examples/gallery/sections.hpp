@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/images/overlay.hpp>
+#include <umbrage/debug/overlay.hpp>
 
 #include <text.hpp>
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
+#include <umbrage/debug/overlay.hpp>
+#include <umbrage/depth/quantize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/filters.hpp>
-#include <umbrage/images/overlay.hpp>
-#include <umbrage/images/rasterize.hpp>
 
 #include <choices.hpp>
 #include <command_line.hpp>

@@ -6,8 +6,8 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/conversions.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

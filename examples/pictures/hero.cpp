@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/images/overlay.hpp>
+#include <umbrage/debug/overlay.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>

@@ -14,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/images/overlay.hpp>
+#include <umbrage/debug/overlay.hpp>
 
 #include <camera.hpp>
 #include <depth_color.hpp>

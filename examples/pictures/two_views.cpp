@@ -13,8 +13,8 @@
 #include <glm/matrix.hpp>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/debug/overlay.hpp>
 #include <umbrage/filter/filters.hpp>
-#include <umbrage/images/overlay.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/shadow.hpp>

@@ -14,8 +14,8 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/draw/instances.hpp>
 #include <umbrage/images/depth_span.hpp>
-#include <umbrage/images/instances.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>

@@ -11,8 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <umbrage/images/instances.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/instances.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <scene.hpp>

@@ -12,8 +12,8 @@
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/lighting.hpp>
 #include <umbrage/light/spot_light.hpp>
-#include <umbrage/shade/lighting.hpp>
 
 #include <camera.hpp>
 

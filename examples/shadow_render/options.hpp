@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 #include <names.hpp>
 

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/images/overlay.hpp>
+#include <umbrage/debug/overlay.hpp>
 
 #include <depth_color.hpp>
 #include <png.hpp>

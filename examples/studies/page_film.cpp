@@ -12,9 +12,9 @@
 
 #include <glm/vector_relational.hpp>
 
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/page_atlas.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

@@ -13,9 +13,9 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/light_choice.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>

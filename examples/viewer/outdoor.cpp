@@ -9,7 +9,7 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/instances.hpp>
+#include <umbrage/draw/instances.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_choice.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>

@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/images/tessellate.hpp>
+#include <umbrage/draw/tessellate.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 

@@ -13,11 +13,11 @@
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/lighting.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shade/lighting.hpp>
 #include <umbrage/shader/bind.hpp>
 
 #include "parts.hpp"

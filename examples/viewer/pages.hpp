@@ -16,10 +16,10 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_choice.hpp>
 
 namespace viewer {
 

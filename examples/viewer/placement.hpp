@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/images/light_choice.hpp>
+#include <umbrage/light/light_choice.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 
 namespace viewer {

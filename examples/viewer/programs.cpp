@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/debug/overlay_texel.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
+#include <umbrage/light/lighting.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shade/lighting.hpp>
-#include <umbrage/view/overlay_texel.hpp>
 
 #include <names.hpp>
 #include <soft.hpp>

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include <umbrage/images/overlay.hpp>
+#include <umbrage/debug/overlay.hpp>
 
 #include "gl.hpp"
 #include "outdoor.hpp"

@@ -12,8 +12,8 @@
 
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>

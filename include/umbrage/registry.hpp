@@ -24,6 +24,9 @@
 #include <umbrage/core/floor_divide.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/unorm.hpp>
+#include <umbrage/debug/false_color.hpp>
+#include <umbrage/debug/overlay_texel.hpp>
+#include <umbrage/debug/probe_color.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -52,13 +55,13 @@
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/lighting.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shade/lighting.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/cascade_places.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
@@ -69,9 +72,6 @@
 #include <umbrage/shadow/softness.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
 #include <umbrage/shadow/warped_places.hpp>
-#include <umbrage/view/false_color.hpp>
-#include <umbrage/view/overlay_texel.hpp>
-#include <umbrage/view/probe_color.hpp>
 
 namespace umbrage::glsl {
 

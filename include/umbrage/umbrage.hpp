@@ -5,27 +5,24 @@
 
 #include <umbrage/primitives.hpp>
 
+#include <umbrage/debug/overlay.hpp>
+#include <umbrage/draw/dual_paraboloid_pass.hpp>
+#include <umbrage/draw/instances.hpp>
+#include <umbrage/draw/mesh.hpp>
+#include <umbrage/draw/rasterize.hpp>
+#include <umbrage/draw/tessellate.hpp>
+#include <umbrage/draw/tetrahedron_pass.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/depth_span.hpp>
-#include <umbrage/images/dual_paraboloid_pass.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/filter_bounds.hpp>
-#include <umbrage/images/instances.hpp>
-#include <umbrage/images/light_choice.hpp>
-#include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/moment_table.hpp>
-#include <umbrage/images/overlay.hpp>
 #include <umbrage/images/page_atlas.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/prefilter.hpp>
-#include <umbrage/images/quality.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/summed_area.hpp>
-#include <umbrage/images/tessellate.hpp>
-#include <umbrage/images/tetrahedron_pass.hpp>
 #include <umbrage/images/variance_table.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
@@ -34,6 +31,8 @@
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/light_choice.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/light_position.hpp>

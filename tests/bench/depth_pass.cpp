@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/images/visibility.hpp>
 
 #include "bench.hpp"

@@ -19,8 +19,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/images/encode.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/visibility.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 
 #include <progress.hpp>
 #include <receivers.hpp>

@@ -10,7 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 
 #include "works.hpp"
 

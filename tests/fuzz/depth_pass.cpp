@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/spot_light.hpp>
 
 #include "input.hpp"

@@ -82,7 +82,7 @@ private:
     std::size_t size_;
 };
 
-/// Hook for threads, see images/parallel.hpp: pieces of one length, from the last to the first or on three threads.
+/// Hook for threads, see core/parallel.hpp: pieces of one length, from the last to the first or on three threads.
 class pieces {
 public:
     explicit pieces(input& in) : length_(in.within(1, 9)), on_threads_(in.chance(8)) {}

@@ -10,7 +10,7 @@
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/visibility.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 
 #include "input.hpp"
 

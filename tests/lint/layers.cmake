@@ -3,7 +3,7 @@
 # Rooms are the folders of include/umbrage, and above all of them that of the npm package's sources. Fails when a header includes
 # one of a room that is not below its own.
 cmake_minimum_required(VERSION 3.21)
-set(floors core simd,depth,light,shade,view filter bias images shader shadow) # from the ground up
+set(floors core simd,depth,light,debug filter,draw bias images shader shadow) # from the ground up
 set(floor 0)
 foreach(rooms IN LISTS floors)
     string(REPLACE "," ";" rooms ${rooms})

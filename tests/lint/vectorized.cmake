@@ -4,12 +4,12 @@
 # made vectors of. Only loops in functions that vectorized.cpp.in uses are compiled, and looked at.
 cmake_minimum_required(VERSION 3.21)
 set(looked_at images/encode images/min_max images/summed_area images/visibility images/blocks/receivers
-    images/blocks/pcf_2x2 images/raster/projection images/raster/small_triangles
-    images/raster/triangles)
+    images/blocks/pcf_2x2 draw/raster/projection draw/raster/small_triangles
+    draw/raster/triangles)
 set(scalar # by intent: what a constructor sets once, and what a branch leaves out nearly always; or not used
     "images/blocks/receivers.hpp:.* (set[(]i, from|room.rows.0..i. = texels)"
-    "images/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
-    "images/raster/triangles.hpp:.* id.i. = 0")
+    "draw/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
+    "draw/raster/triangles.hpp:.* id.i. = 0")
 
 execute_process(COMMAND ${CXX} -O2 -DUMBRAGE_FORCE_ISA=avx2 -fopt-info-vec-optimized=vectorized.txt -x c++ -c ${SOURCE} -o vectorized.o
     RESULT_VARIABLE failed)

@@ -8,7 +8,7 @@
 const fs = require('fs');
 const path = require('path');
 const { pathToFileURL } = require('url');
-const dawn = require('./dawn.js');
+const dawn = require('./backends/dawn.js');
 const [modules, driver, ...shaders] = process.argv.slice(2);
 
 let opened;  // Dawn ends when nothing refers to it

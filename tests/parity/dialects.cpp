@@ -17,7 +17,7 @@
 #include <umbrage/shader/glsl.hpp>
 
 #include "shader.hpp"
-#include "spirv.hpp"
+#include "backends/spirv.hpp"
 
 namespace {
 

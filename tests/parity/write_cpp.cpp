@@ -67,7 +67,7 @@ std::set<std::string> macros(const std::string& text) {
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
     std::ofstream file(argv[1]);
-    file << "#include \"cpp_text.hpp\"\n\nnamespace parity::PARITY_TEXT {\nnamespace {\n";
+    file << "#include \"backends/cpp_text.hpp\"\n\nnamespace parity::PARITY_TEXT {\nnamespace {\n";
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
         const parity::call_snippet call(e, parity::dialect::glsl);

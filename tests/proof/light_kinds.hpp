@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 
 namespace proof {
 

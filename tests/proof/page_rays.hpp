@@ -4,7 +4,7 @@
 // budget, their depth passes, the table, and filters' lookups with the acne-free bias of each page's texels.
 #pragma once
 
-#include <umbrage/images/instances.hpp>
+#include <umbrage/draw/instances.hpp>
 #include <umbrage/images/page_atlas.hpp>
 
 #include "rays.hpp"

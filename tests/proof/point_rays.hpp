@@ -15,11 +15,11 @@
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/draw/dual_paraboloid_pass.hpp>
+#include <umbrage/draw/tessellate.hpp>
+#include <umbrage/draw/tetrahedron_pass.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/dual_paraboloid_pass.hpp>
-#include <umbrage/images/tessellate.hpp>
-#include <umbrage/images/tetrahedron_pass.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>

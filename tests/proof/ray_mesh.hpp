@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 
 namespace proof {
 

@@ -16,9 +16,9 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>

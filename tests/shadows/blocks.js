@@ -6,7 +6,7 @@
 'use strict';
 const fs = require('fs');
 const path = require('path');
-const dawn = require('../parity/dawn.js');
+const dawn = require('../parity/backends/dawn.js');
 const [modules, driver, folder] = process.argv.slice(2);
 
 /// The floats that each member is expected to hold, one after another.

@@ -4,9 +4,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/dual_paraboloid_pass.hpp>
-#include <umbrage/images/rasterize.hpp>
-#include <umbrage/images/tetrahedron_pass.hpp>
+#include <umbrage/draw/dual_paraboloid_pass.hpp>
+#include <umbrage/draw/rasterize.hpp>
+#include <umbrage/draw/tetrahedron_pass.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 

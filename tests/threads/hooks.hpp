@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hooks for threads that keep to the contract of images/parallel.hpp, and are unlike what a scheduler does.
+// Hooks for threads that keep to the contract of core/parallel.hpp, and are unlike what a scheduler does.
 #pragma once
 
 #include <algorithm>

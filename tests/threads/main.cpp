@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Functions that take a hook for threads, under every hook that the contract of images/parallel.hpp allows:
+// Functions that take a hook for threads, under every hook that the contract of core/parallel.hpp allows:
 //     thread_hooks [ROUNDS]
 // Built with the thread sanitizer, which ends the program at a data race.
 #include <cstdio>

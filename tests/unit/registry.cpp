@@ -32,7 +32,7 @@ struct found {
 std::vector<found> snippets_in_headers() {
     std::vector<found> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(UMBRAGE_SOURCE_DIR "/include/umbrage")) {
-        const bool what_maps_choose = entry.path().stem().string().ends_with("hooks");
+        const bool what_maps_choose = entry.path().parent_path().filename() == "hooks";
         if (entry.path().extension() != ".hpp" || what_maps_choose) continue;
         std::ifstream file(entry.path());
         const std::string text{std::istreambuf_iterator<char>(file), {}};

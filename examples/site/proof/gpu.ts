@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The browser's ways to its GPU. What draws is the parity suite's own.
-import { webgl } from '../../../tests/parity/webgl_draw.mjs';
-import { webgpu } from '../../../tests/parity/webgpu_draw.mjs';
+import { webgl } from '../../../tests/parity/backends/webgl_draw.mjs';
+import { webgpu } from '../../../tests/parity/backends/webgpu_draw.mjs';
 import type { Api } from './state';
 
 export interface Gpu {

@@ -66,4 +66,4 @@ const markdown_files = root =>
 /// Weight of an entry among those of its name: links lead to the lightest, a function of the primitives.
 const weight = entry =>
     (entry.items.some(item => item.scope === 'umbrage') ? 0 : 2) +
-    (/^(images|shadow|shader)\//.test(entry.place) ? 1 : 0);
+    (/^(draw|images|shadow|shader)\//.test(entry.place) ? 1 : 0);

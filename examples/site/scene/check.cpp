@@ -17,7 +17,7 @@
 #include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/shadow.hpp>
 #include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/warped_maps.hpp>

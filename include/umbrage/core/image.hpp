@@ -9,6 +9,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -18,7 +19,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/line_allocator.hpp>
 #include <umbrage/core/snippet.hpp>
 
 namespace umbrage {
@@ -96,6 +96,24 @@ struct image_view {
         return {{}, first < last ? row(first) : data, {size.x, last - first}, stride};
     }
 };
+
+namespace detail {
+
+/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
 
 /// Owner of pixels, without gaps between rows. Moved from, it is empty.
 template <class T>

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 
@@ -93,6 +93,8 @@ struct r16 {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_r16(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_r16(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_r16(c.x, edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };

@@ -20,8 +20,8 @@
 
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 
@@ -133,6 +133,8 @@ struct rg {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rg<Bits>(glm::vec2(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };

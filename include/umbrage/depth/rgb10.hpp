@@ -12,8 +12,8 @@
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/depth/code.hpp>
 #include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 
@@ -109,6 +109,8 @@ struct rgb10 {
         return target::packed(encode_rgb10(depth, cleared_depth(direction)));
     }
     [[nodiscard]] float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rgb10(glm::vec3(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };

@@ -15,7 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 
@@ -107,6 +107,8 @@ struct rgb24 {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rgb24(glm::vec3(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };

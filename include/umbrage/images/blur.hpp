@@ -23,7 +23,7 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
-#include <umbrage/images/parallel.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 

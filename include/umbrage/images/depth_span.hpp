@@ -21,9 +21,9 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/conversions.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 

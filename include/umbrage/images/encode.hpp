@@ -11,9 +11,9 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/depth/encoding.hpp>
-#include <umbrage/images/blocks/codec.hpp>
-#include <umbrage/images/parallel.hpp>
+#include <umbrage/images/codec.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 

@@ -16,7 +16,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/parallel.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>

@@ -19,8 +19,8 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/summed_area.hpp>
 
 namespace umbrage {

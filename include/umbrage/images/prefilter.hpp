@@ -21,12 +21,12 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/encode.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>

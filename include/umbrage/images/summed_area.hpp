@@ -22,7 +22,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
-#include <umbrage/images/parallel.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/strict_math.hpp>

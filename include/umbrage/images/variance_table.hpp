@@ -20,9 +20,9 @@
 #include <umbrage/core/compare.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/summed_area.hpp>
 
 namespace umbrage {

@@ -15,9 +15,9 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/images/blocks/row_filter.hpp>
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/receivers.hpp>
 
 namespace umbrage {

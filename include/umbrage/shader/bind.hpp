@@ -22,7 +22,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/shader/binding.hpp>
-#include <umbrage/shader/chosen.hpp>
+#include <umbrage/shader/hook_choice.hpp>
 #include <umbrage/shader/interface.hpp>
 
 namespace umbrage::glsl {

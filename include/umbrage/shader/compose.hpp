@@ -13,8 +13,8 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
-#include <umbrage/shader/chosen.hpp>
-#include <umbrage/shader/fill.hpp>
+#include <umbrage/shader/hook_choice.hpp>
+#include <umbrage/shader/map_words.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/version.hpp>
 

@@ -20,7 +20,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 namespace umbrage {

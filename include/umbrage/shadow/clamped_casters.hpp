@@ -14,7 +14,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/clip_space.hpp>
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage::detail {

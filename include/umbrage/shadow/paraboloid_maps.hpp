@@ -16,8 +16,8 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/depth/conversions.hpp>
-#include <umbrage/images/dual_paraboloid_pass.hpp>
-#include <umbrage/images/tessellate.hpp>
+#include <umbrage/draw/dual_paraboloid_pass.hpp>
+#include <umbrage/draw/tessellate.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/set_up.hpp>

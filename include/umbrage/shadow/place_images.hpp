@@ -25,7 +25,7 @@
 #include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/visibility.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/set_up.hpp>
 
 namespace umbrage::detail {

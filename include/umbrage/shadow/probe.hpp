@@ -14,11 +14,11 @@
 
 #include <glm/vec3.hpp>
 
+#include <umbrage/debug/probe_color.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/shadow/frame.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/shadow.hpp>
-#include <umbrage/view/probe_color.hpp>
 
 namespace umbrage {
 

@@ -27,7 +27,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/interface.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/set_up.hpp>
 
 namespace umbrage {

@@ -15,7 +15,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/images/tetrahedron_pass.hpp>
+#include <umbrage/draw/tetrahedron_pass.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>

@@ -15,7 +15,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/set_up.hpp>
 #include <umbrage/shadow/softness.hpp>
 

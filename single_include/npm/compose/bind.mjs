@@ -1,7 +1,7 @@
-// Snippets bound to maps: which function a map has for each hook, and what cannot be. fill.mjs makes the texts.
+// Snippets bound to maps: which function a map has for each hook, and what cannot be. map_words.mjs makes the texts.
 import { given_as_encoding, must_in } from './check.mjs';
 import { is_of_map, is_snippet } from './compose.mjs';
-import { declarations, for_map, has_region, is_bordered, is_expression, is_one_expression, laid_out, words_of } from './fill.mjs';
+import { declarations, for_map, has_region, is_bordered, is_expression, is_one_expression, laid_out, words_of } from './map_words.mjs';
 
 const must = /*#__PURE__*/ must_in('bind');
 const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));

@@ -3,7 +3,7 @@
 // A block is mat4s and vec4s, which std140, cbuffers, WGSL and Metal lay out alike. GLSL 100 to 130 has no blocks:
 // there it is an array of vec4, and glUniform4fv takes the same bytes.
 import { must_in } from './check.mjs';
-import { laid_out } from './fill.mjs';
+import { laid_out } from './map_words.mjs';
 
 const must = /*#__PURE__*/ must_in('text');
 

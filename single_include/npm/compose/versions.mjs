@@ -1,5 +1,5 @@
 // GLSL's dialects: which of them a text suits, and what it is in one.
-import { has_region } from './fill.mjs';
+import { has_region } from './map_words.mjs';
 import { must_in } from './check.mjs';
 import { as_item, as_items, compose } from './compose.mjs';
 import { glsl as language } from '../../module/languages.mjs';

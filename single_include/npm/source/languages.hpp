@@ -19,7 +19,7 @@
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/wgsl.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 
 namespace package {
 

@@ -15,13 +15,13 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
-#include <umbrage/images/quality.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>

@@ -16,9 +16,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <child.hpp>
+#include <backends/child.hpp>
 #include <shader.hpp>
-#include <spirv.hpp>
+#include <backends/spirv.hpp>
 
 #include "vulkan.hpp"
 

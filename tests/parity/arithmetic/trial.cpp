@@ -7,7 +7,7 @@
 
 #include <umbrage/core/snippet.hpp>
 
-#include "../cpp_text.hpp"
+#include "../backends/cpp_text.hpp"
 
 namespace parity::arithmetic {
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/light_choice.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <umbrage/core/compare.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 
 #include "images.hpp"
 

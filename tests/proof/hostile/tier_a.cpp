@@ -10,14 +10,9 @@
 #include <vector>
 
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
-#include <umbrage/depth/foreign/threejs_legacy.hpp>
-#include <umbrage/depth/r16.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/depth/rgb10.hpp>
-#include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
@@ -26,7 +21,7 @@
 
 #include "light.hpp"
 #include "soft_shadows.hpp"
-#include "view.hpp"
+#include "debug.hpp"
 
 namespace {
 
@@ -63,7 +58,7 @@ struct suite : setting {
     }
 
     template <int Bits>
-    void rg() const {
+    void rg_table() const {
         using namespace umbrage;
         static const auto table = [] {
             std::vector<glm::u8vec2> t(std::size_t(1) << Bits);
@@ -71,55 +66,54 @@ struct suite : setting {
                 t[x] = {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
             return t;
         }();
-        const auto name = [](std::string_view pattern) {
-            std::string s(pattern);
-            return s.replace(s.find('$'), 1, std::to_string(Bits));
-        };
         run(
-            name("encode_rg$").c_str(), inputs, [](source& s) { return s.depth(); },
-            [](float d) { return encode_rg<Bits>(d); });
-        run(
-            name("encode_rg$_table").c_str(), inputs, [](source& s) { return s.depth(); },
+            glsl::encode_rg_table<Bits>.name.data(), inputs, [](source& s) { return s.depth(); },
             [&](float d) { return encode_rg_table<Bits>([&](int x) { return table[std::size_t(x)]; }, d); });
-        run(
-            name("decode_rg$").c_str(), inputs,
-            [](source& s) {
-                return std::pair{s.reads<2>(), s.edge()};
-            },
-            [](const auto& in) { return decode_rg<Bits>(in.first, in.second); });
     }
 
-    void wide_channels() const;
+    void encodings() const;
     void all() const;
 };
 
-/// Channels of 10 and 16 bits, read an ulp off at most: of 16 bits hundreds would be another channel.
-void suite::wide_channels() const {
+/// A channel as sampled. Of 8 bits the read may be thousands of ulp off, of 10 and 16 bits one at most, as hundreds
+/// would be another channel.
+float channel(source& s, int bits) {
+    if (bits == 8) return s.read();
+    const std::uint32_t most = (1u << bits) - 1, read = hostile::unorm_bits(s.below(most + 1), most);
+    return from_bits(read > 0 ? read + s.below(3) - 1 : 0);
+}
+
+/// The encodings of the list that have a choice of edge, and channels of 10 and 16 bits.
+void suite::encodings() const {
     using namespace umbrage;
-    const auto read = [](source& s, std::uint32_t most) {
-        const std::uint32_t bits = hostile::unorm_bits(s.below(most + 1), most);
-        return from_bits(bits > 0 ? bits + s.below(3) - 1 : 0);
-    };
-    const auto tens = [read](source& s) { return glm::vec3{read(s, 1023), read(s, 1023), read(s, 1023)}; };
-    const auto short_and_edge = [read](source& s) {
-        const float c = read(s, 65535);
-        return glm::vec2(c, s.edge());
-    };
-    const auto tens_and_end = [tens](source& s) {
-        const glm::vec3 c = tens(s);
-        return glm::vec4(c, float(s.below(2)));
-    };
-    const auto depth = [](source& s) { return s.depth(); };
+    for_each_encoding([&](auto encoding) {
+        using type = decltype(encoding);
+        if constexpr (has_edge<type>) {
+            run(
+                std::string(type::writer->name).c_str(), inputs, [](source& s) { return s.depth(); },
+                [](float d) { return type{}.encode(d); });
+            run(
+                std::string(type::reader->name).c_str(), inputs,
+                [](source& s) {
+                    glm::vec4 read(0);
+                    for (int i = 0; i < type::target::channels; ++i) read[i] = channel(s, type::target::bits);
+                    return std::pair{read, type::bits < 24 ? s.edge() : float(s.below(2))};
+                },
+                [](const auto& in) {
+                    type at_edge;
+                    at_edge.edge = in.second;
+                    return at_edge.decode_sampled(in.first);
+                });
+        }
+    });
+    const auto tens = [](source& s) { return glm::vec3{channel(s, 10), channel(s, 10), channel(s, 10)}; };
     run(
         "to_unorm10", inputs, [](source& s) { return float(s.below(1024)); }, [](float k) { return to_unorm<10>(k); });
     run(
         "to_unorm16", inputs, [](source& s) { return float(s.below(65536)); }, [](float k) { return to_unorm<16>(k); });
     run("from_unorm10", inputs, tens, [](glm::vec3 c) { return from_unorm<10>(c); });
-    run("from_unorm16", inputs, short_and_edge, [](glm::vec2 c) { return from_unorm<16>(c.x); });
-    run("encode_rgb10", inputs, depth, [](float d) { return encode_rgb10(d); });
-    run("encode_r16", inputs, depth, [](float d) { return encode_r16(d); });
-    run("decode_rgb10", inputs, tens_and_end, [](glm::vec4 c) { return decode_rgb10(glm::vec3(c), c.w); });
-    run("decode_r16", inputs, short_and_edge, [](glm::vec2 c) { return decode_r16(c.x, c.y); });
+    run(
+        "from_unorm16", inputs, [](source& s) { return channel(s, 16); }, [](float c) { return from_unorm<16>(c); });
 }
 
 void suite::all() const {
@@ -139,19 +133,13 @@ void suite::all() const {
     run(
         "from_unorm", inputs, [](source& s) { return s.read(); }, [](float c) { return from_unorm(c); });
 
-    rg<9>(), rg<10>(), rg<11>(), rg<12>(), rg<13>(), rg<14>(), rg<15>(), rg<16>();
+    encodings();
+    rg_table<9>(), rg_table<10>(), rg_table<11>(), rg_table<12>(), rg_table<13>(), rg_table<14>(), rg_table<15>(),
+        rg_table<16>();
     run(
         "power_of_two", inputs, [](source& s) { return float(s.below(128)) - 64.0f; },
         [](float n) { return power_of_two(n); });
     run("exp2_steps", inputs, any, [](float y) { return exp2_steps(y); });
-    run("encode_rgb24", inputs, depth, [](float d) { return encode_rgb24(d); });
-    run(
-        "decode_rgb24", inputs,
-        [](source& s) {
-            return std::pair{s.reads<3>(), float(s.below(2))};
-        },
-        [](const auto& in) { return decode_rgb24(in.first, in.second); });
-    wide_channels();
     run("fixed_ps14", inputs, any, [](float v) { return fixed_ps14(v); });
     run(
         "decode_fixed_ps14", inputs, [](source& s) { return s.reads<2>(); },
@@ -251,7 +239,7 @@ void suite::all() const {
     run("clamp_slope", inputs, any, [](float v) { return clamp_slope(v); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
-    each_of_view([&](const char* name, auto draw_one, auto op) { run(name, inputs, draw_one, op); });
+    each_of_debug([&](const char* name, auto draw_one, auto op) { run(name, inputs, draw_one, op); });
 
     // Written, stored, read back: the byte must come through a store that rounds or truncates.
     for (const auto store : {unorm_store::rounds, unorm_store::truncates})

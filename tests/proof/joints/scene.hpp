@@ -15,7 +15,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 
 #include "choices.hpp"

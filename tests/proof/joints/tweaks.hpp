@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/images/mesh.hpp>
+#include <umbrage/draw/mesh.hpp>
 
 namespace joints {
 

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 #include "host.hpp"

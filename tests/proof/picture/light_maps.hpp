@@ -19,7 +19,7 @@
 
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/set_up.hpp>

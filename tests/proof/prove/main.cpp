@@ -124,8 +124,8 @@ bool reads_bits(count n) {
 /// x / 2040 within a rounding, and the code can be had back.
 bool decodes_ps14(count n) {
     for (auto store : proof::stores) {
-        const float u = umbrage::decode_ps14(
-            proof::stored(proof::of_code(umbrage::rg<11>{}, static_cast<std::uint32_t>(n)), store));
+        const float u =
+            umbrage::decode_ps14(proof::stored(proof::of_code<umbrage::rg<11>>(static_cast<std::uint32_t>(n)), store));
         if (std::abs(double(u) - double(n) / 2040) > 6.4e-8 || std::floor(u * 2040.0f + 0.5f) != float(n)) return false;
     }
     return true;

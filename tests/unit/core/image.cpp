@@ -186,3 +186,11 @@ TEST_CASE("bordered: depths without a border are lit outside by default") {
         CHECK(bordered(image<double>({2, 1}, 0.25))(outside) == 1.0);
     }
 }
+
+TEST_CASE("line_allocator: memory starts at a cache line") {
+    for (const std::size_t count : {1u, 3u, 63u, 64u, 1000u}) {
+        const std::vector<std::uint8_t, detail::line_allocator<std::uint8_t>> bytes(count, 7);
+        CHECK(reinterpret_cast<std::uintptr_t>(bytes.data()) % 64 == 0);
+        CHECK(bytes.back() == 7);
+    }
+}

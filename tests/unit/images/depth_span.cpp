@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/light_space.hpp>
 
 using namespace umbrage;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/images/instances.hpp>
+#include <umbrage/draw/instances.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/images/page_atlas.hpp>
-#include <umbrage/images/rasterize.hpp>
 
 #include "../light/clip_spaces.hpp"
 #include "last_piece_first.hpp"

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/pancake.hpp>
 

@@ -12,9 +12,9 @@
 #include <common/quality.hpp>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/quality.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 

@@ -15,7 +15,7 @@ using namespace umbrage;
 
 namespace {
 
-constexpr glm::ivec2 map_size{640, 480};
+constexpr glm::ivec2 oblong{640, 480};
 
 spot_light<double> tilted(clip_space clip) {
     return {.position = in_world({3, 8, -2}, clip),
@@ -32,10 +32,10 @@ spot_light<double> tilted(clip_space clip) {
 TEST_CASE("make_spot_light: the same point of the scene, the same texel and depth in every convention") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> coordinate(-20, 20);
-    const glm::dmat4 plain = texture_matrix(make_spot_light(tilted(cpu_clip_space)), map_size);
+    const glm::dmat4 plain = texture_matrix(make_spot_light(tilted(cpu_clip_space)), oblong);
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
-        const glm::dmat4 m = texture_matrix(make_spot_light(tilted(clip)), map_size);
+        const glm::dmat4 m = texture_matrix(make_spot_light(tilted(clip)), oblong);
         double worst = 0;
         int tried = 0;
         while (tried < 200) {
@@ -44,7 +44,7 @@ TEST_CASE("make_spot_light: the same point of the scene, the same texel and dept
             if (in_front.w < 0.5) continue;
             ++tried;
             glm::dvec3 expected = glm::dvec3(in_front) / in_front.w;
-            if (clip.origin == texture_origin::top) expected.y = map_size.y - expected.y;
+            if (clip.origin == texture_origin::top) expected.y = oblong.y - expected.y;
             if (clip.direction == depth_direction::reversed) expected.z = 1.0 - expected.z;
             const glm::dvec3 got = through(m, in_world(world, clip));
             worst = worse(worst, glm::length(got - expected) / (1 + glm::length(expected)));
@@ -57,7 +57,7 @@ TEST_CASE("make_spot_light: depth runs from the near plane to the far plane, w i
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
         const auto light = tilted(clip);
-        const glm::dmat4 m = texture_matrix(make_spot_light(light), map_size);
+        const glm::dmat4 m = texture_matrix(make_spot_light(light), oblong);
         const glm::dvec3 axis = glm::normalize(light.direction);
         const bool reversed = clip.direction == depth_direction::reversed;
         const glm::dvec3 at_near = through(m, light.position + axis * light.z_near);

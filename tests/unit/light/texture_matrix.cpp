@@ -6,11 +6,11 @@
 #include <limits>
 #include <random>
 
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>

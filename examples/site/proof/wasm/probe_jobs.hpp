@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "block.hpp"
+#include "backends/block.hpp"
 
 namespace page {
 

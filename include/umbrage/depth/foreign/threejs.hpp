@@ -26,7 +26,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/unorm.hpp>
-#include <umbrage/depth/code.hpp>
+#include <umbrage/depth/quantize.hpp>
 
 namespace umbrage {
 

@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/image.hpp>
-#include <umbrage/images/parallel.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>

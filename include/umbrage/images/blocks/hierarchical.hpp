@@ -16,13 +16,13 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/lesser.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/images/blocks/box.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
 #include <umbrage/images/blocks/disc.hpp>
 #include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/map_tile.hpp>
 #include <umbrage/images/blocks/window.hpp>
-#include <umbrage/images/parallel.hpp>
 
 namespace umbrage::detail {
 

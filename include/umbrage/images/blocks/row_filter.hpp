@@ -18,13 +18,13 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/forms.hpp>
 #include <umbrage/images/blocks/receivers.hpp>
 #include <umbrage/images/blocks/texels.hpp>
-#include <umbrage/images/parallel.hpp>
 
 namespace umbrage::detail {
 

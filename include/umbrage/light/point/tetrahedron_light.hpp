@@ -4,7 +4,7 @@
 //
 //     auto faces = umbrage::make_tetrahedron_light<float>(
 //         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
-//     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
+//     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // draw/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //
 // Triangles share rectangles, so a face's depth pass must leave the texels of other faces unchanged. Discard in a

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/images/quality.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/pixels_per_texel.hpp>
 
 #include "../../rounds.hpp"
 #include "../clip_spaces.hpp"

@@ -12,8 +12,8 @@
 #include <common/stability.hpp>
 
 #include <umbrage/bias/constant.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/scene_depths.hpp>
 #include <umbrage/light/cascades/select.hpp>

@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/depth/conversions.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "../bodies.hpp"

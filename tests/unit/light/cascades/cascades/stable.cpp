@@ -14,8 +14,8 @@
 
 #include <common/stability.hpp>
 
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
