@@ -151,29 +151,11 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
-/// @param terms    declarations of shadow_terms
-/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
-/// @param choice   statement that chooses the map of `number`; empty for one map
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
-                                                              const std::string& pixel, const std::string& choice) {
-    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
-    return {{{"lit_at",
-              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
-              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
-                  terms +
-                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
-                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
-                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
-                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
-              {&glsl::cleared_depth}},
-             {"reading",
-              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
-              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
-                  terms + "UMBRAGE_HIGHP float number) {\n" + choice + "    UMBRAGE_HIGHP float tolerance = 1.0 / " +
-                  std::to_string(parts) + R"GLSL(.0;
+/// GLSL version of calibrate for one map, whatever the light and the filter.
+inline constexpr std::string_view read_map_text = R"GLSL(
+// umbrage_read_map: what one map of known depths is read as, within a tolerance of depth
+UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms,
+                                     UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float tolerance) {
     UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
     UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
     UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
@@ -209,7 +191,34 @@ template <class SetUp, class Filter, class Encoding>
     reading = seen.z > 3.5 ? 5.0 : reading;
     return met.x > 3.5 ? 0.0 : reading;
 }
-)GLSL"}}};
+)GLSL";
+
+/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
+/// @param terms    declarations of shadow_terms
+/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
+/// @param choice   statement that chooses the map of `number`; empty for one map
+template <class SetUp, class Filter, class Encoding>
+[[nodiscard]] std::array<glsl::own_text, 3> calibration_texts(const Encoding& encoding, const std::string& terms,
+                                                              const std::string& pixel, const std::string& choice) {
+    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
+    return {{{"lit_at",
+              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
+                  terms +
+                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
+                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+              {&glsl::cleared_depth}},
+             {"read_map", std::string(read_map_text), {}},
+             {"reading",
+              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+                  terms + "UMBRAGE_HIGHP float number) {\n" + choice +
+                  "    return umbrage_read_map(map, terms, filter_terms, number, 1.0 / " + std::to_string(parts) +
+                  ".0);\n}\n",
+              {}}}};
 }
 
 }  // namespace detail
