@@ -63,12 +63,23 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Checks that the size of all maps together is an int, and that each continues as far as the filter reaches.
+/// True for a setup with its own depth pass, which may draw several lights into one map.
+template <class SetUp>
+inline constexpr bool has_own_draw = requires(const SetUp& s, image_view<float> depths, const mesh_view& mesh,
+                                              std::span<const glm::mat4> instances, const serial& parallel) {
+    s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
+};
+
+/// Checks that the grid has a map for each light, that the size of all maps together is an int, and that each continues
+/// as far as the filter reaches.
 template <shadow_set_up SetUp>
 void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
     constexpr map_grid grid = SetUp::grid;
     require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
             "such that all maps together have less than 2^31 texels a side", map_size);
+    const std::size_t lights = set_up.lights().size(), maps = std::size_t(grid.columns) * std::size_t(grid.rows);
+    require(has_own_draw<SetUp> || lights <= maps, "shadow", "light.lights()",
+            "as many as the setup's grid has maps, at most", lights);
     if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
 }
 
@@ -116,10 +127,11 @@ public:
     /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
-    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
-    ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
-    ///                                filter's number out of range. A light so far from the origin that floats have no
-    ///                                digits left; uniforms that would be infinite or NaN in float
+    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps, or more than its grid
+    ///                                holds. A map_size below 1, less than twice the filter's reach, too large for
+    ///                                size(), or refused by the setup. A filter's number out of range. A light so far
+    ///                                from the origin that floats have no digits left; uniforms that would be infinite
+    ///                                or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
@@ -174,8 +186,7 @@ public:
     void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances,
               ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        if constexpr (requires { set_up_.draw(depths, mesh, instances, origin_, parallel); })
-            set_up_.draw(depths, mesh, instances, origin_, parallel);
+        if constexpr (detail::has_own_draw<SetUp>) set_up_.draw(depths, mesh, instances, origin_, parallel);
         else {
             int number = 0;
             for (const light_space<double>& of_world : set_up_.lights()) {

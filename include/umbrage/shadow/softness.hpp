@@ -113,7 +113,8 @@ void require_light_size(const Filter& filter) {
     return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
 }
 
-/// per_code of each of a setup's maps, as many as its grid holds. A setup with no light has none, and one 0.
+/// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
+/// light has one 0.
 template <shadow_set_up SetUp>
 [[nodiscard]] std::vector<float> softness_of_maps(const SetUp& set_up, glm::ivec2 map_size, float light_size) {
     std::vector<float> all;

@@ -8,6 +8,15 @@
 
 using namespace umbrage;
 
+namespace {
+
+/// A setup of two lights that says it has one map.
+struct narrow : own::up_and_down {
+    static constexpr map_grid grid{1, 1};
+};
+
+}  // namespace
+
 TEST_CASE("set_up: a shadow takes one of a user's own") {
     static_assert(shadow_set_up<own::up_and_down>);
     const shadow lamp(own::up_and_down{{0.5, 1, 0.25}, cpu_clip_space}, {256, 256}, filters::hard{});
@@ -20,6 +29,13 @@ TEST_CASE("set_up: a shadow takes one of a user's own") {
     image<float> seen({2, 1});
     lamp.visibility(map, points, normals, seen);
     CHECK(seen[{1, 0}] == 0.0f);
+}
+
+TEST_CASE("set_up: a light without a map in the grid is refused") {
+    const narrow two{{{0.5, 1, 0.25}, cpu_clip_space}};
+    CHECK_THROWS_WITH_AS((shadow<narrow, filters::hard>(two, {64, 64})),
+                         "umbrage::shadow: light.lights() must be as many as the setup's grid has maps, at most; got 2",
+                         std::invalid_argument);
 }
 
 TEST_CASE("set_up: blocks are mat4s and vec4s without gaps, as all languages lay them out") {
