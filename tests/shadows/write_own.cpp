@@ -15,7 +15,7 @@
 #include <umbrage/umbrage.hpp>
 
 #include "../unit/shadow/own_filter.hpp"
-#include "../unit/shadow/own_set_up.hpp"
+#include "../unit/shadow/own_setup.hpp"
 #include "../unit/shadow/scene.hpp"
 
 namespace {

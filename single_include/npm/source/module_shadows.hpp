@@ -63,18 +63,18 @@ inline std::string vertex_of(const umbrage::vertex_function* vertex) {
 }
 
 /// A setup of maps as it states itself. `softness`: matrices that hold that of each map.
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] std::string maps_of_module(std::string_view name) {
-    constexpr umbrage::map_grid grid = SetUp::grid;
-    constexpr bool bends = umbrage::has_bent_lines<SetUp>;
-    constexpr int matrices = bends ? 0 : umbrage::detail::softness_matrices<SetUp, umbrage::filters::pcss>;
+    constexpr umbrage::map_grid grid = Setup::grid;
+    constexpr bool bends = umbrage::has_bent_lines<Setup>;
+    constexpr int matrices = bends ? 0 : umbrage::detail::softness_matrices<Setup, umbrage::filters::pcss>;
     return "const " + std::string(name) + " = {\n    grid: [" + std::to_string(grid.columns) + ", " +
            std::to_string(grid.rows) +
-           "], outside: " + literal(SetUp::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
+           "], outside: " + literal(Setup::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
            ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) + ",\n    " +
-           fields_of(SetUp::fields) + ",\n    placing: snippets." + std::string(SetUp::placing->name) +
-           ", places: " + std::to_string(umbrage::detail::most_places<SetUp>) +
-           vertex_of(umbrage::bends_of<SetUp>.vertex) + ",\n};\n";
+           fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(Setup::placing->name) +
+           ", places: " + std::to_string(umbrage::detail::most_places<Setup>) +
+           vertex_of(umbrage::bends_of<Setup>.vertex) + ",\n};\n";
 }
 
 /// Snippets that texts of shadows call, by name.
@@ -90,7 +90,7 @@ inline std::string calls_in_module() {
 inline std::string kinds_in_module() {
     std::string out = "\n";
     for_each_maps(
-        [&]<class SetUp>(std::string_view name, std::type_identity<SetUp>) { out += maps_of_module<SetUp>(name); });
+        [&]<class Setup>(std::string_view name, std::type_identity<Setup>) { out += maps_of_module<Setup>(name); });
     out += '\n';
     for (const kind_of_light& kind : kinds)
         out += "export const " + std::string(kind.name) + " = { language, name: " + literal(kind.name) +
@@ -99,7 +99,7 @@ inline std::string kinds_in_module() {
 }
 
 /// 1 / tolerance of a reading, for every encoding; `moments` stands for all prefilters.
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] std::string parts_of_readings() {
     using filter = umbrage::filters::hard;
     const auto parts = [](float tolerance) { return std::to_string(static_cast<int>(1.0f / tolerance + 0.5f)); };
@@ -107,7 +107,7 @@ template <class SetUp>
     umbrage::for_each_encoding([&](auto encoding) {
         const auto in = [&](umbrage::depth_direction direction) {
             encoding = {.direction = direction};
-            return parts(umbrage::detail::calibration_tolerance<SetUp, filter>(encoding));
+            return parts(umbrage::detail::calibration_tolerance<Setup, filter>(encoding));
         };
         const std::string forward = in(umbrage::depth_direction::forward);
         if (in(umbrage::depth_direction::reversed) != forward)
