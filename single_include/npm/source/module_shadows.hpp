@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows in JavaScript: what each kind of light states of its maps, and what debug functions need. frame.mjs makes texts
-// of them.
+// Shadows in JavaScript: what each kind of light states of its maps, and what debug functions need. frame.mjs makes
+// texts of them.
 #pragma once
 
 #include <algorithm>
