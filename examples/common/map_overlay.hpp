@@ -2,7 +2,7 @@
 //
 // Contents of a setup's maps, in the corner of a picture.
 //
-//     example::overlay_maps(picture, view, set_up.place(view));
+//     example::overlay_maps(picture, view, setup.place(view));
 //
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include <umbrage/core/image.hpp>
 
-#include "set_ups.hpp"
+#include "setups.hpp"
 
 namespace example {
 

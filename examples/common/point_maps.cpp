@@ -63,7 +63,7 @@ placed_maps dual_paraboloid(const lit_view& v) {
 
 }  // namespace
 
-std::vector<set_up> point_set_ups() {
+std::vector<setup> point_setups() {
     return {{"point, cube", cube}, {"point, dual paraboloid", dual_paraboloid}, {"point, tetrahedron", tetrahedron}};
 }
 

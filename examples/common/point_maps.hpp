@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "set_ups.hpp"
+#include "setups.hpp"
 
 namespace example {
 
-[[nodiscard]] std::vector<set_up> point_set_ups();
+[[nodiscard]] std::vector<setup> point_setups();
 
 }  // namespace example

@@ -18,7 +18,7 @@
 #include <camera.hpp>
 #include <map_overlay.hpp>
 #include <scene.hpp>
-#include <set_ups.hpp>
+#include <setups.hpp>
 
 #include "sections.hpp"
 
@@ -50,7 +50,7 @@ void add_view(page& page, const settings& o, const view& v) {
                                 glm::dvec3(example::direction_at(azimuth, v.light_elevation + 90)), glm::radians(30.0)},
                                v.map_size);
     std::vector<std::pair<double, figure>> placed;  // by the mean
-    for (const example::set_up& s : example::set_ups()) {
+    for (const example::setup& s : example::setups()) {
         umbrage::image<float> extents((screen - 1) / step + 1);
         const example::quality_report r = example::measure(s, lit, step, extents.view());
         umbrage::image<glm::u8vec3> colors = example::false_colors(lit, extents, step);

@@ -38,7 +38,7 @@ void run(const settings& o) {
 int main(int argc, char** argv) {
     return example::run("gallery", [&] {
         gallery::settings o;
-        CLI::App app{"Makes one page of every system, encoding, bias, filter and set-up of a light.", "gallery"};
+        CLI::App app{"Makes one page of every system, encoding, bias, filter and setup of a light.", "gallery"};
         app.option_defaults()->always_capture_default();
         app.add_option("-o,--output", o.output, "the page; its folder is made when missing");
         app.add_option("--viewer", o.viewer, "the viewer, for pictures by OpenGL; left out where it cannot run");

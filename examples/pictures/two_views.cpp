@@ -77,7 +77,7 @@ public:
           seen_(example::camera_pass(scene_.geometry, camera_, size * samples)),
           sun_(sun_over(scene_)),
           map_(sun_.size(), sun_.cleared()),
-          to_texels_(umbrage::texture_matrix(sun_.set_up().lights()[0], sun_.map_size())) {
+          to_texels_(umbrage::texture_matrix(sun_.setup().lights()[0], sun_.map_size())) {
         sun_.draw(map_, example::view_of(scene_.geometry));
         const glm::vec2 target = in_map(ball);
         float nearest = 1e9f;

@@ -107,8 +107,8 @@ void draw_shadows(ID3D12Device* device, ID3D12GraphicsCommandList* list, D3D12_C
     upload(spot_bytes, spot.uniforms()), upload(sun_bytes, sun.uniforms());
     const D3D12_VIEWPORT whole{0, 0, side, side, 0, 1};  // and the scissor rectangle likewise
     list->RSSetViewports(1, &whole);
-    auto lights = sun.set_up().lights();
-    lights.insert(lights.begin(), spot.set_up().lights()[0]);
+    auto lights = sun.setup().lights();
+    lights.insert(lights.begin(), spot.setup().lights()[0]);
     for (const auto& light : lights) {
         const glm::mat4 to_clip(light.projection * light.view);
         list->OMSetRenderTargets(0, nullptr, FALSE, &drawn);

@@ -90,10 +90,10 @@ int main(int argc, char** argv) {
     glBindFramebuffer(GL_FRAMEBUFFER, made(glGenFramebuffers));
     glDrawBuffer(GL_NONE), glReadBuffer(GL_NONE), glViewport(0, 0, side, side);
     glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, spot_map, 0);
-    const auto light = spot.set_up().lights()[0];
+    const auto light = spot.setup().lights()[0];
     draw(depth_pass, glm::mat4(light.projection * light.view), window.vertices());
     GLint layer = 0;
-    for (const auto& cascade : sun.set_up().lights()) {
+    for (const auto& cascade : sun.setup().lights()) {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, sun_maps, 0, layer++);
         draw(depth_pass, glm::mat4(cascade.projection * cascade.view), window.vertices());
     }

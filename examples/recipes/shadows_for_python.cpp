@@ -20,7 +20,7 @@ auto make_sun() { return umbrage::shadow(scene::make_cascades(clip), {1024, 1024
 void give(const auto& shadow, float* block, float* to_clip) {
     const auto uniforms = shadow.uniforms();
     std::memcpy(block, &uniforms, sizeof uniforms);
-    for (const auto& light : shadow.set_up().lights()) {
+    for (const auto& light : shadow.setup().lights()) {
         const glm::mat4 matrix(light.projection * light.view);
         std::memcpy(to_clip, &matrix, sizeof matrix), to_clip += 16;
     }

@@ -131,10 +131,10 @@ int main(int, char** argv) try {
         on.barrier();
     };
     // Umbrage begins.
-    const auto light = spot.set_up().lights()[0];
+    const auto light = spot.setup().lights()[0];
     draw(depth_pass, spot_map, 0, {side, side}, glm::mat4(light.projection * light.view));
     std::uint32_t layer = 0;
-    for (const auto& cascade : sun.set_up().lights())
+    for (const auto& cascade : sun.setup().lights())
         draw(depth_pass, sun_maps, layer++, {side, side}, glm::mat4(cascade.projection * cascade.view));
     // Umbrage ends.
     draw(view, depths, 0, picture, scene::camera_matrix(make_clip()));

@@ -4,24 +4,24 @@
 #include <sstream>
 #include <string>
 
-#include <set_ups.hpp>
+#include <setups.hpp>
 #include <stability.hpp>
 
 #include <check.hpp>
 
 using namespace shadow_render_check;
-using example::set_ups;
+using example::setups;
 
-TEST_CASE("studies: the report on lights has a row and a picture for every set-up") {
+TEST_CASE("studies: the report on lights has a row and a picture for every setup") {
     const example::finished r =
         run("lights --scene solids --size 96x64 --map-size 64 --output " + quoted(folder / "report"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     const auto sheet = picture("report", "lights.png");
     constexpr int top = 88, width = 48, height = 120;  // of the title, of a cell
-    const int count = static_cast<int>(set_ups().size());
+    const int count = static_cast<int>(setups().size());
     REQUIRE(sheet.size() == glm::ivec2(4 * width, top + (count + 3) / 4 * height));
     for (int cell = 0; cell < count; ++cell) {
-        const std::string& name = set_ups()[static_cast<std::size_t>(cell)].name;
+        const std::string& name = setups()[static_cast<std::size_t>(cell)].name;
         CAPTURE(name);
         const std::size_t row = r.said.find("\n" + name + "  ");
         REQUIRE(row != std::string::npos);
@@ -118,7 +118,7 @@ TEST_CASE("studies: stable cascades stand still, tight ones do not, in the table
     fails("pictures", 2, "study");
 }
 
-TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of ground under suns all around") {
+TEST_CASE("setups: one map and four from measured depths, on a kilometre of ground under suns all around") {
     example::scene ground;
     ground.low = {-600, 0, -1000}, ground.high = {600, 10, 200};
     ground.geometry = {{{-600, 0, -1000}, {600, 0, -1000}, {600, 0, 200}, {-600, 0, 200}},
@@ -146,8 +146,8 @@ TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of gro
         const glm::dvec3 direction(-example::direction_at(r.azimuth, r.elevation));
         const auto v = example::make_lit_view(ground, camera, screen, {{}, direction, ahead, 0.5}, 2048);
         const auto of = [&](const char* name) {
-            const auto s = std::ranges::find(set_ups(), name, &example::set_up::name);
-            REQUIRE(s != set_ups().end());
+            const auto s = std::ranges::find(setups(), name, &example::setup::name);
+            REQUIRE(s != setups().end());
             return measure(*s, v, 4);
         };
         const auto one = of("tight"), four = of("4 logarithmic tight, measured");

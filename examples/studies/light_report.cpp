@@ -10,7 +10,7 @@
 #include <map_overlay.hpp>
 #include <png.hpp>
 #include <progress.hpp>
-#include <set_ups.hpp>
+#include <setups.hpp>
 
 #include "light.hpp"
 #include "sheet.hpp"
@@ -24,9 +24,9 @@ std::string chosen_of(const example::placed_maps& maps) { return maps.chosen.emp
 }  // namespace
 
 void light_report(const options& o, const example::scene& scene) {
-    const auto& set_ups = example::set_ups();
+    const auto& setups = example::setups();
     constexpr int step = 2;  // from one measured pixel to the next
-    example::progress progress(set_ups.size() + 2, o.quiet);
+    example::progress progress(setups.size() + 2, o.quiet);
     const light lamp = make_light(o, scene);
     const example::camera camera = make_camera(o, scene);
     const auto view = progress.stage("camera pass", [&] {
@@ -44,11 +44,11 @@ void light_report(const options& o, const example::scene& scene) {
         "Dark blue: 1/8 of a pixel or less; green: 1; dark red: 8 or more; gray: not measured. In the corner: the "
         "maps"};
     const glm::ivec2 size = (view.seen.size() - 1) / step + 1;
-    sheet page(size, static_cast<int>(set_ups.size()), title);
+    sheet page(size, static_cast<int>(setups.size()), title);
     if (!o.quiet)
-        std::printf("%s\n%s\n\n%-32s %9s %9s %9s %11s %8s\n", title[0].c_str(), title[1].c_str(), "set-up", "mean",
+        std::printf("%s\n%s\n\n%-32s %9s %9s %9s %11s %8s\n", title[0].c_str(), title[1].c_str(), "setup", "mean",
                     "p95", "greatest", "storage", "pixels");
-    for (const example::set_up& s : set_ups)
+    for (const example::setup& s : setups)
         progress.stage(s.name, [&] {
             umbrage::image<float> extents(size);
             const example::quality_report r = example::measure(s, view, step, extents.view());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// studies lights: how good every set-up of the light is for the camera's view, as a table and on one sheet, lights.png.
+// studies lights: how good every setup of the light is for the camera's view, as a table and on one sheet, lights.png.
 // The greatest are those of surfaces all but parallel to the light, as on every ball.
 #pragma once
 

@@ -180,7 +180,7 @@ void stability_report(const options& o, const example::scene& scene) {
         std::printf(
             "%s\n%zu points of surfaces, each against the first frame in which the same cascade held it\n\n"
             "%-52s %14s %9s %9s %7s %9s\n",
-            title.c_str(), points.size(), "set-up", "drift, texels", "points", "changed", "%", "by up to");
+            title.c_str(), points.size(), "setup", "drift, texels", "points", "changed", "%", "by up to");
     const struct {
         const char* name;
         glm::vec3 at;

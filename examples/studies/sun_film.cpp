@@ -181,11 +181,11 @@ void sun_film(const options& o, const example::scene& scene) {
         {o.width, o.height}, static_cast<int>(sun_maps.size()) * sheet::columns,
         {title, "Red: where the light changes as one kind of map hands over to another, while the sun stands still"});
     if (!o.quiet)
-        std::printf("\n%s\n\n%-46s %10s %12s %12s %12s\n", title.c_str(), "set-up", "hand-overs", "% there, up",
+        std::printf("\n%s\n\n%-46s %10s %12s %12s %12s\n", title.c_str(), "setup", "hand-overs", "% there, up",
                     "% off rays", "up to");
     std::vector<std::vector<double>> lit;
     for (int i = 0; i < frames; ++i) lit.push_back(walk.by_rays(i));
-    std::vector<std::vector<std::pair<glm::mat4, double>>> known(lit.size());  // several set-ups come to one map
+    std::vector<std::vector<std::pair<glm::mat4, double>>> known(lit.size());  // several setups come to one map
     const auto off_rays = [&](int i, const umbrage::light_space<float>& light) {
         const auto number = static_cast<std::size_t>(i);
         const glm::mat4 to_clip = light.projection * light.view;

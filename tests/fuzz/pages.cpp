@@ -118,8 +118,8 @@ void lights(fuzz::input& in, const page_cache& cache) {
         const double room = (1e-9 + rounded) * across * size.texels + 1e-9 * glm::length(wanted);
         fuzz::must(glm::distance(glm::dvec2(here), wanted) <= room, "a page shows the root's texels");
     });
-    const adaptive_maps set_up(root, cache, size);
-    const shadow of(set_up, glm::ivec2(size.pitch()), filters::hard{});
+    const adaptive_maps setup(root, cache, size);
+    const shadow of(setup, glm::ivec2(size.pitch()), filters::hard{});
     const image<float> empty(of.size(), of.cleared());
     const float lit = of(empty, glm::vec3(point), in.vec3(-1, 1));
     fuzz::must(lit == 1, "an empty map casts no shadow");

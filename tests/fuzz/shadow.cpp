@@ -23,7 +23,7 @@ void try_shadow(fuzz::input& in, const auto& of) {
     std::vector<glm::vec3> positions(12);
     for (glm::vec3& p : positions) p = in.vec3(-8, 8);
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {0, 4, 8}};
-    image<float> depths(of.size(), cleared_depth(of.set_up().clip()));
+    image<float> depths(of.size(), cleared_depth(of.setup().clip()));
     of.draw(depths, {positions, triangles});
     image<texel> map(of.size());
     of.store(depths, map);

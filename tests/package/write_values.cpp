@@ -202,10 +202,10 @@ private:
         const auto block = of.relative_to(origin).uniforms();
         std::vector<glm::mat4> matrices;
         double edge_angle = 0;
-        if constexpr (has_bent_lines<std::decay_t<decltype(of.set_up())>>)  // whose vertices no matrix has
-            edge_angle = paraboloid_edge_angle<double>(shadow_size, of.set_up().light.border);
+        if constexpr (has_bent_lines<std::decay_t<decltype(of.setup())>>)  // whose vertices no matrix has
+            edge_angle = paraboloid_edge_angle<double>(shadow_size, of.setup().light.border);
         else
-            for (const light_space<double>& light : of.set_up().lights()) {
+            for (const light_space<double>& light : of.setup().lights()) {
                 const auto placed = detail::relative_to(origin, light);
                 matrices.emplace_back(placed.projection * placed.view);
             }

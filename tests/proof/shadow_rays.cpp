@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-TEST_CASE("shadows of every set-up agree with rays, away from edges and beyond their own bias") {
-    std::map<std::string_view, proof::traced> set_ups;
+TEST_CASE("shadows of every setup agree with rays, away from edges and beyond their own bias") {
+    std::map<std::string_view, proof::traced> setups;
     for (std::uint64_t n = 0; n < proof::clip_space_count; ++n) {
         proof::shadowed_scene scene(n);
         proof::for_each_traced(scene, [&](std::string_view name, std::string_view filter, const auto& s,
@@ -23,11 +23,11 @@ TEST_CASE("shadows of every set-up agree with rays, away from edges and beyond t
             CHECK(found.leaks == 0);
             CHECK(found.outside == 0);
             CHECK(found.misplaced == 0);
-            set_ups[name] += found;
+            setups[name] += found;
         });
     }
-    CHECK(set_ups.size() == 10);
-    for (const auto& [key, found] : set_ups) {
+    CHECK(setups.size() == 10);
+    for (const auto& [key, found] : setups) {
         const std::string_view name = key;  // clang 14 captures no structured binding
         CAPTURE(name);
         CHECK(found.lit > 1200);

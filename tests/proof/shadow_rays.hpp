@@ -49,7 +49,7 @@ public:
 
     /// Calls use(name, light, map_size, ray_light, mesh) for each setup.
     template <class Use>
-    void for_each_set_up(const Use& use) {
+    void for_each_setup(const Use& use) {
         using namespace umbrage;
         const ray_light sun{false, -glm::dvec3(sun_)}, spot{true, spot_}, bulb{true, bulb_};
         const glm::ivec2 size(256);
@@ -100,32 +100,32 @@ public:
         std::size_t own;
         glm::vec3 point;
     };
-    [[nodiscard]] receiver receiver_of(std::string_view set_up, const ray_mesh& mesh) {
+    [[nodiscard]] receiver receiver_of(std::string_view setup, const ray_mesh& mesh) {
         for (;;) {
             const auto own = std::uniform_int_distribution<std::size_t>(0, mesh.triangles.size() - 1)(random_);
             const auto [a, b, c] = mesh.corners(own);
             double u = real(0, 1), v = real(0, 1);
             if (u + v > 1) u = 1 - u, v = 1 - v;
             const glm::vec3 p(a + u * (b - a) + v * (c - a));
-            if (is_held(set_up, p)) return {own, p};
+            if (is_held(setup, p)) return {own, p};
         }
     }
     /// A point and a normal, some way off the light, for a plane that the setup holds.
-    [[nodiscard]] std::pair<glm::vec3, glm::vec3> plane_of(std::string_view set_up, const ray_light& light) {
+    [[nodiscard]] std::pair<glm::vec3, glm::vec3> plane_of(std::string_view setup, const ray_light& light) {
         for (;;) {
-            const glm::vec3 p = light.is_point && set_up != "spot" ? bulb_ + glm::normalize(vector(-1, 1)) * real(2, 5)
-                                                                   : vector(-1, 1) + glm::vec3(0, 1.5f, 0);
+            const glm::vec3 p = light.is_point && setup != "spot" ? bulb_ + glm::normalize(vector(-1, 1)) * real(2, 5)
+                                                                  : vector(-1, 1) + glm::vec3(0, 1.5f, 0);
             const glm::vec3 normal = glm::normalize(vector(-1, 1)), way(glm::normalize(light.way(p)));
             const float cosine = std::abs(glm::dot(normal, way));
-            if (is_held(set_up, p) && cosine > 0.35f && cosine < 0.9f) return {p, normal};
+            if (is_held(setup, p) && cosine > 0.35f && cosine < 0.9f) return {p, normal};
         }
     }
     [[nodiscard]] std::mt19937& random() { return random_; }
 
 private:
-    [[nodiscard]] bool is_held(std::string_view set_up, glm::vec3 p) const {
-        if (set_up == "spot") return glm::dot(glm::normalize(p - spot_), glm::normalize(-spot_)) > 0.88f;
-        if (!set_up.ends_with("cascades") && !set_up.ends_with("warped")) return true;
+    [[nodiscard]] bool is_held(std::string_view setup, glm::vec3 p) const {
+        if (setup == "spot") return glm::dot(glm::normalize(p - spot_), glm::normalize(-spot_)) > 0.88f;
+        if (!setup.ends_with("cascades") && !setup.ends_with("warped")) return true;
         const umbrage::polyhedron seen(camera_);
         return std::ranges::all_of(seen.faces(),
                                    [p](const auto& face) { return glm::dot(face.plane, glm::dvec4(p, 1)) > 1e-4; });
@@ -155,7 +155,7 @@ private:
 /// Calls use(setup, filter, shadow, light, mesh) for each setup under three filters.
 template <class Use>
 void for_each_traced(shadowed_scene& scene, const Use& use) {
-    scene.for_each_set_up(
+    scene.for_each_setup(
         [&](std::string_view name, const auto& light, glm::ivec2 size, const ray_light& from, const ray_mesh& mesh) {
             const auto under = [&](std::string_view filter_name, const auto& filter) {
                 use(name, filter_name, any_shadow(umbrage::shadow(light, size, filter)), from, mesh);
@@ -169,15 +169,15 @@ void for_each_traced(shadowed_scene& scene, const Use& use) {
 /// The least share of the stated distance over which a caster's shadow is really lost. Of 4096 receivers none lies in
 /// the very corner of its texel, which is 1/30 of a hard filter's reach; beside the reach the bias covers what a
 /// rasterizer and floats lose. Paraboloids are curved: their bias covers every direction's slope, and tessellation.
-[[nodiscard]] constexpr double least_share(std::string_view set_up) { return set_up == "paraboloids" ? 0.6 : 0.93; }
+[[nodiscard]] constexpr double least_share(std::string_view setup) { return setup == "paraboloids" ? 0.6 : 0.93; }
 
 /// A scene's receivers.
-[[nodiscard]] inline traced trace_receivers(shadowed_scene& scene, std::string_view set_up, const any_shadow& s,
+[[nodiscard]] inline traced trace_receivers(shadowed_scene& scene, std::string_view setup, const any_shadow& s,
                                             const ray_light& light, const ray_mesh& mesh, int receivers) {
     traced found;
     s.draw(mesh.view());
     for (int i = 0; i < receivers; ++i) {
-        const auto [own, p] = scene.receiver_of(set_up, mesh);
+        const auto [own, p] = scene.receiver_of(setup, mesh);
         trace(s, light, mesh, own, p, found);
     }
     return found;

@@ -99,18 +99,18 @@ private:
 using map_finder = std::function<const traced_map&(const umbrage::map_place&, glm::vec3)>;
 
 /// Finder of a setup's maps, for positions relative to an origin.
-template <class SetUp>
-[[nodiscard]] map_finder traced_maps(const SetUp& set_up, glm::ivec2 map_size, glm::dvec3 origin) {
+template <class Setup>
+[[nodiscard]] map_finder traced_maps(const Setup& setup, glm::ivec2 map_size, glm::dvec3 origin) {
     std::vector<traced_map> maps;
-    for (const auto& light : set_up.lights()) {
-        if constexpr (std::is_same_v<SetUp, umbrage::paraboloid_maps>) {
-            auto here = set_up.light;
+    for (const auto& light : setup.lights()) {
+        if constexpr (std::is_same_v<Setup, umbrage::paraboloid_maps>) {
+            auto here = setup.light;
             here.position -= origin;
             maps.emplace_back(here, static_cast<int>(maps.size()));
         } else maps.emplace_back(umbrage::detail::relative_to(origin, light), map_size);
     }
-    if constexpr (std::is_same_v<SetUp, umbrage::tetrahedron_map>) {
-        const glm::vec3 from(set_up.light.position - origin);
+    if constexpr (std::is_same_v<Setup, umbrage::tetrahedron_map>) {
+        const glm::vec3 from(setup.light.position - origin);
         return [ maps, from ](const auto&, glm::vec3 p) -> const auto& {
             return maps[std::size_t(umbrage::tetrahedron_face(p - from))];
         };
@@ -122,10 +122,10 @@ template <class SetUp>
 /// Calls use(place) for each look at a map; what it returns is light beyond the last cascade's shadows.
 using place_list = std::function<float(glm::vec3, glm::vec3, const std::function<void(const umbrage::map_place&)>&)>;
 
-template <class SetUp>
-[[nodiscard]] place_list places_of(const umbrage::shadow_uniforms<SetUp>& u) {
+template <class Setup>
+[[nodiscard]] place_list places_of(const umbrage::shadow_uniforms<Setup>& u) {
     return [u](glm::vec3 p, glm::vec3 n, const auto& use) {
-        return umbrage::detail::blended(SetUp::places(u.maps, u.terms, p, n), [&](const auto& place) {
+        return umbrage::detail::blended(Setup::places(u.maps, u.terms, p, n), [&](const auto& place) {
             if (place.at == umbrage::outside_all_maps) return 1.0f;
             return use(place), 0.0f;
         });
@@ -154,13 +154,13 @@ struct shadow_facts {
     template <class Shadow>
     explicit shadow_facts(const Shadow& s, glm::dvec3 origin = glm::dvec3(0))
         : places(places_of(s.uniforms())),
-          map_of(traced_maps(s.set_up(), s.map_size(), origin)),
+          map_of(traced_maps(s.setup(), s.map_size(), origin)),
           detaches([s](glm::vec3 p, glm::vec3 n) { return s.peter_panning_distance(p, n); }),
           terms(s.uniforms().terms),
           reach(double(s.filter().reach())),
-          bordered(std::remove_cvref_t<decltype(s.set_up())>::outside == umbrage::outside_map::bordered),
-          reversed(s.set_up().clip().direction == umbrage::depth_direction::reversed),
-          along_plane(umbrage::detail::along_plane<std::remove_cvref_t<decltype(s.set_up())>,
+          bordered(std::remove_cvref_t<decltype(s.setup())>::outside == umbrage::outside_map::bordered),
+          reversed(s.setup().clip().direction == umbrage::depth_direction::reversed),
+          along_plane(umbrage::detail::along_plane<std::remove_cvref_t<decltype(s.setup())>,
                                                    std::remove_cvref_t<decltype(s.filter())>>) {}
 };
 

@@ -94,7 +94,7 @@ void read_floats(const char* file, image<float>& map) {
 /// @param file   a map that the recipe drew; null: C++ draws it
 template <class Shadow>
 void look_up(light& l, const Shadow& shadow, const geometry& scene, const char* file) {
-    image<float> depths(shadow.size(), cleared_depth(shadow.set_up().clip()));
+    image<float> depths(shadow.size(), cleared_depth(shadow.setup().clip()));
     if (file != nullptr) read_floats(file, depths);
     else shadow.draw(depths, {scene.positions, scene.triangles});
     image<typename Shadow::texel> map(shadow.size(), shadow.cleared());
@@ -102,7 +102,7 @@ void look_up(light& l, const Shadow& shadow, const geometry& scene, const char* 
     l.visibility = [shadow, map](glm::vec3 world, glm::vec3 normal) { return shadow(map, world, normal); };
     l.texel = [shadow](glm::vec3 world) {
         float width = 0;
-        for (const auto& space : shadow.set_up().lights()) {
+        for (const auto& space : shadow.setup().lights()) {
             const glm::dvec4 at = space.projection * space.view * glm::dvec4(world, 1.0);
             width = float(2.0 * at.w / (space.projection[0][0] * shadow.map_size().x));
             if (at.w > 0 && glm::abs(at.x) < 0.95 * at.w && glm::abs(at.y) < 0.95 * at.w) break;

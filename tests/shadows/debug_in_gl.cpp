@@ -153,7 +153,7 @@ int main() try {
         };
         const depth_view to_sun = sampled.depth_views()[0], to_spot = spot.depth_views()[0],
                          to_halves = halves.depth_views()[0];
-        const float at_near = near_depth(sampled.set_up().clip());
+        const float at_near = near_depth(sampled.setup().clip());
         check(vertices_agree(
             v, sampled, texture(calibration_map(sampled)),
             literal(to_sun.to_clip) + ", world * 4.0, " + literal_of(to_sun.anchor),

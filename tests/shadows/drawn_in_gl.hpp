@@ -87,7 +87,7 @@ tried make(std::string name, const Shadow& s, glsl::bound item, texture_data map
 /// The maps of an atlas one below the other, as an array's layers lie.
 template <class Shadow>
 image<float> layers_of(const Shadow& s, const image<float>& atlas) {
-    const map_grid grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
+    const map_grid grid = std::remove_cvref_t<decltype(s.setup())>::grid;
     const glm::ivec2 size = s.map_size();
     image<float> layers({size.x, size.y * grid.columns * grid.rows});
     for (glm::ivec2 p(0); p.y < layers.size().y; ++p.y)

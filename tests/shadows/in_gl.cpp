@@ -18,7 +18,7 @@
 
 #include "../../examples/viewer/headless.hpp"
 #include "../unit/shadow/own_filter.hpp"
-#include "../unit/shadow/own_set_up.hpp"
+#include "../unit/shadow/own_setup.hpp"
 #include "../unit/shadow/scene.hpp"
 #include "drawn_in_gl.hpp"
 
@@ -48,7 +48,7 @@ bool agree(version v, std::vector<tried> all, const receivers& of, bool fault) {
 template <class Shadow>
 float by_sampler(const Shadow& s, const image<float>& map, glm::vec3 world, glm::vec3 normal) {
     const auto u = s.uniforms();
-    const map_place place = s.set_up().places(u.maps, u.terms, world, normal)[0];
+    const map_place place = s.setup().places(u.maps, u.terms, world, normal)[0];
     const glm::vec2 coord(place.at), x = coord - 0.5f, texel = glm::floor(x), moved = x - texel;
     const float z = place.at.z,
                 receiver = z > 1.0f ? z : z - acne_free_bias(place.slope, 1.0f, u.terms.error + place.rounding);
@@ -103,8 +103,8 @@ int main(int argc, char** argv) try {
     const shadow bent(shadow_scene::warped<4>(clip), {256, 256}, filters::tent<3>);
     const shadow paged(shadow_scene::pages(clip), {80, 80}, filters::disc{});
     const shadow own_filter(shadow_scene::cascades(clip), {256, 256}, own::two_taps{});
-    const shadow own_set_up(own::up_and_down{{0.5, 8, 0.25}, clip}, {256, 256}, filters::tent<3>);
-    const auto own_map = shadow_scene::drawn(own_filter), both_map = shadow_scene::drawn(own_set_up);
+    const shadow own_setup(own::up_and_down{{0.5, 8, 0.25}, clip}, {256, 256}, filters::tent<3>);
+    const auto own_map = shadow_scene::drawn(own_filter), both_map = shadow_scene::drawn(own_setup);
     const auto bent_map = shadow_scene::drawn(bent), paged_map = shadow_scene::drawn(paged);
     const auto pages = layers_of(paged, paged_map);
 
@@ -181,7 +181,7 @@ int main(int argc, char** argv) try {
 
         std::vector<tried> own;
         own.push_back(make("mine", own_filter, bind(own_filter, "mine"), one_channel(own_map), own_map));
-        own.push_back(make("both", own_set_up, bind(own_set_up, "both", {.block = 1, .texture = 2}),
+        own.push_back(make("both", own_setup, bind(own_setup, "both", {.block = 1, .texture = 2}),
                            one_channel(both_map), both_map));
         good = agree(v, std::move(own), of, fault) && good;
         if (old) continue;  // which has no textures of two or four floats

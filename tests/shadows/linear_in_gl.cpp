@@ -25,19 +25,19 @@ enum class wanted { dark, lit, either };
 /// What the texels around a receiver say of it, in every map that it is looked up in.
 template <class Shadow>
 wanted judged(const Shadow& s, const image<float>& map, glm::vec3 world) {
-    using SetUp = std::remove_cvref_t<decltype(s.set_up())>;
+    using Setup = std::remove_cvref_t<decltype(s.setup())>;
     const auto u = s.uniforms();
     const float nearer = s.encoding().direction == depth_direction::forward ? -1.0f : 1.0f;
     const int reach = static_cast<int>(glm::ceil(detail::reach_of(s.filter()))) + 1;
     bool all_own = true, all_nearer = true;
-    for (const map_place& place : SetUp::places(u.maps, u.terms, world, shadow_scene::up)) {
+    for (const map_place& place : Setup::places(u.maps, u.terms, world, shadow_scene::up)) {
         if (place.weight == 0.0f) continue;
         const glm::ivec2 middle(glm::floor(glm::vec2(place.at))), last = s.map_size() - 1 - reach;
         if (!(place.at.z > 0.0f && place.at.z < 1.0f)) return wanted::either;
         if (glm::any(glm::lessThan(middle, glm::ivec2(reach))) || glm::any(glm::greaterThan(middle, last)))
             return wanted::either;
         const float steep = glm::abs(place.slope.x) + glm::abs(place.slope.y);
-        const glm::ivec2 first = detail::first_texel(place.number, SetUp::grid, s.map_size());
+        const glm::ivec2 first = detail::first_texel(place.number, Setup::grid, s.map_size());
         for (glm::ivec2 t = middle - reach; t.y <= middle.y + reach; ++t.y)
             for (t.x = middle.x - reach; t.x <= middle.x + reach; ++t.x) {
                 const glm::vec2 from = glm::vec2(t) + 0.5f - glm::vec2(place.at);
@@ -53,7 +53,7 @@ wanted judged(const Shadow& s, const image<float>& map, glm::vec3 world) {
 /// @return   false where one is wrong, or where the test says nothing
 template <class Shadow>
 bool agrees(const char* light, const char* filter, const Shadow& s, const receivers& of) {
-    const map_grid grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
+    const map_grid grid = std::remove_cvref_t<decltype(s.setup())>::grid;
     const bool array = grid.columns * grid.rows > 1, reversed = s.encoding().direction == depth_direction::reversed;
     const image<float> map = shadow_scene::drawn(s), texels = layers_of(s, map);
     int lit = 0, dark = 0;

@@ -41,9 +41,9 @@ struct member {
     member { #name, offsetof(block, name), sizeof(block::name) / sizeof(float) }
 
 /// Fields of a shadow's block.
-template <class SetUp>
+template <class Setup>
 std::vector<member> block_of(std::vector<member> all) {
-    const std::size_t terms = sizeof(typename SetUp::uniforms);  // the setup's fields come first, without gaps
+    const std::size_t terms = sizeof(typename Setup::uniforms);  // the setup's fields come first, without gaps
     all.push_back({"terms", terms + offsetof(shadow_terms, map_size), 4});
     all.push_back({"filter_terms", terms + offsetof(shadow_terms, filter_terms), 4});
     return all;

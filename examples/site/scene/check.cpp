@@ -61,9 +61,9 @@ void with_filter(int number, const Use& use) {
     umbrage::filters::soft::for_each(one);
 }
 
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
-    umbrage::shadow_uniforms<SetUp, umbrage::detail::softness_matrices<SetUp, Filter>> uniforms;
+    umbrage::shadow_uniforms<Setup, umbrage::detail::softness_matrices<Setup, Filter>> uniforms;
     std::memcpy(&uniforms, block, sizeof uniforms);
     const auto& maps = uniforms.maps;
     const shadow_terms& terms = uniforms.terms;
@@ -79,13 +79,13 @@ void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
         const auto look = [&](const map_place& place) {
             if (place.at == umbrage::outside_all_maps) return 1.0f;
             const auto own = umbrage::image_view<const float>(depths).region(
-                umbrage::detail::first_texel(place.number, SetUp::grid, map_size), map_size);
-            const glm::vec3 receiver = umbrage::detail::receiver_of<SetUp, Filter>(terms, place, direction);
+                umbrage::detail::first_texel(place.number, Setup::grid, map_size), map_size);
+            const glm::vec3 receiver = umbrage::detail::receiver_of<Setup, Filter>(terms, place, direction);
             places[i] = glm::vec4(place.at.x, place.at.y, static_cast<float>(place.number), 1.0f);
-            const Filter in_map = umbrage::detail::filter_of_map<SetUp>(filter, uniforms, place.number);
-            return umbrage::detail::look<SetUp>(own, in_map, stored, receiver, place.slope, pixel);
+            const Filter in_map = umbrage::detail::filter_of_map<Setup>(filter, uniforms, place.number);
+            return umbrage::detail::look<Setup>(own, in_map, stored, receiver, place.slope, pixel);
         };
-        const auto of_point = SetUp::places(maps, terms, glm::vec3(points[i]), glm::vec3(normals[i]));
+        const auto of_point = Setup::places(maps, terms, glm::vec3(points[i]), glm::vec3(normals[i]));
         visibility[i] = umbrage::detail::blended(of_point, look);
     }
 }

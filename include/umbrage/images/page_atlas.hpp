@@ -146,23 +146,10 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 ///                                atlas; texels or gutter out of range, or the gutter below the filter's reach; a
 ///                                filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
-}
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
-}
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
+                const Filter& filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, detail::viewed(receivers), filter, out, parallel);
 }
 
 }  // namespace umbrage

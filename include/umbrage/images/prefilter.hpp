@@ -241,33 +241,16 @@ template <class Texel, class ParallelFor = serial>
 ///
 /// @param map        the filter's texels, blurred
 /// @param filter     same as for encode_moments
-/// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
+/// @param receivers  as for visibility of a map of depths
 /// @param out        receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                image_view<const glm::vec3> receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
-}
-
-/// Visibility of receivers as a structure of arrays.
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                const receiver_planes& receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
-}
-
-/// Visibility of the receivers of a camera's depth image: one receiver_at for each of its texels.
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
+template <class Prefilter, receiver_image Receivers = receiver_planes, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter, const Receivers& receivers,
+                image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, detail::viewed(receivers), out, parallel, outside);
 }
 
 }  // namespace umbrage

@@ -9,6 +9,8 @@
 //
 #pragma once
 
+#include <concepts>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -38,6 +40,11 @@ struct depth_receivers {
     glm::mat4 matrix;               ///< from receiver_matrix
     float bias = 0.0f;              ///< in depth of the map, subtracted from each receiver's
 };
+
+/// Image of receivers in one of the three forms. plane_visibility.hpp has an overload for sloped_receivers.
+template <class T>
+concept receiver_image = std::convertible_to<const T&, image_view<const glm::vec3>> ||
+    std::same_as<T, receiver_planes> || std::same_as<T, depth_receivers>;
 
 /// Matrix from a camera's depth image to the shadow map.
 ///
@@ -79,6 +86,14 @@ template <class = detail::on_use>
 }
 
 namespace detail {
+
+/// The receivers, those of an image as a view of it.
+template <receiver_image Receivers>
+[[nodiscard]] decltype(auto) viewed(const Receivers& receivers) {
+    if constexpr (std::convertible_to<const Receivers&, image_view<const glm::vec3>>)
+        return image_view<const glm::vec3>(receivers);
+    else return (receivers);
+}
 
 [[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers, const char*) {
     return receivers.size;

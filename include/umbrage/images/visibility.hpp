@@ -42,34 +42,19 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// Visibility of receivers from a shadow map.
 /// @param map         shadow map, texels of the encoding
 /// @param encoding    encoding of the map's texels, with the depth direction. Its edge decides ties
-/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
+/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied: an image of vec3, or planes.
+///                    Or a camera's depth image, of which receiver_at gives each texel's
 /// @param filter      one of filters::, whose is_lit is set to the encoding's direction. Or any callable
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Visibility of receivers as a structure of arrays.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
+template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                const Filter& filter, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::filter_image(map, encoding, detail::viewed(receivers), filter, out, parallel, outside);
 }
 
 }  // namespace umbrage

@@ -26,7 +26,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/page_places.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 

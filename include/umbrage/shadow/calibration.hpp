@@ -59,13 +59,13 @@ inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
 /// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
 /// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only separate known depths.
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;
     else {
         const decoding_error both = encoding.error();
         float tolerance = 0x1p-18f;
-        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>.error)) + 0x1p-19)
+        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<Setup>.error)) + 0x1p-19)
             tolerance *= 2.0f;
         return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
     }
@@ -77,8 +77,8 @@ template <class SetUp, class Filter, class Encoding>
 ///
 /// @return   image of the shadow's size(), in its encoding. The first row is the first in memory
 /// @throws std::invalid_argument   maps smaller than four times the filter's reach
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<Setup, Filter, Encoding>& of) {
     const glm::ivec2 map_size = of.map_size(), size = of.size();
     const float reach = detail::reach_of(of.filter());
     detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
@@ -87,7 +87,7 @@ template <class SetUp, class Filter, class Encoding>
     for (glm::ivec2 p(0); p.y < size.y; ++p.y)
         for (p.x = 0; p.x < size.x; ++p.x) {
             const glm::ivec2 tile = p / map_size, in_map = p % map_size;
-            const int number = (tile.x + tile.y * SetUp::grid.columns) % 8;
+            const int number = (tile.x + tile.y * Setup::grid.columns) % 8;
             const int block = (2 * in_map.x >= map_size.x ? 1 : 0) + (2 * in_map.y >= map_size.y ? 2 : 0);
             const float distance = detail::known_distance(static_cast<float>(8 * block + number));
             depths[p] = of.encoding().direction == depth_direction::forward ? distance : 1.0f - distance;
@@ -105,22 +105,22 @@ template <class SetUp, class Filter, class Encoding>
 /// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map
 /// @throws std::invalid_argument   a map of another size; a number that the light lacks
 /// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] map_reading calibrate(const shadow<Setup, Filter, Encoding>& of,
                                     image_view<const typename Encoding::texel> map, int number) {
     detail::require_size(map.size, of.size(), "calibrate", "map.size", "the shadow's size()");
-    detail::require(number >= 0 && number < SetUp::grid.columns * SetUp::grid.rows, "calibrate", "number",
+    detail::require(number >= 0 && number < Setup::grid.columns * Setup::grid.rows, "calibrate", "number",
                     "one of the light's maps", number);
     const shadow_terms terms = of.uniforms().terms;
-    const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
+    const auto own = map.region(detail::first_texel(number, Setup::grid, of.map_size()), of.map_size());
     const comparison is_lit{of.encoding().direction};
-    const float bias = detail::bias_of<SetUp, Filter>(terms, map_place{});
+    const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<SetUp>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
+        return detail::look<Setup>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
                                    glm::vec2(0), {}) > 0.5f;
     };
-    const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
+    const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);
     int right = 0, nearly = 0, lit = 0, dark = 0, turned = 0, flipped = 0, others = 0;
     for (int block = 0; block < 4; ++block) {
@@ -151,29 +151,11 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
-/// @param terms    declarations of shadow_terms
-/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
-/// @param choice   statement that chooses the map of `number`; empty for one map
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
-                                                              const std::string& pixel, const std::string& choice) {
-    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
-    return {{{"lit_at",
-              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
-              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
-                  terms +
-                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
-                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
-                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
-                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
-              {&glsl::cleared_depth}},
-             {"reading",
-              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
-              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
-                  terms + "UMBRAGE_HIGHP float number) {\n" + choice + "    UMBRAGE_HIGHP float tolerance = 1.0 / " +
-                  std::to_string(parts) + R"GLSL(.0;
+/// GLSL version of calibrate for one map, whatever the light and the filter.
+inline constexpr std::string_view read_map_text = R"GLSL(
+// umbrage_read_map: what one map of known depths is read as, within a tolerance of depth
+UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms,
+                                     UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float tolerance) {
     UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
     UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
     UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
@@ -209,7 +191,34 @@ template <class SetUp, class Filter, class Encoding>
     reading = seen.z > 3.5 ? 5.0 : reading;
     return met.x > 3.5 ? 0.0 : reading;
 }
-)GLSL"}}};
+)GLSL";
+
+/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
+/// @param terms    declarations of shadow_terms
+/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
+/// @param choice   statement that chooses the map of `number`; empty for one map
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] std::array<glsl::own_text, 3> calibration_texts(const Encoding& encoding, const std::string& terms,
+                                                              const std::string& pixel, const std::string& choice) {
+    const int parts = static_cast<int>(1.0f / calibration_tolerance<Setup, Filter>(encoding) + 0.5f);
+    return {{{"lit_at",
+              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
+                  terms +
+                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
+                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+              {&glsl::cleared_depth}},
+             {"read_map", std::string(read_map_text), {}},
+             {"reading",
+              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+                  terms + "UMBRAGE_HIGHP float number) {\n" + choice +
+                  "    return umbrage_read_map(map, terms, filter_terms, number, 1.0 / " + std::to_string(parts) +
+                  ".0);\n}\n",
+              {}}}};
 }
 
 }  // namespace detail

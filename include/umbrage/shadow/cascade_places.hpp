@@ -20,7 +20,7 @@
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 

@@ -21,7 +21,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/cascade_places.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -148,7 +148,7 @@ cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_m
 
 /// Setup of an array of cascades.
 template <real T, std::size_t Count>
-struct set_up_for<std::array<cascade<T>, Count>> {
+struct setup_for<std::array<cascade<T>, Count>> {
     using type = cascaded_maps<(Count > 4 ? 2 : 1)>;
 };
 

@@ -15,7 +15,7 @@
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/point_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/single_map.hpp>
 
 namespace umbrage {
@@ -119,7 +119,7 @@ inline constexpr bool has_like_maps<cube_maps> = true;
 
 /// Setup of a point light.
 template <real T>
-struct set_up_for<point_light<T>> {
+struct setup_for<point_light<T>> {
     using type = cube_maps;
 };
 

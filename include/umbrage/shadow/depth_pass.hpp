@@ -75,15 +75,15 @@ template <prefilter Prefilter>
 }
 
 /// Vertex function of a setup with a vertex_function of its own.
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] own_text vertex_text_of() {
     std::string parameters, arguments;
-    for (const auto& a : bends_of<SetUp>.vertex->arguments) {
+    for (const auto& a : bends_of<Setup>.vertex->arguments) {
         const std::string type = a.components == 1 ? "float " : "vec" + std::to_string(a.components) + ' ';
         parameters.append(", UMBRAGE_HIGHP ").append(type).append(a.name);
         arguments.append(", ").append(a.name);
     }
-    const snippet& calls = *bends_of<SetUp>.vertex->calls;
+    const snippet& calls = *bends_of<Setup>.vertex->calls;
     return vertex_text(
         parameters, "    return umbrage_" + std::string(calls.name) + "(to_clip, world" + arguments + ");\n", {&calls});
 }
@@ -107,8 +107,8 @@ template <class SetUp>
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind_depth_pass(const shadow<Setup, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
@@ -130,14 +130,14 @@ template <class SetUp, class Filter, class Encoding>
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 20; dual paraboloids C
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind_vertex_pass(const shadow<Setup, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (has_bent_lines<SetUp>) item.texts = {detail::vertex_text_of<SetUp>()};
+    if constexpr (has_bent_lines<Setup>) item.texts = {detail::vertex_text_of<Setup>()};
     else {
-        const light_space<double> light = of.set_up().lights().front();
+        const light_space<double> light = of.setup().lights().front();
         const int at_near = static_cast<int>(near_depth(light.clip));
         item.texts = {
             detail::vertex_text_of_lights(umbrage::detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};

@@ -11,7 +11,7 @@
 
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/shadow/map_tile.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/softness.hpp>
 
 namespace umbrage::detail {
@@ -34,7 +34,7 @@ struct frame_words {
     const glsl::snippet* placing = nullptr;  ///< the setup's
     int most_places = 1;
     std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
-    std::string of_set_up{};                      ///< the setup's own, as arguments
+    std::string of_setup{};                       ///< the setup's own, as arguments
     std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
     std::vector<std::string> chooses_map{};       ///< statement that chooses the map of `number`
     std::vector<const glsl::snippet*> chooses{};  ///< what the statement calls
@@ -50,17 +50,17 @@ struct frame_words {
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = SetUp::placing, .most_places = most_places<SetUp>};
-    for (const uniform_field& f : SetUp::fields) {
+    frame_words w{.placing = Setup::placing, .most_places = most_places<Setup>};
+    for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
-        w.of_set_up.append(f.name).append(", ");
+        w.of_setup.append(f.name).append(", ");
     }
     w.fields += soft.fields;
-    w.names = w.of_set_up + soft.names;
+    w.names = w.of_setup + soft.names;
     if (turns) w.pixel = ", UMBRAGE_HIGHP vec2 pixel", w.of_pixel = ", pixel";
-    constexpr map_grid grid = SetUp::grid;
+    constexpr map_grid grid = Setup::grid;
     if (grid.columns * grid.rows == 1) return w;
     const std::string columns = std::to_string(grid.columns) + ".0";
     if (layers) w.chooses_map = {"UMBRAGE_HIGHP float layer = number;"};
@@ -90,7 +90,7 @@ struct frame_result {
                        "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
                        "UMBRAGE_HIGHP vec3 normal" +
                        w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
-                       w.of_set_up +
+                       w.of_setup +
                        "terms, world, normal);\n"
                        "    UMBRAGE_HIGHP vec4 at = places[0];\n"
                        "    UMBRAGE_HIGHP vec4 slope = places[1];\n";

@@ -66,12 +66,12 @@ void require_texture(const binding& map, const Filter& filter) {
 /// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
 /// @param layers   true for maps in an array, false for an atlas
 /// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
                                                  bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<SetUp, Filter>);
-    const auto words = umbrage::detail::frame_words_of<SetUp>(layers, umbrage::detail::turning<Filter>, soft);
+    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
+    const auto words = umbrage::detail::frame_words_of<Setup>(layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
             "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
@@ -86,13 +86,13 @@ template <class SetUp, class Filter, class Encoding>
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
     door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
     door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
-    std::vector<own_text> all{umbrage::detail::look_text<SetUp>(filter, terms, words.pixel, linear), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, linear), std::move(door)};
     if (!debug) return all;
-    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(words)) all.push_back(std::move(text));
+    for (own_text& text : umbrage::detail::probe_texts<Setup, Filter>(words)) all.push_back(std::move(text));
     const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
     std::string choice;
     for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
-    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(encoding, terms, pixel, choice))
+    for (own_text& text : umbrage::detail::calibration_texts<Setup, Filter>(encoding, terms, pixel, choice))
         all.push_back(std::move(text));
     return all;
 }
@@ -106,9 +106,9 @@ template <class SetUp, class Filter, class Encoding>
 /// @param slots   bindings, and the type of the texture
 /// @throws std::invalid_argument   a name of other characters; a slot below 0; a texture type that does not hold
 ///                                 the maps; a filter that reads depths, with a comparison sampler
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
-    constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind(const shadow<Setup, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
+    constexpr bool several = Setup::grid.columns * Setup::grid.rows > 1;
     const texture kind = slots.map.value_or(several ? texture::atlas : texture::texture_2d);
     const bool layers = kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array;
     const bool plain = kind == texture::texture_2d || kind == texture::depth || kind == texture::shadow;
@@ -124,10 +124,10 @@ template <class SetUp, class Filter, class Encoding>
     slot(slots.texture, "slots.texture");
     slot(slots.sampler, "slots.sampler");
     slot(slots.set, "slots.set");
-    binding map = umbrage::detail::binding_of<SetUp, Filter>(of.encoding());
+    binding map = umbrage::detail::binding_of<Setup, Filter>(of.encoding());
     map.texture = kind;
     detail::require_texture<Filter, Encoding>(map, of.filter());
-    map.outside = SetUp::outside;
+    map.outside = Setup::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
@@ -140,7 +140,7 @@ template <class SetUp, class Filter, class Encoding>
                                  "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
                                  of.filter().name);
     }
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers, slots.debug, linear);
+    item.texts = detail::shadow_texts<Setup>(of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
@@ -163,8 +163,8 @@ template <class SetUp, class Filter, class Encoding>
              .reads_fields = false,
              .arguments = {{"number", 1}}});
     }
-    for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
-    for (int i = 0; i < umbrage::detail::softness_matrices<SetUp, Filter>; ++i)
+    for (const uniform_field& f : Setup::fields) declared.fields.push_back(f);
+    for (int i = 0; i < umbrage::detail::softness_matrices<Setup, Filter>; ++i)
         declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);

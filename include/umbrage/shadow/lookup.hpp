@@ -28,7 +28,7 @@
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shader/bind.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -134,8 +134,8 @@ template <class Filter>
 }
 
 /// True where a shadow compares along the receiver's plane.
-template <class SetUp, class Filter>
-inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<SetUp>;
+template <class Setup, class Filter>
+inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<Setup>;
 
 /// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
 /// map's texels miss of a concave edge.
@@ -151,27 +151,27 @@ template <class Filter>
 }
 
 /// Bias of a receiver, in depth.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
-    if constexpr (along_plane<SetUp, Filter>)
+    if constexpr (along_plane<Setup, Filter>)
         return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
     else return kernel_bias_of<Filter>(terms, place);
 }
 
 /// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
 /// bias brings it back.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
     const comparison is_lit{direction};
     const float z = place.at.z;
     const bool beyond = is_lit.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<SetUp, Filter>(terms, place), is_lit)};
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), is_lit)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
 /// @param own        this map alone
 /// @param receiver   x and y in texels of the map, z depth with the bias already applied
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
     const glm::vec2 coord(receiver);
@@ -179,12 +179,12 @@ template <class SetUp, class Filter, class Encoding>
         if constexpr (prefilter<Filter>) {
             const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
             return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
-        } else if constexpr (along_plane<SetUp, Filter>) {
+        } else if constexpr (along_plane<Setup, Filter>) {
             const auto along = apply_receiver_plane(decoded(map, encoding), slope, receiver, encoding.direction);
             return filtered(filter, along, coord, receiver.z, pixel);
         } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
     };
-    if constexpr (SetUp::outside == outside_map::clamped) return on(clamped(own));
+    if constexpr (Setup::outside == outside_map::clamped) return on(clamped(own));
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
@@ -217,27 +217,27 @@ template <class Filter>
 }
 
 /// Snippet that computes bias_of.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> && !along_plane<SetUp, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    return disc_filter<Filter> && !along_plane<Setup, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
 /// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
     std::string reach = "terms.z";
-    if constexpr (along_plane<SetUp, Filter>) reach = linear ? "1.0" : "0.5";
+    if constexpr (along_plane<Setup, Filter>) reach = linear ? "1.0" : "0.5";
     else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
     return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
            "    UMBRAGE_HIGHP float bias = umbrage_" +
-           std::string(bias_snippet<SetUp, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
+           std::string(bias_snippet<Setup, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
 /// @param terms          declaration of shadow_terms
 /// @param pixel          declaration of a pixel, for filters with a rotated disc
 /// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
                                        const glsl::linear_form& linear = {}) {
     const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
@@ -245,10 +245,10 @@ template <class SetUp, class Filter>
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
-    text.append(bias_text<SetUp, Filter>(linear.what != nullptr));
+    text.append(bias_text<Setup, Filter>(linear.what != nullptr));
     text.append(
         "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
-    if (along_plane<SetUp, Filter>)
+    if (along_plane<Setup, Filter>)
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
@@ -256,15 +256,15 @@ template <class SetUp, class Filter>
     text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
     text.append(arguments_of<Filter>()).append(");\n}\n");
     glsl::own_text look{
-        "look", std::move(text), {&bias_snippet<SetUp, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
+        "look", std::move(text), {&bias_snippet<Setup, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
 }
 
 /// Binding of a filter's map in a shader.
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
-    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<SetUp, Filter>};
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<Setup, Filter>};
     if constexpr (prefilter<Filter>) return map;
     else return glsl::stored_as(encoding, std::move(map));
 }

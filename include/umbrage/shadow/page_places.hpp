@@ -17,7 +17,7 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 

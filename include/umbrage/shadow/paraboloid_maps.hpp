@@ -20,7 +20,7 @@
 #include <umbrage/draw/tessellate.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -182,7 +182,7 @@ inline constexpr bent_lines bends_of<paraboloid_maps>{tessellation_reach<float>,
 
 /// Setup of a light with paraboloid maps.
 template <real T>
-struct set_up_for<dual_paraboloid_light<T>> {
+struct setup_for<dual_paraboloid_light<T>> {
     using type = paraboloid_maps;
 };
 

@@ -26,7 +26,7 @@
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shadow/lookup.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage::detail {
 
@@ -60,22 +60,22 @@ template <bool Sloped>
 }
 
 /// Filter of a shadow, ready for one of its maps.
-template <class SetUp, class Filter, class Encoding, class ParallelFor>
-[[nodiscard]] row_filter<place_receivers<along_plane<SetUp, Filter>>> make_place_filter(
+template <class Setup, class Filter, class Encoding, class ParallelFor>
+[[nodiscard]] row_filter<place_receivers<along_plane<Setup, Filter>>> make_place_filter(
     image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding, double count,
     ParallelFor&& parallel) {
     if constexpr (prefilter<Filter>)
         return [own, filter](const receiver_planes& at, image_view<float> out, int first, int last) {
             const auto rows = [&](int, const auto& use) { use(first, last); };
-            umbrage::visibility(own, filter, at, out, rows, SetUp::outside);
+            umbrage::visibility(own, filter, at, out, rows, Setup::outside);
         };
     else
-        return make_row_filter<place_receivers<along_plane<SetUp, Filter>>>(own, encoding, filter, count, parallel,
-                                                                            SetUp::outside);
+        return make_row_filter<place_receivers<along_plane<Setup, Filter>>>(own, encoding, filter, count, parallel,
+                                                                            Setup::outside);
 }
 
 /// Tile of receivers with places in several maps.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 class place_tile {
 public:
     static constexpr int side = 64;
@@ -86,7 +86,7 @@ public:
     }
     /// Begins a tile.
     void clear() { alone_ = true, used_ = {}; }
-    UMBRAGE_INLINE void set(glm::ivec2 p, const std::array<map_place, std::size_t(most_places<SetUp>)>& places) {
+    UMBRAGE_INLINE void set(glm::ivec2 p, const std::array<map_place, std::size_t(most_places<Setup>)>& places) {
         for (std::size_t k = 0; k < places.size(); ++k) {
             const map_place& place = places[k];
             const bool counts = place.weight > 0.0f, outside = place.at.x >= 65536.0f || place.at.x <= -65536.0f;
@@ -117,10 +117,10 @@ public:
     }
 
 private:
-    static constexpr bool sloped = along_plane<SetUp, Filter>;
+    static constexpr bool sloped = along_plane<Setup, Filter>;
     using planes = place_planes<sloped>;
-    static constexpr std::size_t most = std::size_t(most_places<SetUp>);
-    static constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;  ///< places outside count as one more, lit
+    static constexpr std::size_t most = std::size_t(most_places<Setup>);
+    static constexpr int maps = Setup::grid.columns * Setup::grid.rows;  ///< places outside count as one more, lit
     static_assert(maps < 127, "a tile counts up to 126 maps");
 
     /// Number of the map that holds the one place of all receivers, or -1.
@@ -165,16 +165,16 @@ private:
 /// @param places      (pixel) -> places of the receiver, biased
 /// @param map_size    size of one map, texels
 /// @param filter_of   (number) -> filter of a map
-template <class SetUp, class FilterOf, class Encoding, class Places, class ParallelFor>
+template <class Setup, class FilterOf, class Encoding, class Places, class ParallelFor>
 void visibility_of_places(image_view<const typename Encoding::texel> map, glm::ivec2 map_size,
                           const FilterOf& filter_of, const Encoding& encoding, const Places& places,
                           image_view<float> out, ParallelFor&& parallel) {
     using Filter = decltype(filter_of(0));
-    constexpr bool sloped = along_plane<SetUp, Filter>;
+    constexpr bool sloped = along_plane<Setup, Filter>;
     const auto ready = [&](image_view<const typename Encoding::texel> own, int number, double count) {
-        return make_place_filter<SetUp>(own, filter_of(number), encoding, count, parallel);
+        return make_place_filter<Setup>(own, filter_of(number), encoding, count, parallel);
     };
-    if constexpr (SetUp::grid.columns * SetUp::grid.rows == 1 && most_places<SetUp> == 1) {
+    if constexpr (Setup::grid.columns * Setup::grid.rows == 1 && most_places<Setup> == 1) {
         place_planes<sloped> planes(out.size);
         const auto rows = ready(map, 0, area_of(out.size));
         parallel(out.size.y, [&](int first, int last) {
@@ -183,13 +183,13 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             rows(receivers_of<sloped>(planes, planes.x, out.size), out, first, last);
         });
     } else {
-        constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;
+        constexpr int maps = Setup::grid.columns * Setup::grid.rows;
         std::vector<row_filter<place_receivers<sloped>>> filters;
         for (int number = 0; number < maps; ++number) {
-            const auto own = map.region(first_texel(number, SetUp::grid, map_size), map_size);
+            const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
             filters.push_back(ready(own, number, area_of(out.size) / maps));
         }
-        using tile_type = place_tile<SetUp, Filter>;
+        using tile_type = place_tile<Setup, Filter>;
         parallel(out.size.y, [&](int first, int last) {
             tile_type tile;
             for (int y = first, end = 0; y < last; y = end) {

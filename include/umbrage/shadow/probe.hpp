@@ -30,12 +30,12 @@ namespace umbrage {
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
 /// @exactness   C, as project_coordinate; A for the color alone
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] glm::vec3 probe(const shadow<Setup, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
     const auto uniforms = of.uniforms();
-    const auto places = SetUp::places(uniforms.maps, uniforms.terms, world, normal);
+    const auto places = Setup::places(uniforms.maps, uniforms.terms, world, normal);
     const glm::vec3 color = detail::blended(places, [&](const map_place& place) {
-        const float bias = detail::bias_of<SetUp, Filter>(uniforms.terms, place);
+        const float bias = detail::bias_of<Setup, Filter>(uniforms.terms, place);
         const auto number = static_cast<float>(place.number);
         return probe_color(place.at, uniforms.terms.map_size, bias, number, of.encoding().direction);
     });
@@ -45,7 +45,7 @@ template <class SetUp, class Filter, class Encoding>
 namespace detail {
 
 /// GLSL version of probe: umbrage_point_color, after the functions that it calls.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] std::vector<glsl::own_text> probe_texts(frame_words w) {
     w.pixel = {}, w.of_pixel = {};
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
@@ -62,9 +62,9 @@ template <class SetUp, class Filter>
     return {{"place_color",
              "\n// umbrage_place_color: a receiver's debug color in one map\n"
              "UMBRAGE_HIGHP vec3 umbrage_place_color(" +
-                 terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<SetUp, Filter>() +
+                 terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<Setup, Filter>() +
                  "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);\n}\n",
-             {&bias_snippet<SetUp, Filter>(), &glsl::probe_color}},
+             {&bias_snippet<Setup, Filter>(), &glsl::probe_color}},
             {"blended_color", frame_text(color, w, {}), w.needs()},
             {"point_color",
              "\n// umbrage_point_color: debug color of a point of the world, or what is wrong with it\n"

@@ -40,7 +40,7 @@
 #include <umbrage/shadow/frame.hpp>
 #include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/place_images.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/softness.hpp>
 #include <umbrage/shadow/uniform_block.hpp>
@@ -63,21 +63,32 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Checks that the size of all maps together is an int, and that each continues as far as the filter reaches.
-template <shadow_set_up SetUp>
-void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
-    constexpr map_grid grid = SetUp::grid;
+/// True for a setup with its own depth pass, which may draw several lights into one map.
+template <class Setup>
+inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> depths, const mesh_view& mesh,
+                                              std::span<const glm::mat4> instances, const serial& parallel) {
+    s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
+};
+
+/// Checks that the grid has a map for each light, that the size of all maps together is an int, and that each continues
+/// as far as the filter reaches.
+template <shadow_setup Setup>
+void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
+    constexpr map_grid grid = Setup::grid;
     require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
             "such that all maps together have less than 2^31 texels a side", map_size);
-    if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
+    const std::size_t lights = setup.lights().size(), maps = std::size_t(grid.columns) * std::size_t(grid.rows);
+    require(has_own_draw<Setup> || lights <= maps, "shadow", "light.lights()",
+            "as many as the setup's grid has maps, at most", lights);
+    if constexpr (requires { setup.require_reach(reach); }) setup.require_reach(reach);
 }
 
 /// Views of a setup's depth passes.
-template <shadow_set_up SetUp>
-[[nodiscard]] std::vector<depth_view> depth_views_of(const SetUp& set_up, glm::dvec3 origin) {
+template <shadow_setup Setup>
+[[nodiscard]] std::vector<depth_view> depth_views_of(const Setup& setup, glm::dvec3 origin) {
     std::vector<depth_view> all;
-    for (const light_space<double>& light : set_up.lights())
-        if constexpr (has_bent_lines<SetUp>) all.push_back(make_bent_view(light, origin));
+    for (const light_space<double>& light : setup.lights())
+        if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }
@@ -93,20 +104,20 @@ void set_direction(auto& encoding, depth_direction direction) {
 
 /// Shadow of a light: draws its maps, and returns the visibility of receivers.
 ///
-/// @tparam SetUp      setup of the light's maps, deduced from the light
+/// @tparam Setup      setup of the light's maps, deduced from the light
 /// @tparam Filter     filter of the lookup
 /// @tparam Encoding   encoding of depths in the map
-template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
+template <shadow_setup Setup, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
     static_assert(detail::shadow_takes<Filter, Encoding>());
     static constexpr bool hardens = detail::contact_hardening<Filter>;
 
 public:
     using texel = typename Encoding::texel;
-    using uniforms_type = shadow_uniforms<SetUp, detail::softness_matrices<SetUp, Filter>>;
-    static_assert(!hardens || !has_bent_lines<SetUp>,
-                  "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
-    static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
+    using uniforms_type = shadow_uniforms<Setup, detail::softness_matrices<Setup, Filter>>;
+    static_assert(!hardens || !has_bent_lines<Setup>,
+                  "contact hardening compares along planes, which paraboloids bend: take another setup, or a disc");
+    static_assert(detail::has_fields<Setup>(), "a setup's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
     /// @param map_size   size of one map, texels, each >= 1
@@ -116,34 +127,35 @@ public:
     /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
-    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
-    ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
-    ///                                filter's number out of range. A light so far from the origin that floats have no
-    ///                                digits left; uniforms that would be infinite or NaN in float
+    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps, or more than its grid
+    ///                                holds. A map_size below 1, less than twice the filter's reach, too large for
+    ///                                size(), or refused by the setup. A filter's number out of range. A light so far
+    ///                                from the origin that floats have no digits left; uniforms that would be infinite
+    ///                                or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
-        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
-        detail::set_direction(encoding_, set_up_.clip().direction);
+        : setup_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
+        detail::set_direction(encoding_, setup_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
-        detail::require_shadow(set_up_.clip(), map_size, filter_of(0));
-        detail::require_maps(set_up_, map_size, detail::reach_of(filter_));
-        uniforms_ = detail::make_shadow_uniforms(set_up_, map_size_, filter_, encoding_.error(), origin_);
+        detail::require_shadow(setup_.clip(), map_size, filter_of(0));
+        detail::require_maps(setup_, map_size, detail::reach_of(filter_));
+        uniforms_ = detail::make_shadow_uniforms(setup_, map_size_, filter_, encoding_.error(), origin_);
     }
 
-    [[nodiscard]] const SetUp& set_up() const { return set_up_; }
+    [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
     /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
-        return detail::filter_of_map<SetUp>(filter_, uniforms_, number);
+        return detail::filter_of_map<Setup>(filter_, uniforms_, number);
     }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Size of the image or texture that holds all maps, texels.
-    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(Setup::grid.columns, Setup::grid.rows); }
     /// Size of one map, and of a texture array, texels.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// Texel of an empty map: the far plane's.
@@ -174,12 +186,11 @@ public:
     void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances,
               ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        if constexpr (requires { set_up_.draw(depths, mesh, instances, origin_, parallel); })
-            set_up_.draw(depths, mesh, instances, origin_, parallel);
+        if constexpr (detail::has_own_draw<Setup>) setup_.draw(depths, mesh, instances, origin_, parallel);
         else {
             int number = 0;
-            for (const light_space<double>& of_world : set_up_.lights()) {
-                const auto own = depths.region(detail::first_texel(number++, SetUp::grid, map_size_), map_size_);
+            for (const light_space<double>& of_world : setup_.lights()) {
+                const auto own = depths.region(detail::first_texel(number++, Setup::grid, map_size_), map_size_);
                 const light_space<double> light = detail::relative_to(origin_, of_world);
                 const bool clamps = detail::has_parallel_rays(light);
                 rasterize_depth(own, mesh, instances, light.projection * light.view, light.clip, cull_mode::none,
@@ -193,12 +204,12 @@ public:
     }
 
     /// Views of the depth pass on a GPU, one a map: what the vertex function of bind_vertex_pass takes.
-    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(set_up_, origin_); }
+    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(setup_, origin_); }
 
     /// The same shadow for another origin of positions.
     /// @throws std::invalid_argument  as the constructor
     [[nodiscard]] shadow relative_to(glm::dvec3 origin) const {
-        return shadow(set_up_, map_size_, filter_, encoding_, origin);
+        return shadow(setup_, map_size_, filter_, encoding_, origin);
     }
 
     /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
@@ -224,9 +235,9 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return detail::blended(SetUp::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
-            const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-            return detail::look<SetUp>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
+        return detail::blended(Setup::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
+            const auto own = map.region(detail::first_texel(place.number, Setup::grid, map_size_), map_size_);
+            return detail::look<Setup>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
         });
     }
 
@@ -253,9 +264,9 @@ public:
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
         const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;
-        for (const map_place& place : SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)) {
+        for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
-            terms.error += detail::bias_of<SetUp, Filter>(terms, place) + static_cast<float>(farther);
+            terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
             if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;
@@ -267,10 +278,10 @@ public:
     /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
-        const map_place place = SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
+        const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const light_space<double> light = set_up_.lights()[static_cast<std::size_t>(place.number)];
+        const light_space<double> light = setup_.lights()[static_cast<std::size_t>(place.number)];
         const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
         return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
@@ -280,10 +291,10 @@ public:
 
 private:
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        return detail::receiver_of<SetUp, Filter>(uniforms_.terms, place, encoding_.direction);
+        return detail::receiver_of<Setup, Filter>(uniforms_.terms, place, encoding_.direction);
     }
 
-    SetUp set_up_;
+    Setup setup_;
     glm::ivec2 map_size_;
     Filter filter_;
     Encoding encoding_;
@@ -293,11 +304,11 @@ private:
 
 template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {}, glm::dvec3 = glm::dvec3(0))
-    -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
+    -> shadow<typename setup_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, class Filter, class Encoding>
+template <shadow_setup Setup, class Filter, class Encoding>
 template <class ParallelFor>
-void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,
                                                  ParallelFor&& parallel) const {
     constexpr auto function = "shadow::visibility";
@@ -305,13 +316,13 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     const auto places = [&](glm::ivec2 p) {
-        auto all = SetUp::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
+        auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
         for (map_place& place : all)
             if (place.weight > 0.0f) place.at.z = receiver(place).z;
         return all;
     };
     const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places<SetUp>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
+    detail::visibility_of_places<Setup>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
 }
 
 }  // namespace umbrage

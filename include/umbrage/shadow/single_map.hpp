@@ -11,7 +11,7 @@
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -82,7 +82,7 @@ struct single_map {
 
 /// Setup of a light with one map.
 template <real T>
-struct set_up_for<light_space<T>> {
+struct setup_for<light_space<T>> {
     using type = single_map;
 };
 

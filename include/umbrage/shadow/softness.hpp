@@ -28,7 +28,7 @@
 #include <umbrage/shader/interface.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/lookup.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -70,9 +70,9 @@ inline constexpr const snippet* softness_snippets[]{&map_softness};
 namespace detail {
 
 /// Matrices of a uniform block that hold the softness of each map.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 inline constexpr int softness_matrices =
-    contact_hardening<Filter> && !has_like_maps<SetUp> ? (SetUp::grid.columns * SetUp::grid.rows + 15) / 16 : 0;
+    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 15) / 16 : 0;
 
 inline constexpr std::array<uniform_field, 4> softness_fields{
     {{"softness_0"}, {"softness_1"}, {"softness_2"}, {"softness_3"}}};
@@ -113,12 +113,13 @@ void require_light_size(const Filter& filter) {
     return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
 }
 
-/// per_code of each of a setup's maps, as many as its grid holds. A setup with no light has none, and one 0.
-template <shadow_set_up SetUp>
-[[nodiscard]] std::vector<float> softness_of_maps(const SetUp& set_up, glm::ivec2 map_size, float light_size) {
+/// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
+/// light has one 0.
+template <shadow_setup Setup>
+[[nodiscard]] std::vector<float> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<float> all;
-    for (const light_space<double>& light : set_up.lights())
-        if (all.size() < std::size_t(SetUp::grid.columns * SetUp::grid.rows))
+    for (const light_space<double>& light : setup.lights())
+        if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows))
             all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
     if (all.empty()) all.push_back(0.0f);
     return all;

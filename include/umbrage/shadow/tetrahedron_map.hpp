@@ -19,7 +19,7 @@
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 
@@ -139,7 +139,7 @@ struct tetrahedron_map {
 
 /// Setup of a light with the map of a tetrahedron.
 template <real T>
-struct set_up_for<tetrahedron_light<T>> {
+struct setup_for<tetrahedron_light<T>> {
     using type = tetrahedron_map;
 };
 

@@ -16,22 +16,22 @@
 #include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/shadow/lookup.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/softness.hpp>
 
 namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
 /// @tparam Matrices   matrices with the softness of each map, 16 a matrix
-template <shadow_set_up SetUp, int Matrices = 0>
+template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
-    typename SetUp::uniforms maps;
+    typename Setup::uniforms maps;
     std::array<glm::mat4, std::size_t(Matrices)> softness;
     shadow_terms terms;
 };
-template <shadow_set_up SetUp>
-struct shadow_uniforms<SetUp, 0> {
-    typename SetUp::uniforms maps;
+template <shadow_setup Setup>
+struct shadow_uniforms<Setup, 0> {
+    typename Setup::uniforms maps;
     shadow_terms terms;
 };
 
@@ -59,15 +59,15 @@ template <class Filter>
 
 /// Uniform block of a shadow.
 /// @param off   error of its map's depths
-template <shadow_set_up SetUp, class Filter>
-[[nodiscard]] auto make_shadow_uniforms(const SetUp& set_up, glm::ivec2 map_size, const Filter& filter,
+template <shadow_setup Setup, class Filter>
+[[nodiscard]] auto make_shadow_uniforms(const Setup& setup, glm::ivec2 map_size, const Filter& filter,
                                         decoding_error off, glm::dvec3 origin) {
-    constexpr int matrices = softness_matrices<SetUp, Filter>;
-    shadow_uniforms<SetUp, matrices> all{};
-    all.maps = set_up.make_uniforms(map_size, origin);
-    all.terms = make_shadow_terms(map_size, filter, off, set_up.clip(), bends_of<SetUp>);
+    constexpr int matrices = softness_matrices<Setup, Filter>;
+    shadow_uniforms<Setup, matrices> all{};
+    all.maps = setup.make_uniforms(map_size, origin);
+    all.terms = make_shadow_terms(map_size, filter, off, setup.clip(), bends_of<Setup>);
     if constexpr (contact_hardening<Filter>) {
-        const auto each = softness_of_maps(set_up, map_size, softness_of(filter).light_size);
+        const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front();
         if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
     }
@@ -78,12 +78,12 @@ template <shadow_set_up SetUp, class Filter>
 }
 
 /// Filter of one map, as it is by itself: contact hardening has the softness of that map.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
-                                   const shadow_uniforms<SetUp, softness_matrices<SetUp, Filter>>& uniforms,
+                                   const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
-    else if constexpr (softness_matrices<SetUp, Filter> == 0)
+    else if constexpr (softness_matrices<Setup, Filter> == 0)
         return with_per_code(filter, uniforms.terms.filter_terms.x);
     else {
         const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];

@@ -21,7 +21,7 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/warped_places.hpp>
 
 namespace umbrage {
@@ -111,7 +111,7 @@ private:
 
 /// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>
-struct set_up_for<std::array<warped_cascade<T>, Count>> {
+struct setup_for<std::array<warped_cascade<T>, Count>> {
     static_assert(
         Count == 0,
         "warped cascades are chosen along the camera's axis: take warped_maps(cascades, camera) as the light");

@@ -17,7 +17,7 @@
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
 

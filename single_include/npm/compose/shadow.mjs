@@ -2,6 +2,7 @@
 // bind_depth_pass(); the values of its uniforms are those of values.mjs.
 import { bound, check, complete, plane_needs } from './bind.mjs';
 import { given_as_encoding, must_be_clip_space, must_in } from './check.mjs';
+import { all_fields, frame_in, vertex_in } from './frame.mjs';
 
 const must = /*#__PURE__*/ must_in('shadow');
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
@@ -9,7 +10,7 @@ const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
 
 /** shadow() of a language. */
-export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) => {
+export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, options) => {
     const { language } = hooks;
     must(typeof name === 'string' && /^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name),
         'name must be letters, digits and single underscores between them', name);
@@ -18,9 +19,7 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
     const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
     must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
-    const look = filter?.language === language && filter.filter !== undefined
-        ? looks[filter.filter.arguments.map(argument => argument.name).join(', ')] : undefined;
-    must(look !== undefined && filter.filter.offsets === undefined, `filter must be one that a shadow takes, of ${language.name}`, filter);
+    must(filter?.language === language && filter.filter?.in_shadow === true, `filter must be one that a shadow takes, of ${language.name}`, filter);
     const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
     must(!('encoding' in options && options.encoding === undefined) && encoding?.write?.language === language,
         `encoding must be one of ${language.name}`, given_as_encoding(options.encoding));
@@ -33,13 +32,13 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         'map_size must be whole texels from 1 to 2^24, or two of them', map_size);
     for (const [key, slot] of Object.entries({ block, texture, sampler, set }))
         must(slot === (slot | 0) && slot >= 0, `${key} must be a whole number, 0 or above`, slot);
-    must(debug === undefined || debug?.language === language && debug.reading !== undefined, `debug must be debug of ${language.name}`, debug);
+    must(debug === undefined || debug?.language === language && debug.read_map !== undefined, `debug must be debug of ${language.name}`, debug);
     const hardens = filter.filter.arguments.some(argument => argument.name === 'softness');
     const along_plane = !is_moments && !kind.maps.bends;  // each texel is compared along the receiver's plane
     must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
 
     const { grid: [columns, rows], outside } = kind.maps, several = columns * rows > 1;
-    const soft = hardens ? kind.maps.softened : undefined;  // maps that are not alike have an own softness each
+    const soft = hardens ? kind.maps.softness : 0;  // maps that are not alike have an own softness each
     const lies_in = rest.map === undefined ? (several ? 'atlas' : 'texture_2d') : rest.map;
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
@@ -52,20 +51,16 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
     if (along_plane) map.needs = [...map.needs, ...plane_needs(hooks, map)];
 
     const turns = filter.filter.arguments.some(argument => argument.name === 'rotation');
-    const own = (name, text, needs) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
-    const of_map = kind.maps.bends && look.bent || look;
-    const umbrage_look = own('look', of_map.text.replaceAll('umbrage_FILTER', `umbrage_${filter.name}`), of_map.needs(filter));
-    const with_pixel = (soft ?? kind.maps)[layers && several ? 'of_layers' : 'text'];
-    const umbrage_shadow = own('shadow', turns ? with_pixel : without_pixel(with_pixel),
-        [...kind.maps.needs, ...layers ? [] : kind.maps.chooses, ...soft?.needs ?? []]);
-    const texts = [umbrage_look, umbrage_shadow];
+    const own = ({ name, text, needs }) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
+    const frame = frame_in(words, calls, { snippet: filter, maps: kind.maps, along_plane, turns, soft, layers });
+    const umbrage_shadow = own(frame.shadow()), texts = [own(frame.look()), umbrage_shadow];
     const tolerance = is_moments ? 'moments' : encoding.name;
-    if (debug) texts.push(...debug_texts(own, debug, kind.maps, { along_plane, hardens, turns, tolerance, layers: layers && several }));
+    if (debug) texts.push(...frame.debug(debug, debug[kind.maps.bends ? 'parts_of_bent' : 'parts'][tolerance]).map(own));
     texts.forEach((text, i) => text.needs.push(...texts.slice(0, i)));  // each may call those before it
     for (const text of texts) check(hooks, text, map);
     const item = bound(hooks, umbrage_shadow, name, map, texts);
-    const all_fields = [...kind.maps.fields, ...soft?.fields ?? [], ...terms];
-    const declares = { name, fields: all_fields, block, texture, sampler, set, functions: functions_of(turns, debug) };
+    const fields = [...all_fields(kind.maps, soft), ...terms];
+    const declares = { name, fields, block, texture, sampler, set, functions: functions_of(turns, debug) };
     const texel = is_moments ? filter.filter : encoding;
     return {
         ...item,
@@ -74,14 +69,15 @@ export const shadow_in = (hooks, looks, depth32f, declare) => (name, options) =>
         vertex_pass: clip => {
             must_be_clip_space(must, 'clip', clip, ['direction', 'range']);
             must(clip.direction === direction, `clip must be a clip space whose depth is ${direction}`, clip.direction);
-            const near = reversed ? '1.0' : clip.range === 'zero_to_one' ? '0.0' : '-1.0', { text, needs } = kind.vertex;
-            return bound(hooks, own('vertex', text.replace('NEAR', near), needs), name, complete(hooks, { direction }));
+            const at_near = reversed ? '1.0' : clip.range === 'zero_to_one' ? '0.0' : '-1.0';
+            return bound(hooks, own(vertex_in(words, calls, { vertex: kind.maps.vertex, pancakes: kind.pancakes }, at_near)), name,
+                complete(hooks, { direction }));
         },
         cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
         target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
             grid: layers ? [1, 1] : [columns, rows], map_size: size },
         settings: { kind: kind.name, filter, encoding: is_moments ? '' : encoding.name, direction, map_size: size },
-        bytes: all_fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
+        bytes: fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),
     };
 };
 
@@ -95,17 +91,3 @@ const functions_of = (turns, debug) => [
         { name: 'calibrate', calls: 'reading', components: 1, reads_map: true, reads_fields: false, arguments: [['number', 1]],
             says: 'what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n'
                 + '//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths' }] : []];
-
-/** The texts behind umbrage_probe_<name> and umbrage_calibrate_<name>, in the order in which they call each other. */
-function debug_texts(own, debug, maps, { along_plane, hardens, turns, tolerance, layers }) {
-    const place = debug.place_color[along_plane ? 'plane' : turns ? 'disc' : 'plain'], of_maps = debug.maps[maps.name];
-    const choice = layers ? debug.layer : of_maps.choice, colors = hardens && of_maps.softened || of_maps;
-    return [own('place_color', place.text, [place.bias, debug.needs.place]),
-        own('blended_color', colors.blended_color, [...maps.needs]),
-        own('point_color', colors.point_color, [...debug.needs.point]),
-        own('lit_at', turns ? debug.lit_at_turned : debug.lit_at, [debug.needs.point[0]]),
-        own('reading', debug.reading.replace('{\n', `{\n${choice}`).replace('PARTS', (maps.bends ? debug.parts_of_bent : debug.parts)[tolerance]), [])];
-}
-
-/** A shadow's text for filters that do not turn from pixel to pixel. */
-const without_pixel = text => text.replace(/,\s+(UMBRAGE_HIGHP vec2 |float2 )?pixel(: vec2f)?\)/g, ')');

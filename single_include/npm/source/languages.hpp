@@ -51,21 +51,23 @@ inline constexpr std::array textures{
     named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
     named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
-/// A light of a shadow: what the package calls it, its maps, and how its vertices are placed.
+/// A light of a shadow: what the package calls it, its maps, and whether casters are clamped to its near plane.
 struct kind_of_light {
-    std::string_view name, maps, vertex, summary;
+    std::string_view name, maps;
+    bool pancakes;
+    std::string_view summary;
 };
 inline constexpr std::array kinds{
-    kind_of_light{"spot_light", "one_map", "projected", "One map of a spot light."},
-    kind_of_light{"directional_light", "one_map", "pancaked", "One map of a directional light."},
-    kind_of_light{"cascades", "cascaded_maps", "pancaked", "One to four cascades of a directional light."},
-    kind_of_light{"cascades_8", "cascaded_maps_8", "pancaked", "Five to eight cascades of a directional light."},
-    kind_of_light{"point_light", "cube_maps", "projected", "Six maps around a point light."},
-    kind_of_light{"tetrahedron_light", "tetrahedron_map", "projected", "Four maps around a point light in one square."},
-    kind_of_light{"dual_paraboloid_light", "paraboloid_maps", "bent", "Two maps around a point light."},
-    kind_of_light{"warped_cascades", "warped_maps", "pancaked",
+    kind_of_light{"spot_light", "one_map", false, "One map of a spot light."},
+    kind_of_light{"directional_light", "one_map", true, "One map of a directional light."},
+    kind_of_light{"cascades", "cascaded_maps", true, "One to four cascades of a directional light."},
+    kind_of_light{"cascades_8", "cascaded_maps_8", true, "Five to eight cascades of a directional light."},
+    kind_of_light{"point_light", "cube_maps", false, "Six maps around a point light."},
+    kind_of_light{"tetrahedron_light", "tetrahedron_map", false, "Four maps around a point light in one square."},
+    kind_of_light{"dual_paraboloid_light", "paraboloid_maps", false, "Two maps around a point light."},
+    kind_of_light{"warped_cascades", "warped_maps", true,
                   "One to four cascades of a directional light, warped along the view (LiSPSM)."},
-    kind_of_light{"adaptive_pages", "adaptive_maps", "pancaked",
+    kind_of_light{"adaptive_pages", "adaptive_maps", true,
                   "Up to 64 pages of a directional light's virtual shadow map (adaptive shadow map)."}};
 
 /// A channel of a cleared map, value / most to a color attachment.

@@ -17,6 +17,7 @@
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
+#include <umbrage/shadow/look.hpp>
 
 #include "module_words.hpp"
 
@@ -117,12 +118,15 @@ inline std::string filter_of(const snippet& s) {
         const auto add = [&](const auto& f) {
             std::string out = " filter: { reads: " + literal(reads(f)) +
                               ", reach: " + numbers({umbrage::detail::reach_of(f)}) + ", arguments: " + arguments_of(f);
-            if constexpr (std::is_same_v<std::decay_t<decltype(f)>, umbrage::filters::four_tap>) {
+            using type = std::decay_t<decltype(f)>;
+            if constexpr (umbrage::shadow_filter<type>) out += ", in_shadow: true";
+            if constexpr (umbrage::detail::disc_filter<type>) out += ", disc: true";
+            if constexpr (std::is_same_v<type, umbrage::filters::four_tap>) {
                 out += ", offsets: [";
                 for (const glm::vec2 offset : f.offsets) out += (out.back() == '[' ? "" : ", ") + numbers(offset);
                 out += ']';
             }
-            if constexpr (umbrage::prefilter<std::decay_t<decltype(f)>>) out += target_of_moments(f);
+            if constexpr (umbrage::prefilter<type>) out += target_of_moments(f);
             filters[f.snippet->name] = out + " },";
         };
         umbrage::filters::all::for_each(add);

@@ -31,14 +31,6 @@ inline std::string template_literal(const std::string& text) {
     return '`' + text + '`';
 }
 
-/// A number of a text, made a word, so that another number can be put there.
-inline std::string with_word(std::string text, std::string_view number, std::string_view word) {
-    const auto at = text.find(number);
-    if (at == text.npos || text.find(number, at + 1) != text.npos)
-        throw std::runtime_error("not exactly one " + std::string(number) + " in: " + text);
-    return text.replace(at, number.size(), word);
-}
-
 inline std::string_view role(glsl::hook h) {
     switch (h) {
         case glsl::hook::none: return "none";

@@ -145,8 +145,8 @@ auto warped_of(const asked& a, const cascade_fit<double>& fit) {
 
 /// Calls use(setup) with the one of a kind's number, as `kinds` counts them.
 template <class Use>
-void with_set_up(int kind, const asked& a, std::span<const seen_point> seen, glm::ivec2 map_size, double reach,
-                 const Use& use) {
+void with_setup(int kind, const asked& a, std::span<const seen_point> seen, glm::ivec2 map_size, double reach,
+                const Use& use) {
     const clip_space clip = clip_of(a);
     const int size = map_size.x, border = static_cast<int>(a.border);
     const auto count = static_cast<int>(a.cascades);
@@ -259,24 +259,24 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
         all.resize(begin + sizeof values / sizeof(float));
         std::memcpy(all.data() + begin, &values, sizeof values);
     };
-    detail::with_set_up(kind, a, seen, map_size, reach, [&](const auto& set_up) {
-        umbrage::detail::require_maps(set_up, map_size, reach);
-        using set_up_type = std::decay_t<decltype(set_up)>;
-        append(out.block, set_up.make_uniforms(map_size, a.origin));
-        bends = umbrage::bends_of<set_up_type>;
+    detail::with_setup(kind, a, seen, map_size, reach, [&](const auto& setup) {
+        umbrage::detail::require_maps(setup, map_size, reach);
+        using setup_type = std::decay_t<decltype(setup)>;
+        append(out.block, setup.make_uniforms(map_size, a.origin));
+        bends = umbrage::bends_of<setup_type>;
         if (light_size > 0) {
-            const auto softness = umbrage::detail::softness_of_maps(set_up, map_size, light_size);
+            const auto softness = umbrage::detail::softness_of_maps(setup, map_size, light_size);
             per_code = softness.front();
-            constexpr int matrices = umbrage::detail::softness_matrices<set_up_type, filters::pcss>;
+            constexpr int matrices = umbrage::detail::softness_matrices<setup_type, filters::pcss>;
             const std::size_t begin = out.block.size();
             out.block.resize(begin + 16 * std::size_t(matrices));
             if (matrices > 0) std::copy(softness.begin(), softness.end(), out.block.begin() + std::ptrdiff_t(begin));
         }
-        for (const light_space<double>& light : set_up.lights()) {
+        for (const light_space<double>& light : setup.lights()) {
             const auto placed = umbrage::detail::relative_to(a.origin, light);
             append(out.matrices, glm::mat4(placed.projection * placed.view));
         }
-        for (const depth_view& view : umbrage::detail::depth_views_of(set_up, a.origin)) append(out.views, view);
+        for (const depth_view& view : umbrage::detail::depth_views_of(setup, a.origin)) append(out.views, view);
     });
     const decoding_error off = detail::error_of(encoding, clip.direction);
     detail::with_filter_of(filter, a.arguments, [&](const auto& f) {

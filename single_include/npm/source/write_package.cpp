@@ -103,8 +103,8 @@ void write_npm(const fs::path& templates, const fs::path& folder) {
         const fs::path data = folder / "module" / l.name;
         write_module(data / "snippets", snippets_module(l));
         write_module(data / "encodings", encodings_module(l));
-        write_module(data / "shadows", imports_of(l) + '\n' + hooks_in_module(l) + looks_in_module(l) +
-                                           kinds_in_module(l) + debug_in_module(l));
+        write_module(data / "shadows", imports_of(l) + '\n' + hooks_in_module(l) + calls_in_module() +
+                                           kinds_in_module() + debug_in_module(l));
         const std::string name(l.name), entry = l.name == "glsl" ? "umbrage" : name;
         const auto of_language = [&](const char* file) {
             return lines_of(l.name, filled(templates / file, {{"@language@", name},

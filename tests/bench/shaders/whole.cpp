@@ -19,7 +19,7 @@ namespace glsl = umbrage::glsl;
 
 template <class Shadow>
 shader bound(const Shadow& s, bool compares) {
-    constexpr auto grid = std::remove_cvref_t<decltype(s.set_up())>::grid;
+    constexpr auto grid = std::remove_cvref_t<decltype(s.setup())>::grid;
     constexpr bool several = grid.columns * grid.rows > 1;
     glsl::shadow_slots slots{.block = 7, .texture = 0};
     if (compares && several) slots.texture = 4, slots.map = glsl::texture::shadow_array;

@@ -4,6 +4,7 @@
 // choice between them.
 #include "../../unit/images/paths.hpp"
 
+#include <type_traits>
 #include <utility>
 
 #include <umbrage/images/visibility.hpp>
@@ -34,7 +35,7 @@ int differing(const Filter& filter, const image<float>& map, const image<glm::ve
 /// True when visibility() filters this number of receivers by bounds.
 template <class Filter>
 bool by_bounds(const Filter& filter, glm::ivec2 map_size, glm::ivec2 receivers) {
-    static_assert(requires { typename umbrage::detail::block_form<Filter>::by_bounds; });
+    static_assert(!std::is_void_v<typename umbrage::detail::block_form<Filter>::by_bounds>);
     return umbrage::detail::bounds_pay(umbrage::detail::width_of(filter), map_size,
                                        umbrage::detail::area_of(receivers));
 }

@@ -45,7 +45,7 @@ public:
     explicit drawn(const choices& c)
         : choices_(c),
           scene_(c),
-          lit_(make_set_up(c, scene_, reach_of(c.filter))),
+          lit_(make_setup(c, scene_, reach_of(c.filter))),
           promises_(promises_of(c, scene_)),
           host_(make_host(c, lit_, scene_.origin)) {
         for (int i = 0; i < c.image.x * c.image.y; ++i) receivers_.push_back(scene_.draw_receiver());

@@ -19,17 +19,17 @@
 
 namespace joints {
 
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 class host final : public any_host {
 public:
-    using shadow = umbrage::shadow<SetUp, Filter, Encoding>;
+    using shadow = umbrage::shadow<Setup, Filter, Encoding>;
     using texel = typename Encoding::texel;
 
     host(shadow s, glm::dvec3 origin)
         : any_host(proof::shadow_facts(s, origin)), shadow_(std::move(s)), origin_(origin), map_(shadow_.size()) {}
 
     void draw(const scene& of) override {
-        umbrage::image<float> depths(shadow_.size(), umbrage::cleared_depth(shadow_.set_up().clip()));
+        umbrage::image<float> depths(shadow_.size(), umbrage::cleared_depth(shadow_.setup().clip()));
         shadow_.draw(depths, of.mesh());
         if (!of.instances.empty()) shadow_.draw(depths, scene::cube(), of.instances);
         shadow_.store(depths, map_);
@@ -68,10 +68,10 @@ template <class Filter>
                                                 const Filter& filter) {
     using namespace umbrage;
     return std::visit(
-        [&]<class SetUp>(const SetUp& set_up) -> std::unique_ptr<any_host> {
+        [&]<class Setup>(const Setup& setup) -> std::unique_ptr<any_host> {
             const auto with = [&]<class Encoding>(const Encoding& encoding) -> std::unique_ptr<any_host> {
-                return std::make_unique<host<SetUp, Filter, Encoding>>(
-                    shadow(set_up, lit.map_size, filter, encoding, origin), origin);
+                return std::make_unique<host<Setup, Filter, Encoding>>(
+                    shadow(setup, lit.map_size, filter, encoding, origin), origin);
             };
             switch (c.encoding) {
                 case 0: return with(depth32f{});
@@ -80,7 +80,7 @@ template <class Filter>
                 default: return with(fourth_encoding<Filter>{});
             }
         },
-        lit.set_up);
+        lit.setup);
 }
 
 }  // namespace joints

@@ -30,13 +30,13 @@
 
 namespace joints {
 
-using any_set_up =
+using any_setup =
     std::variant<umbrage::single_map, umbrage::cascaded_maps<1>, umbrage::cascaded_maps<2>, umbrage::warped_maps,
                  umbrage::adaptive_maps, umbrage::cube_maps, umbrage::tetrahedron_map, umbrage::paraboloid_maps>;
 
 /// A setup, the size of its maps, and its light as rays have it.
 struct lit_scene {
-    any_set_up set_up;
+    any_setup setup;
     glm::ivec2 map_size;
     proof::ray_light light;
     bool clips;  ///< casters before the near plane are left out
@@ -48,10 +48,10 @@ struct nothing_seen : std::invalid_argument {
 };
 
 template <class T>
-class set_up_maker {
+class setup_maker {
 public:
     /// @param reach   of the filter, texels
-    set_up_maker(const choices& c, const scene& s, float reach) : c_(c), s_(s), reach_(reach) {}
+    setup_maker(const choices& c, const scene& s, float reach) : c_(c), s_(s), reach_(reach) {}
 
     [[nodiscard]] lit_scene make() const {
         using enum setup_kind;
@@ -211,8 +211,8 @@ private:
     float reach_;
 };
 
-[[nodiscard]] inline lit_scene make_set_up(const choices& c, const scene& s, float reach) {
-    return c.in_double ? set_up_maker<double>(c, s, reach).make() : set_up_maker<float>(c, s, reach).make();
+[[nodiscard]] inline lit_scene make_setup(const choices& c, const scene& s, float reach) {
+    return c.in_double ? setup_maker<double>(c, s, reach).make() : setup_maker<float>(c, s, reach).make();
 }
 
 }  // namespace joints

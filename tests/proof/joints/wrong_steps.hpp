@@ -32,12 +32,12 @@ namespace joints {
 
 template <class Shadow>
 class wrong_steps {
-    using set_up = std::remove_cvref_t<decltype(std::declval<Shadow>().set_up())>;
+    using setup = std::remove_cvref_t<decltype(std::declval<Shadow>().setup())>;
     using filter_type = std::remove_cvref_t<decltype(std::declval<Shadow>().filter())>;
     using encoding_type = std::remove_cvref_t<decltype(std::declval<Shadow>().encoding())>;
     using texel = typename Shadow::texel;
     static constexpr bool draws_itself =
-        umbrage::has_bent_lines<set_up> || std::is_same_v<set_up, umbrage::tetrahedron_map>;
+        umbrage::has_bent_lines<setup> || std::is_same_v<setup, umbrage::tetrahedron_map>;
 
 public:
     wrong_steps(const Shadow& s, glm::dvec3 origin, const tweaks& t)
@@ -72,31 +72,31 @@ public:
         if (t_.drops_normal) normal = glm::vec3(0);
         if (t_.other_normal) normal = {normal.y, normal.z, normal.x};
         if (t_.normal_of_mesh && r.own && r.own->model) normal = glm::transpose(*r.own->model) * normal;
-        const auto all = set_up::places(uniforms_.maps, uniforms_.terms, r.point, normal);
+        const auto all = setup::places(uniforms_.maps, uniforms_.terms, r.point, normal);
         return detail::blended(all, [&](map_place place) {
             place.slope *= t_.slope;
-            const int maps = set_up::grid.columns * set_up::grid.rows;
+            const int maps = setup::grid.columns * setup::grid.rows;
             const int number = (place.number + t_.other_tile) % maps;
             const auto own =
-                map.region(detail::first_texel(number, set_up::grid, shadow_.map_size()), shadow_.map_size());
+                map.region(detail::first_texel(number, setup::grid, shadow_.map_size()), shadow_.map_size());
             const float bias =
-                detail::bias_of<set_up, filter_type>(uniforms_.terms, place) * (t_.turns_bias ? -1.0f : 1.0f);
+                detail::bias_of<setup, filter_type>(uniforms_.terms, place) * (t_.turns_bias ? -1.0f : 1.0f);
             const comparison is_lit{encoding_.direction};
             const float z = place.at.z;
             const glm::vec3 at(glm::vec2(place.at) + t_.moves_texels,
                                is_lit.beyond_far_plane(z) ? z : biased(z, bias, is_lit));
-            return detail::look<set_up>(own, filter_, encoding_, at, place.slope, r.pixel);
+            return detail::look<setup>(own, filter_, encoding_, at, place.slope, r.pixel);
         });
     }
 
 private:
-    [[nodiscard]] umbrage::clip_space clip() const { return shadow_.set_up().clip(); }
+    [[nodiscard]] umbrage::clip_space clip() const { return shadow_.setup().clip(); }
     [[nodiscard]] bool is_reversed() const { return clip().direction == umbrage::depth_direction::reversed; }
 
     /// Every map by its light, with what the tweaks change.
     bool draw_all(umbrage::image_view<float> depths, const umbrage::mesh_view& mesh, std::span<const glm::mat4> all) {
         using namespace umbrage;
-        const auto lights = shadow_.set_up().lights();
+        const auto lights = shadow_.setup().lights();
         if (t_.other_view != 0 && lights.size() < 2) return false;
         clip_space c = clip();
         if (t_.turns_direction) c.direction = is_reversed() ? depth_direction::forward : depth_direction::reversed;
@@ -110,7 +110,7 @@ private:
             const light_space<double> light = detail::relative_to(origin, of_world);
             const bool clamps = detail::has_parallel_rays(light) != t_.flips_near;
             const auto own =
-                depths.region(detail::first_texel(int(i), set_up::grid, shadow_.map_size()), shadow_.map_size());
+                depths.region(detail::first_texel(int(i), setup::grid, shadow_.map_size()), shadow_.map_size());
             glm::dmat4 m = light.projection * light.view;
             if (t_.in_float) m = glm::dmat4(glm::mat4(light.projection) * glm::mat4(light.view));
             const depth_view view = make_depth_view(of_world, origin);
@@ -140,7 +140,7 @@ private:
     }
 
     bool change_uniforms() {
-        wrong_uniforms<set_up> maps(shadow_.set_up(), shadow_.map_size(), origin_, uniforms_.maps);
+        wrong_uniforms<setup> maps(shadow_.setup(), shadow_.map_size(), origin_, uniforms_.maps);
         if (!maps.change(t_, filter_.reach())) return false;
         auto& terms = uniforms_.terms;
         terms.reach *= float(t_.reach);

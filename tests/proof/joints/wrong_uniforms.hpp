@@ -26,18 +26,18 @@ namespace joints {
     return glm::dvec3(b) / b.w - glm::dvec3(a) / a.w;
 }
 
-template <class SetUp>
+template <class Setup>
 class wrong_uniforms {
 public:
-    wrong_uniforms(const SetUp& s, glm::ivec2 map_size, glm::dvec3 origin, typename SetUp::uniforms& u)
-        : set_up_(s), map_size_(map_size), origin_(origin), u_(u) {}
+    wrong_uniforms(const Setup& s, glm::ivec2 map_size, glm::dvec3 origin, typename Setup::uniforms& u)
+        : setup_(s), map_size_(map_size), origin_(origin), u_(u) {}
 
     /// @param reach   of the filter, texels
     /// @return        false where the setup has no such step
     [[nodiscard]] bool change(const tweaks& t, float reach) {
-        if (t.uniforms_drop_origin) u_ = set_up_.make_uniforms(map_size_, glm::dvec3(0));
+        if (t.uniforms_drop_origin) u_ = setup_.make_uniforms(map_size_, glm::dvec3(0));
         if (t.uniforms_stale_origin)
-            u_ = set_up_.make_uniforms(map_size_, origin_ + step_of(set_up_.lights().front(), origin_));
+            u_ = setup_.make_uniforms(map_size_, origin_ + step_of(setup_.lights().front(), origin_));
         return (!t.drops_rounding || drop_rounding()) && (!t.drops_slope || drop_slope()) &&
                (!t.other_column || turn_columns()) && (!t.other_size || halve_size(reach)) &&
                (!t.uniforms_drop_added || drop_anchor(true)) && (!t.uniforms_drop_anchor || drop_anchor(false)) &&
@@ -49,7 +49,7 @@ private:
     [[nodiscard]] std::span<glm::vec4> field(std::string_view name) {
         const std::span<glm::vec4> all(reinterpret_cast<glm::vec4*>(&u_), sizeof u_ / sizeof(glm::vec4));
         std::size_t at = 0;
-        for (const umbrage::uniform_field& f : SetUp::fields) {
+        for (const umbrage::uniform_field& f : Setup::fields) {
             if (f.name == name) return all.subspan(at, f.vectors());
             at += f.vectors();
         }
@@ -78,16 +78,16 @@ private:
     }
     bool turn_columns() {
         const auto scales = field("scales"), offsets = field("offsets");
-        if (scales.empty() || set_up_.lights().size() < 2) return false;
+        if (scales.empty() || setup_.lights().size() < 2) return false;
         std::rotate(scales.begin(), scales.begin() + 1, scales.end());
         std::rotate(offsets.begin(), offsets.begin() + 1, offsets.end());
         return true;
     }
     bool halve_size(float reach) {
-        if constexpr (std::is_same_v<SetUp, umbrage::single_map> || std::is_same_v<SetUp, umbrage::warped_maps>) {
+        if constexpr (std::is_same_v<Setup, umbrage::single_map> || std::is_same_v<Setup, umbrage::warped_maps>) {
             const glm::ivec2 half = map_size_ / 2;
             if (2.0f * reach > float(std::min(half.x, half.y))) return false;
-            u_ = set_up_.make_uniforms(half, origin_);
+            u_ = setup_.make_uniforms(half, origin_);
             return true;
         } else return false;  // refused by name
     }
@@ -99,19 +99,19 @@ private:
         return true;
     }
     bool drop_border() {
-        if constexpr (std::is_same_v<SetUp, umbrage::cube_maps> || std::is_same_v<SetUp, umbrage::tetrahedron_map> ||
-                      std::is_same_v<SetUp, umbrage::paraboloid_maps>) {
-            auto light = set_up_.light;
+        if constexpr (std::is_same_v<Setup, umbrage::cube_maps> || std::is_same_v<Setup, umbrage::tetrahedron_map> ||
+                      std::is_same_v<Setup, umbrage::paraboloid_maps>) {
+            auto light = setup_.light;
             light.border = 0;
-            u_ = SetUp(light).make_uniforms(map_size_, origin_);
+            u_ = Setup(light).make_uniforms(map_size_, origin_);
             return true;
         } else return false;
     }
 
-    const SetUp& set_up_;
+    const Setup& setup_;
     glm::ivec2 map_size_;
     glm::dvec3 origin_;
-    typename SetUp::uniforms& u_;
+    typename Setup::uniforms& u_;
 };
 
 }  // namespace joints

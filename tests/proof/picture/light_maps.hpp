@@ -22,7 +22,7 @@
 #include <umbrage/draw/rasterize.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 #include "../ray_mesh.hpp"
 
@@ -45,8 +45,8 @@ class light_maps {
 public:
     template <class Shadow>
     light_maps(light_kind of, const Shadow& s, const ray_light& light, double light_range)
-        : kind(of), rays(light), range(light_range), lights_(s.set_up().lights()), size_(s.map_size()) {
-        grid_ = std::remove_cvref_t<decltype(s.set_up())>::grid;
+        : kind(of), rays(light), range(light_range), lights_(s.setup().lights()), size_(s.map_size()) {
+        grid_ = std::remove_cvref_t<decltype(s.setup())>::grid;
         for (const auto& l : lights_) {
             to_texels_.push_back(umbrage::texture_matrix(l, size_));
             to_world_.push_back(glm::inverse(to_texels_.back()));

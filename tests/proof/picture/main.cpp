@@ -54,15 +54,15 @@ constexpr const char *default_row = "**default: tent<3>**", *constant_row = "one
                      *screen_normals_row = "default, with normals from screen derivatives";
 
 /// One scene under one light.
-/// @param set_up_of   clip space -> the light's setup
-template <class SetUpOf>
+/// @param setup_of   clip space -> the light's setup
+template <class SetupOf>
 [[nodiscard]] table measure(const scene& s, const ray_tree& tree, light_kind kind, const ray_light& rays, double range,
-                            int size, int step, const SetUpOf& set_up_of) {
+                            int size, int step, const SetupOf& setup_of) {
     using namespace umbrage;
     const auto of = [&](const auto& filter, int subpixel_bits) {
         clip_space clip = cpu_clip_space;
         clip.subpixel_bits = subpixel_bits;
-        return shadow(set_up_of(clip), glm::ivec2(size), filter);
+        return shadow(setup_of(clip), glm::ivec2(size), filter);
     };
     const auto usual = of(default_filter, 8), coarse = of(default_filter, 4);
     const light_maps maps(kind, usual, rays, range);
@@ -73,7 +73,7 @@ template <class SetUpOf>
 
     const auto place_of = [&usual](glm::vec3 p, glm::vec3 n) {
         const auto& u = usual.uniforms();
-        return std::remove_cvref_t<decltype(usual.set_up())>::places(u.maps, u.terms, p, n)[0];
+        return std::remove_cvref_t<decltype(usual.setup())>::places(u.maps, u.terms, p, n)[0];
     };
     std::vector<row> rows{
         shadow_row(default_row, usual, drawn), shadow_row("default, 4 sub-pixel bits", coarse, coarsely_drawn),

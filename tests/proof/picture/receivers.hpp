@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/light/frustum.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 #include "light_maps.hpp"
 #include "ray_tree.hpp"

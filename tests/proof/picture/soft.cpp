@@ -108,7 +108,7 @@ template <class Shadow>
     std::vector<soft_row> rows;
     const auto add = [&]<class Filter>(std::string name, Filter filter, float max_radius) {
         filter.softness = make_penumbra_params(size, 1.0f, max_radius);
-        const shadow s(plain.set_up(), plain.map_size(), filter);
+        const shadow s(plain.setup(), plain.map_size(), filter);
         rows.push_back(
             {std::move(name), [s, drawn](const soft_receiver& r) { return s(*drawn, r.position, r.normal, r.pixel); }});
         return s.filter_of(0);

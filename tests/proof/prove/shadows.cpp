@@ -77,9 +77,9 @@ int main(int argc, char** argv) {
         });
     threads.clear();  // joins
 
-    tsv << "set-up\tfilter\treceivers\tin shadow\tfading\twrong\tacne\tplanes\tstated\tmeasured\tleast share\t"
+    tsv << "setup\tfilter\treceivers\tin shadow\tfading\twrong\tacne\tplanes\tstated\tmeasured\tleast share\t"
            "greatest share\tbeyond\n";
-    std::printf("%-20s %-8s %10s %9s %7s %6s %5s  %6s %8s %8s  %s\n", "set-up", "filter", "receivers", "in shadow",
+    std::printf("%-20s %-8s %10s %9s %7s %6s %5s  %6s %8s %8s  %s\n", "setup", "filter", "receivers", "in shadow",
                 "fading", "wrong", "acne", "planes", "stated", "measured", "of the bound");
     std::uint64_t failures = 0, receivers = 0;
     for (const auto& [key, l] : all) {

@@ -9,7 +9,7 @@
 #include <umbrage/core/clip_space.hpp>
 
 #include "../light/clip_spaces.hpp"
-#include "../light/set_ups.hpp"
+#include "../light/setups.hpp"
 
 using namespace umbrage;
 

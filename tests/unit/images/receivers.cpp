@@ -13,6 +13,11 @@
 
 using namespace umbrage;
 
+static_assert(receiver_image<image<glm::vec3>> && receiver_image<image_view<glm::vec3>> &&
+              receiver_image<image_view<const glm::vec3>>);
+static_assert(receiver_image<receiver_planes> && receiver_image<depth_receivers>);
+static_assert(!receiver_image<sloped_receivers> && !receiver_image<image<float>> && !receiver_image<glm::vec3>);
+
 TEST_CASE("receiver_at: a camera's texel and depth lead to what the map's matrix makes of the point seen there") {
     const glm::mat4 view = glm::lookAtRH(glm::vec3(3, 4, 5), glm::vec3(0), glm::vec3(0, 1, 0));
     const glm::mat4 projection = glm::perspectiveRH_NO(1.0f, 1.5f, 1.0f, 20.0f);

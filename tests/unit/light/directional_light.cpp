@@ -12,7 +12,7 @@
 
 using namespace umbrage;
 
-TEST_CASE("make_directional_light: the exercise's set-up on points worked out by hand, in every convention") {
+TEST_CASE("make_directional_light: the exercise's setup on points worked out by hand, in every convention") {
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));
         const auto check = [&](const glm::dmat4& m, glm::dvec3 world, glm::dvec3 expected) {

@@ -12,11 +12,11 @@
 #include <umbrage/light/pancake.hpp>
 
 #include "clip_spaces.hpp"
-#include "set_ups.hpp"
+#include "setups.hpp"
 
 using namespace umbrage;
 
-TEST_CASE("set-ups: a clip space that nobody gave is refused, and so are scene and receivers") {
+TEST_CASE("setups: a clip space that nobody gave is refused, and so are scene and receivers") {
     const std::string unset =
         "clip must be given; got unset. Use opengl_clip_space, vulkan_clip_space, direct3d_clip_space, "
         "webgpu_clip_space, metal_clip_space, unity_clip_space, unity_opengl_clip_space, unreal_clip_space, "

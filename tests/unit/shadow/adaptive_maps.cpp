@@ -14,7 +14,7 @@ TEST_CASE("adaptive_maps: a cache that saw nothing yet has the root's page") {
     const auto root = shadow_scene::pages(cpu_clip_space).root;
     const shadow first(adaptive_maps(root, page_cache({.slots = {8, 8}, .deepest_level = 4})), glm::ivec2(136),
                        filters::hard{});
-    CHECK(first.set_up().lights().size() == 1);
+    CHECK(first.setup().lights().size() == 1);
     const image<float> map = shadow_scene::drawn(first);
     CHECK(first(map, {0, 0, 0}, {0, 1, 0}) == 0);
     CHECK(first(map, {5, 0, 5}, {0, 1, 0}) == 1);

@@ -44,31 +44,31 @@ struct seen_tiles {
 /// A square tile, and receivers on it.
 template <class Shadow>
 void try_tile(const Shadow& s, dvec3 at, dvec3 normal, double half, bool faces, chance& any, seen_tiles& out) {
-    using SetUp = std::remove_cvref_t<decltype(s.set_up())>;
+    using Setup = std::remove_cvref_t<decltype(s.setup())>;
     const dvec3 side = any.beside(normal), up = glm::cross(normal, side);
     const auto point = [&](double x, double y) { return vec3(at + (side * x + up * y) * half); };
     const std::vector<vec3> corners{point(-1, -1), point(1, -1), point(1, 1), point(-1, 1)};
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
-    const clip_space clip = s.set_up().clip();
+    const clip_space clip = s.setup().clip();
     image<float> map(s.size(), cleared_depth(clip));
     s.draw(map, {corners, triangles});
     const auto uniforms = s.uniforms();
-    const auto lights = s.set_up().lights();
+    const auto lights = s.setup().lights();
     const auto views = s.depth_views();
     const double sign = clip.direction == depth_direction::forward ? 1 : -1;
     for (int i = 0; i < 30; ++i) {
         const double x = any.between(-0.9, 0.9), y = any.between(-0.9, 0.9);
         const vec3 world = point(x, y);
-        const map_place place = SetUp::places(uniforms.maps, uniforms.terms, world, vec3(normal))[0];
+        const map_place place = Setup::places(uniforms.maps, uniforms.terms, world, vec3(normal))[0];
         const auto number = static_cast<std::size_t>(place.number);
         const glm::ivec2 texel(glm::floor(glm::vec2(place.at))), size = s.map_size();
         if (number >= lights.size() || !(place.at.z > 0 && place.at.z < 1)) continue;
         if (glm::any(glm::lessThan(texel, glm::ivec2(1))) || glm::any(glm::greaterThan(texel, size - 2))) continue;
-        const float stored = map[detail::first_texel(place.number, SetUp::grid, size) + texel];
+        const float stored = map[detail::first_texel(place.number, Setup::grid, size) + texel];
         if (stored == cleared_depth(clip)) continue;
         ++out.receivers;
         out.dark += s(map, world, vec3(normal)) < 1;
-        if (std::is_same_v<SetUp, tetrahedron_map> || std::is_same_v<SetUp, adaptive_maps>) continue;
+        if (std::is_same_v<Setup, tetrahedron_map> || std::is_same_v<Setup, adaptive_maps>) continue;
         dmat4 here = texture_matrix(lights[number], size);
         here[3] = here * dvec4(at, 1);
         const dvec2 slope = plane_slope(plane_matrix(here), normal, dvec3(world) - at);

@@ -17,8 +17,8 @@ using namespace umbrage;
 namespace {
 
 template <class Shadow>
-constexpr int maps_of = std::remove_cvref_t<decltype(std::declval<Shadow>().set_up())>::grid
-                            .columns* std::remove_cvref_t<decltype(std::declval<Shadow>().set_up())>::grid.rows;
+constexpr int maps_of = std::remove_cvref_t<decltype(std::declval<Shadow>().setup())>::grid
+                            .columns* std::remove_cvref_t<decltype(std::declval<Shadow>().setup())>::grid.rows;
 
 /// Each map upside down.
 template <class Texel>
@@ -67,7 +67,7 @@ clip_space reversed_clip() {
 
 }  // namespace
 
-TEST_CASE("calibration: right, upside down, empty and another map, for each set-up") {
+TEST_CASE("calibration: right, upside down, empty and another map, for each setup") {
     all_readings(cpu_clip_space, filters::pcf_2x2{}, depth32f{});
     all_readings(reversed_clip(), filters::tent<3>, rg<11>{});
     all_readings(cpu_clip_space, filters::disc{}, r16{});

@@ -129,7 +129,7 @@ void for_each_shadow(clip_space clip, const Filter& filter, const Encoding& enco
 /// The scene's depths. Shadows of one light have the same, whatever their filter.
 template <class Shadow>
 [[nodiscard]] image<float> depths_of(const Shadow& s) {
-    image<float> depths(s.size(), cleared_depth(s.set_up().clip()));
+    image<float> depths(s.size(), cleared_depth(s.setup().clip()));
     s.draw(depths, mesh);
     return depths;
 }

@@ -51,7 +51,7 @@ image<glm::vec3> some_points() {
 
 }  // namespace
 
-TEST_CASE("shadow: dark under a table, lit elsewhere, for every set-up, clip space and direction of depth") {
+TEST_CASE("shadow: dark under a table, lit elsewhere, for every setup, clip space and direction of depth") {
     for (const clip_space clip : shadow_clips)
         for_each_shadow(clip, filters::tent<3>, depth32f{}, [&](const auto& s) {
             image<float> map(s.size(), s.cleared());
@@ -179,10 +179,10 @@ TEST_CASE("shadow: points relative to an origin see what the world sees") {
         const auto here = s.uniforms(), there = s.relative_to(origin).uniforms();
         for (const glm::vec3& world : points.texels()) {
             if (!(glm::abs(world.x) < 13 && glm::abs(world.y) < 1)) continue;
-            using set_up = std::remove_cvref_t<decltype(s.set_up())>;
-            const glm::vec3 a = set_up::places(here.maps, here.terms, world, up)[0].at;
+            using setup = std::remove_cvref_t<decltype(s.setup())>;
+            const glm::vec3 a = setup::places(here.maps, here.terms, world, up)[0].at;
             const glm::vec3 from_there(glm::dvec3(world) - origin);
-            const glm::vec3 b = set_up::places(there.maps, there.terms, from_there, up)[0].at;
+            const glm::vec3 b = setup::places(there.maps, there.terms, from_there, up)[0].at;
             CHECK(glm::length(glm::vec2(a) - glm::vec2(b)) < 0.05f);  // floats of 2000 have steps of 2^-13
             CHECK(glm::abs(a.z - b.z) < 1e-4f);
         }

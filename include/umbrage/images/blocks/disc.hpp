@@ -207,7 +207,7 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::disc> {
+struct every_texel_form<filters::disc> : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <class ParallelFor>

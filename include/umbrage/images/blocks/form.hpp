@@ -3,11 +3,11 @@
 // Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form states its needs of a map, and the smallest width and height that it accepts. blocks() makes its blocks
-// from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
-// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters receivers within
-// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where bounds_pay(): see
-// hierarchical.hpp.
+// A form is a plain_form, or a form without_tables. It states its needs of a map, and the smallest width and height
+// that it accepts. blocks() makes its blocks from a map, a filter and tables(). A form that needs texels gets the map
+// as stored: float_texels or rg_texels. A form that needs floats gets float_texels. A form clamps texels to the map's
+// edge. visibility() filters receivers within reach() of a bordered map's border again. A form may name another,
+// by_bounds, which runs where bounds_pay(): see hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
 // finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
@@ -49,9 +49,15 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
+/// Base of every form: what most have alike.
+struct plain_form {
+    using by_bounds = void;                ///< form that runs where bounds_pay(); void: none
+    static constexpr bool rounds = false;  ///< true where results round, so that no product may be fused with a sum
+};
+
 /// Base of forms whose blocks use no tables.
 struct no_tables {};
-struct without_tables {
+struct without_tables : plain_form {
     template <class Filter, class ParallelFor>
     [[nodiscard]] static no_tables tables(const auto&, const Filter&, ParallelFor&&) {
         return {};

@@ -18,7 +18,6 @@ namespace umbrage::detail {
 /// Blocks of a filter for receivers with planes.
 template <class Blocks>
 struct plane_blocks {
-    static constexpr bool rounds = true;  ///< products of slopes: no FMA
     struct placed : Blocks::placed {
         plane_block planes;
     };
@@ -129,6 +128,7 @@ concept has_plane_form = requires {
 /// Blocks of a form, for receivers with planes.
 template <class Form>
 struct on_planes : Form {
+    static constexpr bool rounds = true;  // products of slopes
     template <depth_direction Direction, class Filter, class Tables>
     [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
         using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
@@ -137,7 +137,7 @@ struct on_planes : Form {
 };
 
 /// pcf_2x2 as a kernel of one weight: the same four texels, weights and sum.
-struct one_weight_form {
+struct one_weight_form : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
     static constexpr window_row row = make_window_row(1, {1.0f});

@@ -93,7 +93,8 @@ private:
 };
 
 /// Filters the receivers of some rows by a filter's blocks.
-template <class Receivers, class Blocks, class Edge>
+/// @tparam Rounds   true for blocks whose results round: their code is compiled without FMA
+template <bool Rounds = false, class Receivers, class Blocks, class Edge>
 void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
                  int last) {
     const bool large = past_cache(out);
@@ -135,7 +136,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
             at.step();
         }
     };
-    if constexpr (requires { Blocks::rounds; }) on_best_isa_without_fma(all_rows);
+    if constexpr (Rounds) on_best_isa_without_fma(all_rows);
     else on_best_isa(all_rows);
     if (large) finish_streaming();
 }
@@ -214,6 +215,7 @@ struct map_filter {
 /// A form over a map, with what its blocks read.
 template <class Form, depth_direction Direction, class Encoding, class Filter>
 struct form_over_map {
+    static constexpr bool rounds = Form::rounds;
     map_filter<Encoding, Filter> each;  ///< blocks keep references to its filter
     form_map<Encoding, reads_stored<Form, Encoding>> of;
     decltype(Form::tables(of.texels, std::declval<const Filter&>(), serial())) tables;
@@ -289,7 +291,7 @@ struct form_rows {
         const bool has_border = each.outside == outside_map::bordered;
         const bool blocks_err = has_border || !form_for<Receivers, Filter>::clamps;
         const map_edge edge(alone, each.filter.reach(), each.map.size, blocks_err, has_border);
-        filter_rows(receivers, over.blocks, edge, out, first, last);
+        filter_rows<Over::rounds>(receivers, over.blocks, edge, out, first, last);
     }
 };
 
@@ -299,7 +301,7 @@ template <class Receivers, class Form, class Encoding, class Filter, class Paral
 [[nodiscard]] row_filter<Receivers> row_filter_by(const map_filter<Encoding, Filter>& m, double count,
                                                   ParallelFor&& parallel) {
     if (!form_takes<Form>(m.map, reads_stored<Form, Encoding>, count)) return {};
-    if constexpr (requires { typename Form::by_bounds; })
+    if constexpr (!std::is_void_v<typename Form::by_bounds>)
         if (bounds_pay(width_of(m.filter), m.map.size, count))
             return row_filter_by<Receivers, typename Form::by_bounds>(m, count, parallel);
     const auto make = [&]<depth_direction Direction>() {

@@ -129,7 +129,7 @@ private:
 };
 
 template <class Filter>
-struct soft_form {
+struct soft_form : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     /// Rotated points in 1/16 of 1/64 of a radius. With a radius of 4 texels there is nothing to divide by.

@@ -186,7 +186,7 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::window> {
+struct every_texel_form<filters::window> : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <class ParallelFor>

@@ -48,17 +48,6 @@ struct value {
     return std::string(glsl::detail::find_word(type)->wgsl);
 }
 
-/// Word that a map fills in, and its GLSL type. It is printed unchanged.
-struct word_of_map {
-    std::string_view word, type;
-};
-inline constexpr word_of_map words_of_maps[]{
-    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
-    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
-    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
-    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
-
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
 /// Reads a text from its beginning, and returns its expressions in WGSL.
@@ -211,8 +200,8 @@ private:
         if (next() == "(") return call(text);
         for (std::size_t i = variables.size(); i-- > 0;)
             if (variables[i].name == text) return {text, variables[i].type, primary_level};
-        for (const auto& [word, type] : words_of_maps)
-            if (word == text) return {text, std::string(type), primary_level};
+        if (const glsl::detail::map_word* w = glsl::detail::find_map_word(text))
+            return {text, std::string(w->type), primary_level};
         glsl::detail::unknown("wgsl", text);
     }
 

@@ -86,7 +86,7 @@ private:
         }
         if (text == "UMBRAGE_MAP") return print_type(out, i, text);
         const std::string_view type = type_of(text);
-        if (type.empty() && !is_of_a_map(text)) unknown(language_.name, text);
+        if (type.empty() && find_map_word(text) == nullptr) unknown(language_.name, text);
         const bool column = all_[i + 1] == "[" && is_matrix(type) && language_.matrices_have_rows;
         out += column ? "transpose(" + std::string(text) + ")" : std::string(text);
         return i + 1;
@@ -157,17 +157,6 @@ private:
         for (const variable& v : variables_)
             if (v.name == name) return v.type;
         return {};
-    }
-    /// True for a word that a map fills in.
-    [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_BORDER",     "UMBRAGE_COMPARE",      "UMBRAGE_CORNER",
-                                                "UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                                "UMBRAGE_ORIGIN",     "UMBRAGE_REFERENCE",    "UMBRAGE_SAMPLED",
-                                                "UMBRAGE_STORED",     "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
-        for (std::string_view w : all)
-            if (word == w) return true;
-        return false;
     }
     [[nodiscard]] static bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
     [[nodiscard]] static bool is_vector(std::string_view type) {

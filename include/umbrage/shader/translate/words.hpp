@@ -20,6 +20,24 @@ struct word {
     std::string_view glsl, hlsl, msl, wgsl;
 };
 
+/// Word that a map fills in, and the GLSL type of its value. Printers keep it, and for_map has its value for each map.
+struct map_word {
+    std::string_view word, type;
+};
+inline constexpr map_word map_words[]{
+    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
+    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
+    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
+    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
+
+/// The word that a map fills in; nullptr for other words.
+[[nodiscard]] constexpr const map_word* find_map_word(std::string_view text) {
+    for (const map_word& w : map_words)
+        if (w.word == text) return &w;
+    return nullptr;
+}
+
 // clang-format off
 inline constexpr word vocabulary[]{
     {word_kind::type, "float", "float", "float", "f32"},

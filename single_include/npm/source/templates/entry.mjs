@@ -24,14 +24,15 @@ import { compose, exactness_in, functions_in } from './npm/compose/compose.mjs';
 //@
 import { declare_in_@language@ } from './npm/compose/declare.mjs';
 import { depth32f } from './module/@language@/encodings.mjs';
-import { hooks, looks } from './module/@language@/shadows.mjs';
+import { calls, hooks } from './module/@language@/shadows.mjs';
 import { @language@ as language } from './module/languages.mjs';
 import { shadow_in } from './npm/compose/shadow.mjs';
+import { words_of_@language@ } from './npm/compose/words.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
 /** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
-export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_@language@);
+export const shadow = /*#__PURE__*/ shadow_in(hooks, calls, words_of_@language@, depth32f, declare_in_@language@);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 export const exactness = items => exactness_in(language, items);
 //@ glsl

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 #include "../entries.hpp"
 

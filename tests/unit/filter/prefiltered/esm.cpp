@@ -29,7 +29,7 @@ TEST_CASE_TEMPLATE("esm: by hand", T, float, double) {
     CHECK(decode_esm(infinity, T(0.5), T(40)) == 1);
 }
 
-TEST_CASE("esm: set-up") {
+TEST_CASE("esm: setup") {
     CHECK(make_esm({.exponent = 63.0f}).exponent == 63.0f);
     CHECK(make_esm({.exponent = 14.0f, .store = float_store::half}).exponent == 14.0f);
     CHECK_THROWS_AS((void)make_esm({.exponent = 63.5f}), std::invalid_argument);

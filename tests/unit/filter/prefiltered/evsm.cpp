@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE("evsm: by hand", T, float, double) {
     CHECK(decode_evsm2(vec2(T(0.5), T(0.25)), T(0.5), T(60), T(0.5)) == T(0.5));
 }
 
-TEST_CASE("evsm: set-up") {
+TEST_CASE("evsm: setup") {
     const evsm_parameters made = make_evsm({.exponent = 55.0f, .falling = 10.0f});
     CHECK(made.exponents == glm::vec2(55.0f, 10.0f));
     CHECK(double(made.deviations.x) == doctest::Approx(2 * 55 * std::log(2.0) * 1e-4));

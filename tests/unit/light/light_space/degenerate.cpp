@@ -19,9 +19,9 @@
 
 #include "../bodies.hpp"
 #include "../clip_spaces.hpp"
-#include "../set_ups.hpp"
+#include "../setups.hpp"
 
-using namespace set_up_functions;
+using namespace setup_functions;
 
 namespace {
 
@@ -70,22 +70,22 @@ bool holds(const light_space<T>& light, glm::dvec3 p) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("set-ups: directions of zero are named, an up along the direction or of zero will do", T, float,
+TEST_CASE_TEMPLATE("setups: directions of zero are named, an up along the direction or of zero will do", T, float,
                    double) {
     using vec = glm::vec<3, T>;
-    auto directed = set_ups;
+    auto directed = setups;
     for (const std::string& name : around_points) std::erase(directed, name);
     refused<T>(directed, {"direction"}, [](auto& a) { a.direction = vec(0); });
     refused<T>(of_camera, {"camera.direction", "frustum.direction"}, [](auto& a) { a.ahead = vec(0); });
     for (const vec up : {vec(T(0.3), T(-1), T(0.2)), vec(T(-3), T(10), T(-2)), vec(0)})
         taken<T>(
-            set_ups, [&](auto& a) { a.up = up; }, anything);
+            setups, [&](auto& a) { a.up = up; }, anything);
     for (const vec direction : {vec(0, -1, 0), vec(0, 1, 0)})
         taken<T>(
-            set_ups, [&](auto& a) { a.direction = a.ahead = direction, a.position = vec(0); }, anything);
+            setups, [&](auto& a) { a.direction = a.ahead = direction, a.position = vec(0); }, anything);
 }
 
-TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do, a point's are one or the other", T,
+TEST_CASE_TEMPLATE("setups: bounds that are empty are named, flat ones will do, a point's are one or the other", T,
                    float, double) {
     std::vector<std::string> bounded = of_camera;
     bounded.emplace_back("fit_spot_light");
@@ -103,8 +103,8 @@ TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do,
     }
 }
 
-TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 degrees on are named", T, float, double) {
-    auto planed = set_ups;
+TEST_CASE_TEMPLATE("setups: planes out of order and opening angles from 180 degrees on are named", T, float, double) {
+    auto planed = setups;
     std::erase(planed, "make_dual_paraboloid_light");  // which has a range alone
     refused<T>({"make_dual_paraboloid_light"}, {"range"}, [](auto& a) { a.z_far = T(-1); });
     std::erase(planed, "fit_spot_light");  // whose planes follow from receivers
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 deg
         refused<T>(of_camera, {"camera.tan_half_x", "frustum.tan_half_x"}, [&](auto& a) { a.tangent = tangent; });
 }
 
-TEST_CASE_TEMPLATE("set-ups: a light inside the scene holds what of it is in its cone", T, float, double) {
+TEST_CASE_TEMPLATE("setups: a light inside the scene holds what of it is in its cone", T, float, double) {
     std::mt19937 random(1);
     int held = 0;
     taken<T>(
@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("set-ups: a light inside the scene holds what of it is in its
 }
 
 TEST_CASE_TEMPLATE(
-    "set-ups: a camera inside a caster that looks along the light, against it and anywhere: what it sees is held, and "
+    "setups: a camera inside a caster that looks along the light, against it and anywhere: what it sees is held, and "
     "what of the scene is between that and the light",
     T, float, double) {
     std::mt19937 random(2);

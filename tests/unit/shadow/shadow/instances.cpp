@@ -16,7 +16,7 @@
 using namespace umbrage;
 using namespace shadow_scene;
 
-TEST_CASE("shadow: instances are drawn as their meshes in the world are, for every set-up") {
+TEST_CASE("shadow: instances are drawn as their meshes in the world are, for every setup") {
     const std::vector<glm::vec3> corners{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
     const std::vector<glm::uvec3> two{{0, 1, 2}, {0, 2, 3}};
     std::vector<glm::mat4> places(3, glm::mat4(1));  // where nothing rounds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "set_ups.hpp"
+#include "setups.hpp"
 
 #include <algorithm>
 #include <array>
@@ -195,8 +195,8 @@ placed_maps adaptive(const lit_view& v) {
     return {size, 256, {-v.light.direction, 0}, {levels[0]}, at, std::to_string(drawn) + " of them"};
 }
 
-std::vector<set_up> all_set_ups() {
-    std::vector<set_up> all{
+std::vector<setup> all_setups() {
+    std::vector<setup> all{
         {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
         {"spot", [](const lit_view& v) { return spot(v, whole(v.scene)); }},
         {"spot, tight", [](const lit_view& v) { return spot(v, seen(v, v.planes)); }},
@@ -234,7 +234,7 @@ std::vector<set_up> all_set_ups() {
                        return warped(v, umbrage::fit_plane_optimal(f, ground).value_or(light_space(f)));
                    }});
     all.push_back({"256 pages", &adaptive});
-    for (set_up& s : point_set_ups()) all.push_back(std::move(s));
+    for (setup& s : point_setups()) all.push_back(std::move(s));
     return all;
 }
 
@@ -263,12 +263,12 @@ placed_maps with_matrices(glm::ivec2 size, const glm::dvec4& light, const std::v
     return {size, static_cast<int>(all.size()), light, all, at};
 }
 
-const std::vector<set_up>& set_ups() {
-    static const std::vector<set_up> all = all_set_ups();
+const std::vector<setup>& setups() {
+    static const std::vector<setup> all = all_setups();
     return all;
 }
 
-quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
+quality_report measure(const setup& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
     const placed_maps maps = s.place(v);
     const glm::dmat4 pixels = to_pixels(v);
     return measure_quality(

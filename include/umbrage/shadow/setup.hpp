@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
-// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
+// Any type that satisfies shadow_setup works, and no list names them. See also: single_map.hpp, the shortest setup.
 #pragma once
 
 #include <array>
@@ -63,17 +63,17 @@ struct map_grid {
 /// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
 /// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
 /// filters that read farther. A setup that bends straight lines specializes bends_of.
-template <class SetUp>
-concept shadow_set_up = std::copyable<SetUp> &&
-    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
+template <class Setup>
+concept shadow_setup = std::copyable<Setup> &&
+    requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
     { s.clip() } -> std::same_as<clip_space>;
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
-    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
-    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
-    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
-    {std::span<const uniform_field>(SetUp::fields)};
-    {std::span<const map_place>(SetUp::places(u, terms, v, v))};  // an array of one or two
-    { SetUp::placing } -> std::convertible_to<const glsl::snippet*>;
+    { Setup::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
+    { Setup::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
+    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename Setup::uniforms>;
+    {std::span<const uniform_field>(Setup::fields)};
+    {std::span<const map_place>(Setup::places(u, terms, v, v))};  // an array of one or two
+    { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
 /// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
@@ -91,36 +91,36 @@ struct bent_lines {
     const vertex_function* vertex = nullptr;  ///< nullptr where lines stay straight
 };
 /// Bent lines of a setup's maps: none, unless the setup's header specializes this.
-template <class SetUp>
+template <class Setup>
 inline constexpr bent_lines bends_of{};
 /// True for a setup whose maps bend straight lines.
-template <class SetUp>
-inline constexpr bool has_bent_lines = bends_of<SetUp>.reach > 0.0f;
+template <class Setup>
+inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 
 /// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
 /// softness for each map.
-template <class SetUp>
-inline constexpr bool has_like_maps = SetUp::grid.columns* SetUp::grid.rows == 1;
+template <class Setup>
+inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
 /// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
-struct set_up_for {
+struct setup_for {
     using type = Light;
 };
 
 namespace detail {
 
 /// Number of places that a receiver has at most.
-template <class SetUp>
-inline constexpr int most_places = std::tuple_size_v<decltype(SetUp::places(
-    std::declval<const typename SetUp::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+template <class Setup>
+inline constexpr int most_places = std::tuple_size_v<decltype(Setup::places(
+    std::declval<const typename Setup::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
 
 /// True when a setup's `uniforms` have the size of its `fields`.
-template <class SetUp>
+template <class Setup>
 consteval bool has_fields() {
     std::size_t vectors = 0;
-    for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
-    return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+    for (const uniform_field& f : Setup::fields) vectors += f.vectors();
+    return vectors * sizeof(glm::vec4) == sizeof(typename Setup::uniforms);
 }
 
 /// First texel of a map in the image of all maps.

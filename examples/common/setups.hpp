@@ -3,7 +3,7 @@
 // Every way that the library has of placing a light's maps, by name, and how good each is for a view.
 //
 //     const example::lit_view view = example::make_lit_view(scene, camera, size, light, 1024);
-//     for (const example::set_up& s : example::set_ups()) print(s.name, example::measure(s, view).mean);
+//     for (const example::setup& s : example::setups()) print(s.name, example::measure(s, view).mean);
 //
 #pragma once
 
@@ -53,14 +53,14 @@ struct placed_maps {
 [[nodiscard]] placed_maps with_matrices(glm::ivec2 size, const glm::dvec4& light, const std::vector<glm::dmat4>& all,
                                         const std::function<int(glm::dvec3)>& which);
 
-struct set_up {
+struct setup {
     std::string name;
     std::function<placed_maps(const lit_view&)> place;
 };
-[[nodiscard]] const std::vector<set_up>& set_ups();
+[[nodiscard]] const std::vector<setup>& setups();
 
 /// Over surfaces that face the light and lie in a map; see measure_quality.
-[[nodiscard]] quality_report measure(const set_up& s, const lit_view& v, int step,
+[[nodiscard]] quality_report measure(const setup& s, const lit_view& v, int step,
                                      umbrage::image_view<float> extents = {});
 
 /// The picture of it: from an eighth of a pixel, dark blue, to eight, dark red; gray where nothing was measured; darker

@@ -28,7 +28,7 @@
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
-namespace set_up_functions {
+namespace setup_functions {
 
 using namespace umbrage;
 
@@ -154,7 +154,7 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
              [](const auto& part) { return fit_light_space_perspective(part); }));
      }}};
 
-inline const std::vector<std::string> set_ups{
+inline const std::vector<std::string> setups{
     "make_directional_light", "make_spot_light",           "make_point_light",    "fit_directional_light",
     "fit_spot_light",         "make_stable_cascades",      "make_tight_cascades", "fit_light_space_perspective",
     "fit_trapezoidal",        "make_warped_cascades",      "fit_perspective",     "fit_plane_optimal",
@@ -166,4 +166,4 @@ inline const std::vector<std::string> of_camera{
     "fit_trapezoidal",       "make_warped_cascades", "fit_perspective"};
 inline const std::vector<std::string> of_spots{"make_spot_light", "fit_spot_light"};
 
-}  // namespace set_up_functions
+}  // namespace setup_functions

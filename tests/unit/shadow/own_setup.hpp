@@ -8,7 +8,7 @@
 
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
-#include <umbrage/shadow/set_up.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace own {
 

@@ -1,0 +1,1 @@
+#include <umbrage/umbrage.hpp>

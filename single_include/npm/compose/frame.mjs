@@ -1,0 +1,112 @@
+// Texts of a shadow: the same frame for all, with what a kind of light, a filter and a map state of themselves. They are
+// those of C++'s frame.hpp, look.hpp, probe.hpp, calibration.hpp and depth_pass.hpp, in the words of a language.
+
+const world = [['vec3', 'world'], ['vec3', 'normal']], terms = [['vec4', 'terms'], ['vec4', 'filter_terms']];
+const width = { int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4 };
+const listed = all => all.map(name => `${name}, `).join('');
+
+/** A text's functions for one shadow, in the order in which they call each other: name, text and what they need.
+ *  @param is   { snippet, maps, along_plane, turns, soft, layers }: the filter's snippet, the kind's maps, and `soft` matrices of
+ *              an own softness of each map */
+export function frame_in(w, calls, is) {
+    const { snippet, maps, along_plane, turns, soft, layers } = is, { filter } = snippet, { constant } = w;
+    const vec = (n, ...parts) => `${w.type(`vec${n}`)}(${parts.join(', ')})`;
+    const pixel = turns ? [['vec2', 'pixel']] : [], of_pixel = turns ? ', pixel' : '';
+    const own = (name, says, type, parameters, lines, needs) => ({ name, needs, text: `\n// umbrage_${name}: ${says}\n`
+        + `${w.head(type, `umbrage_${name}`, parameters.map(p => p === 'map' ? 'UMBRAGE_MAP map' : w.parameter(...p)).join(', '))}\n`
+        + lines.map(line => line.startsWith('#') ? `${line}\n` : `    ${line}\n`).join('') + '}\n' });
+    const fields = all_fields(maps, soft).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
+    const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
+
+    /** The receiver's bias, from `terms` and `slope`. */
+    const by_disc = filter.disc && !along_plane, of_bias = by_disc ? calls.acne_free_disc_bias : calls.acne_free_bias;
+    const counted = numbers(w, filter.arguments);
+    const reach = along_plane ? '0.5' : by_disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
+    const bias = [w.precise('float', 'error', 'terms.w + slope.z'),
+        constant('float', 'bias', `umbrage_${of_bias.name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)];
+
+    /** The statement that chooses the map of `number`, and what it calls. */
+    const choice = !several ? [] : layers ? [constant('float', 'layer', 'number')]
+        : [constant('vec2', 'origin', `umbrage_map_tile(number, ${vec(2, columns, `1.0 / ${columns}`)}, ${vec(2, 'terms.x', 'terms.y')})`)];
+    const chooses = several && !layers ? [calls.map_tile] : [];
+
+    /** Statements that find the softness of the map `number`. */
+    const softness = Array.from({ length: soft }, (_, i) => i === 0
+        ? (soft > 1 ? w.variable : constant)('float', 'softness', 'umbrage_map_softness(softness_0, number)')
+        : `softness = ${w.choice(`number >= ${16 * i}.0`, `umbrage_map_softness(softness_${i}, number - ${16 * i}.0)`, 'softness')};`);
+    if (soft) softness.push(constant('vec4', 'own_terms', vec(4, 'softness', 'filter_terms.y', 'filter_terms.z', 'filter_terms.w')));
+
+    /** The frame: a lookup at each place of a receiver, and their blend. */
+    const blended = (type, lit, look, blend, statements) => {
+        const look_up = name => [constant('float', 'number', 'at.w'), ...statements, constant(type, name, look)];
+        const one = maps.places === 1, local = one ? constant : w.variable, column = i => w.column('places', i);
+        const lines = [constant('mat4', 'places', `umbrage_${maps.placing.name}(${listed(maps.fields.map(f => f.name))}terms, world, normal)`),
+            local('vec4', 'at', column(0)), local('vec4', 'slope', column(1))];
+        if (one) return [...lines, ...look_up('sum'), 'return sum;'];
+        return [...lines, ...w.count('count', w.choice(`${column(3)}.z > 0.0`, '2', '1'), '2'), w.variable(type, 'sum', lit),
+            w.loop('i', 'count'), '    if (slope.z > 0.0) {', ...look_up('next').map(line => `        ${line}`),
+            `        sum = ${blend};`, '    }', `    at = ${column(2)};`, `    slope = ${column(3)};`, '}', 'return sum;'];
+    };
+    const places = maps.places === 1 ? [maps.placing] : [maps.placing, calls.blend_cascades];
+    const at = vec(3, 'at.x', 'at.y', 'at.z'), slope = vec(3, 'slope.x', 'slope.y', 'slope.w');
+
+    const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel], [
+        ...bias,
+        constant('float', 'receiver', w.choice('umbrage_beyond_far_plane(at.z)', 'at.z', 'umbrage_biased(at.z, bias)')),
+        ...along_plane ? [constant('vec2', 'receiver_slope', vec(2, 'slope.x', 'slope.y')),
+            constant('vec3', 'receiver_at', vec(3, 'at.x', 'at.y', 'receiver'))] : [],
+        `return umbrage_${snippet.name}(map, ${vec(2, 'terms.x', 'terms.y')}, ${vec(2, 'at.x', 'at.y')}, receiver${counted.text}`
+            + `${turns ? ', umbrage_disc_rotation(pixel)' : ''});`,
+    ], [of_bias, calls.biased, calls.beyond_far_plane, snippet, ...turns ? [calls.disc_rotation] : []]);
+    const shadow = () => own('shadow', 'visibility of a point of the world, 1.0 is lit', 'float', ['map', ...fields, ...terms, ...world, ...pixel],
+        blended('float', '1.0', `umbrage_look(map, terms, ${soft ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel})`,
+            'umbrage_blend_cascades(sum, next, slope.z)', [...choice, ...softness]),
+        [...places, ...chooses, ...soft ? [calls.map_softness] : []]);
+
+    /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
+    const debug = ({ probe_color, probe_inputs, read_map }, parts) => [
+        own('place_color', "a receiver's debug color in one map", 'vec3', [...terms, ['vec4', 'at'], ['vec3', 'slope']],
+            [...bias, `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
+        own('blended_color', 'debug color of a point of the world', 'vec3', [...fields, ...terms, ...world],
+            blended('vec3', vec(3, '1.0', '1.0', '1.0'), `umbrage_place_color(terms, filter_terms, at, ${slope})`,
+                vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, slope.z)`)), []), places),
+        own('point_color', 'debug color of a point of the world, or what is wrong with it', 'vec3', [...fields, ...terms, ...world],
+            [constant('vec3', 'color', `umbrage_blended_color(${listed(fields.map(([, name]) => name))}terms, filter_terms, world, normal)`),
+                'return umbrage_probe_inputs(color, world, normal);'], [calls.cleared_depth, probe_inputs]),
+        own('lit_at', '1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit', 'float',
+            ['map', ...terms, ['vec2', 'coord'], ['float', 'distance']],
+            [constant('float', 'depth', w.choice('umbrage_cleared_depth() > 0.5', 'distance', '1.0 - distance')),
+                constant('vec3', 'at', vec(3, 'coord.x', 'coord.y', 'depth')),
+                `return ${w.choice(`umbrage_look(map, terms, filter_terms, at, ${vec(3, '0.0', '0.0', '0.0')}`
+                    + `${turns ? `, ${vec(2, '0.5', '0.5')}` : ''}) > 0.5`, '1.0', '0.0')};`], [calls.cleared_depth]),
+        { name: 'read_map', text: read_map, needs: [] },
+        own('reading', "what a map of known depths is read as, a map_reading's number; 0.0 is right", 'float',
+            ['map', ...terms, ['float', 'number']],
+            [...choice, `return umbrage_read_map(map, terms, filter_terms, number, 1.0 / ${parts}.0);`], []),
+    ];
+    return { look, shadow, debug };
+}
+
+/** A kind's uniforms, without the terms. */
+export const all_fields = (maps, soft) =>
+    [...maps.fields, ...Array.from({ length: soft }, (_, i) => ({ name: `softness_${i}`, matrix: true }))];
+
+/** A filter's numbers as arguments, from the components of filter_terms, and how many these are. */
+function numbers(w, all) {
+    let length = 0, text = '';
+    for (const { name, type } of all.filter(argument => argument.name !== 'rotation')) {
+        const parts = Array.from({ length: width[type] }, () => `filter_terms.${'xyzw'[length++]}`).join(', ');
+        text += `, ${type === 'float' ? parts : `${w.type(type)}(${parts})`}`;
+    }
+    return { length, text };
+}
+
+/** What a depth pass calls for its vertices. */
+export function vertex_in(w, calls, { vertex, pancakes }, at_near) {
+    const own = vertex?.arguments ?? [['vec4', 'anchor']], passed = own.map(([, name]) => `, ${name}`).join('');
+    const placed = `umbrage_${(vertex?.calls ?? calls.anchored_vertex).name}(to_clip, world${passed})`;
+    const parameters = [['mat4', 'to_clip'], ['vec3', 'world'], ...own].map(p => w.parameter(...p)).join(', ');
+    return { name: 'vertex', needs: [...vertex ? [vertex.calls] : [calls.anchored_vertex, calls.pancake], calls.cleared_depth],
+        text: '\n// umbrage_vertex: clip space position of a vertex of the depth pass\n'
+            + `${w.head('vec4', 'umbrage_vertex', parameters)}\n    return ${pancakes ? `umbrage_pancake(${placed}, ${at_near})` : placed};\n}\n` };
+}
