@@ -11,12 +11,14 @@
 #include <algorithm>
 #include <string>
 
+#include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/image.hpp>
+#include <umbrage/core/unorm.hpp>
 
-#include <letters.hpp>
+#include "lettering.hpp"
 
 namespace pictures {
 
@@ -26,7 +28,7 @@ inline constexpr glm::u8vec3 paper{250, 249, 246}, ink{32, 34, 38}, pale_ink{110
 
 class canvas {
 public:
-    static constexpr int letter = 2, line = 10 * letter;  ///< pixels of a letter's unit, of a line
+    static constexpr int line = line_height;  ///< pixels
 
     explicit canvas(glm::ivec2 size) : pixels_(size, paper) {}
 
@@ -42,9 +44,15 @@ public:
             for (int x = low.x; x < to.x; ++x) pixels_[{x, y}] = color;
     }
 
+    /// Writes a line of text, as far as the page has it.
     void write(const std::string& text, glm::ivec2 at, glm::u8vec3 color = ink) {
-        for (const auto& [low, high] : example::letters(text))
-            fill(at + glm::ivec2(low * float(letter)), at + glm::ivec2(high * float(letter)), color);
+        const umbrage::image<float> covered = lettering(text);
+        const glm::ivec2 size = glm::min(covered.size(), pixels_.size() - at);
+        for (glm::ivec2 p{0}; p.y < size.y; ++p.y)
+            for (p.x = 0; p.x < size.x; ++p.x) {
+                const glm::vec3 mixed = glm::mix(glm::vec3(pixels_[at + p]), glm::vec3(color), covered[p]);
+                pixels_[at + p] = umbrage::store_unorm(mixed / 255.0f);
+            }
     }
 
     [[nodiscard]] const picture& pixels() const { return pixels_; }

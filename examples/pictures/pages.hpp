@@ -17,7 +17,7 @@ namespace pictures {
 /// @param width  width of the picture, pixels
 [[nodiscard]] picture two_views(int width);
 
-/// One part of the scene under rays and eight filters, each with its best bias, its costs and its error.
+/// One part of the scene under rays and eight filters, each with its best bias and its costs.
 /// @param side  of a part, pixels
 [[nodiscard]] picture filter_strip(int side);
 

@@ -53,13 +53,12 @@ public:
         page.paste(maps, at);
         at.y = side + gap;
         const auto write = [&](const std::array<std::string, 3>& words, glm::u8vec3 color) {
-            for (int i = 0; i < 3; ++i)
-                page.write(words[std::size_t(i)], at + glm::ivec2(12 + 44 * i, 0) * canvas::letter, color);
+            for (int i = 0; i < 3; ++i) page.write(words[std::size_t(i)], at + glm::ivec2(24 + 88 * i, 0), color);
             at.y += canvas::line;
         };
         write(heading, pale_ink);
         for (const line& l : key) {
-            page.fill(at, at + 7 * canvas::letter, l.color);
+            page.fill(at + glm::ivec2(0, 4), at + glm::ivec2(14, 18), l.color);
             write(l.words, ink);
         }
         return page.pixels();

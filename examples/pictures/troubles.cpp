@@ -2,6 +2,7 @@
 #include "pages.hpp"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include <scene.hpp>
@@ -21,9 +22,11 @@ picture trouble(std::string_view name, int side) {
     const example::scene scene =
         shown.cured(o).scene == shadow_render::built_in::outdoor ? example::outdoor_scene() : example::default_scene();
     constexpr int gap = 6;
-    canvas page({2 * o.width + gap, o.height});
+    canvas page({2 * o.width + gap, o.height + gap + canvas::line});
     page.paste(photograph(shown.wrong(o), scene), {0, 0});
     page.paste(photograph(shown.cured(o), scene), {o.width + gap, 0});
+    page.write(std::string(shown.cause), {0, o.height + gap});
+    page.write(std::string(shown.cure), {o.width + gap, o.height + gap});
     return page.pixels();
 }
 

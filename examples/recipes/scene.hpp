@@ -28,7 +28,7 @@ struct vertex {
 inline constexpr glm::ivec2 picture_size(480, 320);
 inline constexpr umbrage::frustum<float> camera{
     .position = {0, 5, 9}, .direction = {0, -0.4f, -1}, .tan_half_x = 0.75f, .tan_half_y = 0.5f, .z_far = 60};
-inline constexpr glm::vec4 sky(0.5f, 0.6f, 0.7f, 1);
+inline constexpr glm::vec4 sky(0.53f, 0.69f, 0.87f, 1);
 
 inline glm::mat4 camera_matrix(umbrage::clip_space clip) {
     return umbrage::perspective(camera.tan_half_x, camera.tan_half_y, camera.z_near, camera.z_far, clip) *
@@ -75,8 +75,8 @@ bool is_hole(vec2 uv) { return fract(uv.x) > 0.5; }
 vec3 shade(vec3 world, vec3 normal, float spot, float sun) {
     vec3 to_spot = normalize(vec3(5.0, 8.0, 4.0) - world), to_sun = normalize(vec3(-1.0, 1.2, 0.7));
     float cone = smoothstep(0.88, 0.9, dot(to_spot, normalize(vec3(5.0, 8.0, 4.0))));
-    return vec3(0.1, 0.1, 0.15) + vec3(0.9, 0.4, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0) +
-           vec3(0.0, 0.4, 0.85) * sun * max(dot(normal, to_sun), 0.0);
+    return vec3(0.2, 0.22, 0.27) + vec3(0.3, 0.17, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0) +
+           vec3(0.52, 0.46, 0.36) * sun * max(dot(normal, to_sun), 0.0);
 }
 )";
 /// Writes texels as bytes, for tests.

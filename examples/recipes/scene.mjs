@@ -2,7 +2,7 @@
 //
 // Scene of every recipe in JavaScript: a mesh with a fence, the numbers of its camera and lights, and their shading.
 
-export const size = [480, 320], sky = [0.5, 0.6, 0.7, 1];
+export const size = [480, 320], sky = [0.53, 0.69, 0.87, 1];
 
 /** Floor, pillars, a plate in the air and a fence: position, normal and uv of each vertex. uv is 0 but on the fence. */
 export function make_mesh() {
@@ -48,8 +48,8 @@ bool is_hole(vec2 uv) { return fract(uv.x) > 0.5; }
 vec3 shade(vec3 world, vec3 normal, float spot, float sun) {
     vec3 to_spot = normalize(vec3(5.0, 8.0, 4.0) - world), to_sun = normalize(vec3(-1.0, 1.2, 0.7));
     float cone = smoothstep(0.88, 0.9, dot(to_spot, normalize(vec3(5.0, 8.0, 4.0))));
-    return vec3(0.1, 0.1, 0.15) + vec3(0.9, 0.4, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0)
-        + vec3(0.0, 0.4, 0.85) * sun * max(dot(normal, to_sun), 0.0);
+    return vec3(0.2, 0.22, 0.27) + vec3(0.3, 0.17, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0)
+        + vec3(0.52, 0.46, 0.36) * sun * max(dot(normal, to_sun), 0.0);
 }
 `;
 export const wgsl_shading = `
@@ -58,7 +58,7 @@ fn shade(world: vec3f, normal: vec3f, spot: f32, sun: f32) -> vec3f {
     let to_spot = normalize(vec3f(5.0, 8.0, 4.0) - world);
     let to_sun = normalize(vec3f(-1.0, 1.2, 0.7));
     let cone = smoothstep(0.88, 0.9, dot(to_spot, normalize(vec3f(5.0, 8.0, 4.0))));
-    return vec3f(0.1, 0.1, 0.15) + vec3f(0.9, 0.4, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0)
-        + vec3f(0.0, 0.4, 0.85) * sun * max(dot(normal, to_sun), 0.0);
+    return vec3f(0.2, 0.22, 0.27) + vec3f(0.3, 0.17, 0.0) * spot * cone * max(dot(normal, to_spot), 0.0)
+        + vec3f(0.52, 0.46, 0.36) * sun * max(dot(normal, to_sun), 0.0);
 }
 `;

@@ -32,7 +32,7 @@ export async function make_context({ out, node_modules, work, museum }) {
     const load = createRequire(join(node_modules, 'x.js'));
     const what = missing(node_modules);
     if (what) throw new Error(`The site cannot be built: ${what}`);
-    const prism = load('prismjs');
+    const prism = load('prismjs'), copyright = readFileSync(join(root, 'LICENSE'), 'utf8').match(/^Copyright.*/m)[0];
     for (const language of ['c', 'cpp', 'glsl', 'hlsl', 'wgsl', 'bash', 'cmake', 'typescript'])
         load(`prismjs/components/prism-${language}`);
 
@@ -78,6 +78,7 @@ export async function make_context({ out, node_modules, work, museum }) {
                 target: 'es2022',
                 nodePaths: [node_modules],
                 alias,
+                define: { COPYRIGHT: JSON.stringify(copyright) },
                 logLevel: 'warning',
             });
         },

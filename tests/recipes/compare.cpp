@@ -73,11 +73,14 @@ private:
     }
 };
 
+/// Colors of the picture's shading. The spot light has no blue, so blue is the other light's alone.
+constexpr glm::vec3 ambient_color(0.2f, 0.22f, 0.27f), spot_color(0.3f, 0.17f, 0), other_color(0.52f, 0.46f, 0.36f);
+
 /// A light as the picture shows it.
 struct light {
     const char* name;
-    glm::length_t channel;
-    std::function<float(glm::vec3 world, glm::vec3 normal)> brightness;  ///< of a lit pixel, in the channel
+    bool is_spot;
+    std::function<float(glm::vec3 world, glm::vec3 normal)> brightness;  ///< of a lit pixel, before its color
     std::function<glm::vec3(glm::vec3 world)> towards;
     std::function<float(glm::vec3 world, glm::vec3 normal)> visibility;
     std::function<float(glm::vec3 world)> texel;  ///< width across the light, world units
@@ -114,10 +117,10 @@ void look_up(light& l, const Shadow& shadow, const geometry& scene, const char* 
 light spot_light() {
     const auto towards = [](glm::vec3 world) { return glm::normalize(glm::vec3(5, 8, 4) - world); };
     return {"spot light",
-            0,
+            true,
             [=](glm::vec3 world, glm::vec3 normal) {
                 const float cone = glm::dot(towards(world), glm::normalize(glm::vec3(5, 8, 4)));
-                return 0.9f * glm::smoothstep(0.88f, 0.9f, cone) * glm::dot(normal, towards(world));
+                return glm::smoothstep(0.88f, 0.9f, cone) * glm::dot(normal, towards(world));
             },
             towards,
             {},
@@ -126,8 +129,8 @@ light spot_light() {
 light sun_light() {
     const glm::vec3 to_sun = glm::normalize(glm::vec3(-1, 1.2f, 0.7f));
     return {"sun",
-            2,
-            [=](glm::vec3, glm::vec3 normal) { return 0.85f * glm::dot(normal, to_sun); },
+            false,
+            [=](glm::vec3, glm::vec3 normal) { return glm::dot(normal, to_sun); },
             [=](glm::vec3) { return to_sun; },
             {},
             {}};
@@ -135,8 +138,8 @@ light sun_light() {
 
 light lamp_light(glm::vec3 position) {
     const auto towards = [=](glm::vec3 world) { return glm::normalize(position - world); };
-    return {"lamp",  2,  [=](glm::vec3 world, glm::vec3 normal) { return 0.85f * glm::dot(normal, towards(world)); },
-            towards, {}, {}};
+    return {"lamp",  false, [=](glm::vec3 world, glm::vec3 normal) { return glm::dot(normal, towards(world)); },
+            towards, {},    {}};
 }
 
 /// The lights of a recipe.
@@ -225,10 +228,10 @@ public:
         int compared = 0, dark = 0, differ = 0, astray = 0;
         for (const auto& [at, world, normal] : seen.all()) {
             const float full = l.brightness(world, normal);
-            if (full < 0.1f) continue;
+            if (full < 0.11f) continue;
             const bool expected = l.visibility(world, normal) > 0.5f;
             ++compared, dark += !expected;
-            if (lit(at, l.channel, full) == expected) continue;
+            if (lit(at, l.is_spot, full) == expected) continue;
             ++differ, astray += !near_edge(l, world, normal, expected);
         }
         std::printf("%s, %s: %d pixels, %d in shadow, %d differ, %d of them farther than two texels from an edge\n",
@@ -237,9 +240,11 @@ public:
     }
 
 private:
-    [[nodiscard]] bool lit(glm::ivec2 p, glm::length_t channel, float full) const {
-        const float value = bytes_[std::size_t(4 * (p.y * scene::picture_size.x + p.x) + channel)];
-        return value / 255 - glm::vec3(0.1f, 0.1f, 0.15f)[channel] > 0.5f * full;
+    [[nodiscard]] bool lit(glm::ivec2 p, bool by_spot, float full) const {
+        const unsigned char* bytes = &bytes_[std::size_t(4 * (p.y * scene::picture_size.x + p.x))];
+        const glm::vec3 light = glm::vec3(bytes[0], bytes[1], bytes[2]) / 255.0f - ambient_color;
+        const float by_other = light.b / other_color.b, spot = (light.r - other_color.r * by_other) / spot_color.r;
+        return (by_spot ? spot : by_other) > 0.5f * full;
     }
     [[nodiscard]] static bool near_edge(const light& l, glm::vec3 world, glm::vec3 normal, bool expected) {
         const glm::vec3 towards = l.towards(world),

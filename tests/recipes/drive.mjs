@@ -14,7 +14,7 @@ const skip = why => { console.log(`SKIPPED: ${why}`), process.exit(77); };
 if (!existsSync(join(node_modules, 'playwright-core'))) skip(`no playwright-core in ${node_modules}`);
 const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
 
-const types = { '.html': 'text/html', '.mjs': 'text/javascript' };
+const types = { '.html': 'text/html', '.mjs': 'text/javascript', '.css': 'text/css' };
 const server = createServer((request, answer) => {
     const file = join(root, decodeURI(request.url.split('?')[0]));
     if (request.url === '/favicon.ico') return answer.writeHead(204).end();

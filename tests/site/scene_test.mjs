@@ -111,7 +111,19 @@ await visit(async ({ open, check, picture, axe }) => {
     // languages and copying
     await page.check('input[value=wgsl]');
     await page.waitForFunction(() => document.querySelector('#lines pre').textContent.includes('fn umbrage_sun('));
-    check(await copied(page, '#lines button') === await page.textContent('#lines pre'), 'copy copies the text');
+    const shader = await copied(page, '#lines button');
+    check(shader === (await page.locator('#lines pre').allTextContents()).join('\n'), 'copy copies the whole shader');
+    check(/^\/\/ Copyright .* the umbrage authors/m.test(shader), 'what is copied says whose it is');
+    check(await page.isVisible('#lines > pre') && !await page.isVisible('#lines details pre'), 'main() is shown, the library folded');
+    await page.check('input[value=glsl]');
+    await page.waitForFunction(() => document.querySelector('#lines > pre').textContent.includes('void main() {'));
+    const complaint = await page.evaluate(text => {
+        const gl = document.createElement('canvas').getContext('webgl2'), made = gl.createShader(gl.FRAGMENT_SHADER);
+        gl.shaderSource(made, text);
+        gl.compileShader(made);
+        return gl.getShaderInfoLog(made);
+    }, await copied(page, '#lines button'));
+    check(complaint === '', `the shader does not compile: ${complaint}`);
 
     // the divider, and views
     const at = () => page.locator('#divided span').last().evaluate(span => span.getBoundingClientRect().left);
@@ -197,8 +209,9 @@ await visit(async ({ open, check, picture, axe }) => {
         check(await shown.locator('nav a').count() >= 4, 'the front page has a navigation');
         const [sentence] = (await shown.textContent('.lead')).split(/\.\s/);
         check(/^Most\b.*\bsame bits\b.*\brest\b.*\bstated bound/s.test(sentence), `the first sentence promises "${sentence}"`);
-        const { y, height } = await shown.locator('#verdict').boundingBox();
-        check(width < 600 || y + height <= 800, `the verdict ends at ${y + height}, below a window of 800`);
+        const [verdict, drawn] = await Promise.all(['.line', '#picture'].map(part => shown.locator(part).boundingBox()));
+        const ends = verdict.y + verdict.height;
+        check(width < 600 || ends <= Math.min(800, drawn.y + drawn.height), `the verdict ends at ${ends}, not on the picture`);
         const room = await shown.evaluate(() => document.documentElement.scrollWidth);
         check(room <= width, `the scene's page is ${room} pixels wide in a window of ${width}`);
         await picture(shown, `scene_${width}${dark ? '_dark' : ''}`);

@@ -12,6 +12,9 @@ import { address_of, copied, visit } from './visit.mjs';
 
 const package_of = async name =>
     import(pathToFileURL(new URL(`../../single_include/${name}.mjs`, import.meta.url).pathname));
+const copyright = readFileSync(new URL('../../LICENSE', import.meta.url), 'utf8').match(/^Copyright.*/m)[0];
+const given = text => // the package's text as the site gives it away
+    text.replace(/^.*, MIT License.*$/m, line => `${line}\n// ${copyright}. License text: LICENSE in the umbrage repository.`);
 const [glsl, hlsl, wgsl, msl] = await Promise.all(['umbrage', 'hlsl', 'wgsl', 'msl'].map(package_of));
 
 await visit(async ({ open, check, picture, axe }) => {
@@ -22,7 +25,7 @@ await visit(async ({ open, check, picture, axe }) => {
     let page = await open('snippets/');
     await ready(page);
     check((await layout_shift(page)) === 0, 'the page shifts as it loads');
-    check((await text(page)) === glsl.text([glsl.pcf_2x2]), 'the first text is not that of the package');
+    check((await text(page)) === given(glsl.text([glsl.pcf_2x2])), 'the first text is not that of the package');
     for (const [query, name] of [
         ['CSM', 'cascade'],
         ['light bleeding', 'reduce_light_bleeding'],
@@ -69,10 +72,12 @@ await visit(async ({ open, check, picture, axe }) => {
     const first = new URL(await address_of(page)).searchParams.get('snippet');
     for (const [id, from] of Object.entries({ glsl, hlsl, wgsl, msl })) {
         await page.click(`label:has(input[value=${id}])`);
-        const wanted = from.text([
-            from.bind(from.snippets[first], 'sun', { texture: 'array', direction: 'reversed' }),
-            from.bind(from.pcf_2x2, 'map_2', { ...from.rg16.reversed, texture: 'atlas' }),
-        ]);
+        const wanted = given(
+            from.text([
+                from.bind(from.snippets[first], 'sun', { texture: 'array', direction: 'reversed' }),
+                from.bind(from.pcf_2x2, 'map_2', { ...from.rg16.reversed, texture: 'atlas' }),
+            ]),
+        );
         await page
             .waitForFunction(wanted => document.getElementById('code').textContent === wanted, wanted)
             .catch(() => check(false, `two maps in ${id} are not as the package composes them`));

@@ -65,7 +65,8 @@ export function render(context, { text, file: source, path: from }, addresses, e
         },
         table(token) {
             const html = this.constructor.prototype.table.call(this, token);
-            return `<div class="scroll" tabindex="0" role="region" aria-label="Table">${html}</div>\n`;
+            const named = html.replace(/<th[^>]*><\/th>/g, '<td></td>'); // a header cell has words
+            return `<div class="scroll" tabindex="0" role="group" aria-label="Table">${named}</div>\n`;
         },
     };
     const body = new Marked({ renderer }).parse(text);
@@ -74,8 +75,8 @@ export function render(context, { text, file: source, path: from }, addresses, e
     return { path: from, title, description: plain(first).slice(0, 200), body, headings, text };
 }
 
-/// An identifier that may go on in another line behind an underscore.
-const breakable = code => escape(code).replace(/_(?=\w)/g, '_<wbr>');
+/// An identifier or path that may go on in another line behind an underscore or slash.
+const breakable = code => escape(code).replace(/[_/](?=\w)/g, '$&<wbr>');
 
 export const plain = text =>
     text

@@ -12,8 +12,8 @@ export class Controls {
 
     /** @param changed  takes what the visitor changed */
     constructor(place: HTMLElement, private readonly changed: (part: Partial<State>) => void) {
-        const system = this.row(place, 'system', 'As it was made by', document.createElement('select'));
-        system.add(new Option('Your own choice', ''));
+        const system = this.row(place, 'system', 'Preset', document.createElement('select'));
+        system.add(new Option('None of them', ''));
         systems.forEach(({ words }, i) => system.add(new Option(words, String(i))));
         system.onchange = () => {
             const chosen = systems[Number(system.value)];

@@ -20,24 +20,26 @@ const live = `
 <section class="live" aria-label="Live scene">
 <div class="stage">
 <div class="tabs" role="group" aria-label="View">${tabs('view', [['both', 'GPU | C++'], ['difference', 'Difference'], ['texels', 'Texels'], ['map', 'Map']])}</div>
+<div class="shown">
 <div class="screen">
 <canvas id="picture" tabindex="0" aria-label="The scene. Arrow keys turn the camera, with Shift the light; plus and minus zoom."></canvas>
 <div id="divided" hidden><span>your GPU</span><span>C++</span></div>
 </div>
 <p class="line"><output id="verdict"></output> <span id="time" class="faint"></span></p>
+</div>
 <label class="wide">Divider between your GPU and C++ <input id="divider" type="range" min="0" max="1" step="0.001" value="0.5"></label>
 <p id="said" role="status" hidden></p>
 </div>
 <div class="panel">
-<div class="tabs" role="group" aria-label="A drag turns">${tabs('drag', [['camera', 'Drag turns the camera'], ['light', 'the light']]).replace('value="light"', 'value="light" id="drag-light"')}</div>
+<div class="tabs" role="group" aria-label="What a drag moves">${tabs('drag', [['camera', 'Drag the camera'], ['light', 'Drag the light']]).replace('value="light"', 'value="light" id="drag-light"')}</div>
 <div id="controls"></div>
 <p><label class="button" for="file">Open an OBJ or glTF file</label><input id="file" class="unseen" type="file" accept=".obj,.gltf,.glb"></p>
 </div>
 <div class="text" id="lines">
-<h2>The lines that this picture runs</h2>
+<h2>This shadow in your shader</h2>
 <div class="bar"><div class="tabs" role="group" aria-label="Language">${tabs('language', [['glsl', 'GLSL'], ['hlsl', 'HLSL'], ['wgsl', 'WGSL'], ['msl', 'Metal']])}</div>
-<button type="button">Copy</button> <span class="count faint"></span></div>
-<p><code class="call"></code></p>
+<button type="button">Copy</button></div>
+<details><summary></summary><pre tabindex="0"><code></code></pre></details>
 <pre tabindex="0"><code></code></pre>
 </div>
 </section>`;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shows the text of the shadow, with a tab for each language and a button that copies it.
+// Shows the picture's shadow as a shader, with a tab for each language and a button that copies all of it. The library's
+// part is folded.
 import { copy } from '../clipboard';
 import { highlight, type Language } from '../highlight';
 import { asked_of } from './light';
@@ -27,13 +28,13 @@ export class Text {
         const asked = asked_of(this.state()), key = this.language + JSON.stringify(asked);
         if (key === this.shown) return;
         this.shown = key;
-        void lines_of(asked, this.language, turns(asked.filter)).then(({ text, call }) => {
+        void lines_of(asked, this.language, turns(asked.filter)).then(({ library, main }) => {
             if (key !== this.shown) return;
-            this.text = text;
-            this.place.querySelector('pre code')!.innerHTML = highlight(text, this.language);
-            const said = this.place.querySelector('.call')!;
-            said.textContent = call;
-            this.place.querySelector('.count')!.textContent = `${text.split('\n').length - 1} lines`;
+            this.text = `${library}\n${main}`;
+            const [folded, called] = this.place.querySelectorAll('pre code');
+            folded!.innerHTML = highlight(library, this.language);
+            called!.innerHTML = highlight(main, this.language);
+            this.place.querySelector('summary')!.textContent = `${library.split('\n').length - 1} lines of umbrage`;
         });
     }
 }

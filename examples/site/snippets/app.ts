@@ -2,6 +2,7 @@
 //
 // The snippets' page: a list to search, a map's properties, the text. All that is shown is in the URL.
 import { copy } from '../clipboard';
+import { with_copyright } from '../copyright';
 import { find, type Item as Found } from '../search/find';
 import { compose, load, reads_map, type Package } from './compose';
 import { show_facts, type Fact } from './facts';
@@ -129,6 +130,7 @@ function show_text(from: Package): string {
         const plain = state.items.map(({ snippet }, at) => new_item(snippet, at > 0 ? `map_${at + 1}` : ''));
         ({ text: shown, tier } = compose(from, { ...state, version: 'any', items: plain }));
     }
+    shown = with_copyright(shown);
     code.innerHTML = highlight(shown, state.language);
     by_id('size').textContent =
         `${shown.split('\n').length - 1} lines, ${(new TextEncoder().encode(shown).length / 1024).toFixed(1)} KiB`;

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <umbrage/bias/light_units.hpp>
-#include <umbrage/images/instances.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/draw/instances.hpp>
+#include <umbrage/draw/rasterize.hpp>
 #include <umbrage/images/receivers.hpp>
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/pancake.hpp>
