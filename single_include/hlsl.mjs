@@ -8,14 +8,15 @@ import { bind_in } from './npm/compose/bind.mjs';
 import { compose, exactness_in } from './npm/compose/compose.mjs';
 import { declare_in_hlsl } from './npm/compose/declare.mjs';
 import { depth32f } from './module/hlsl/encodings.mjs';
-import { hooks, looks } from './module/hlsl/shadows.mjs';
+import { calls, hooks } from './module/hlsl/shadows.mjs';
 import { hlsl as language } from './module/languages.mjs';
 import { shadow_in } from './npm/compose/shadow.mjs';
+import { words_of_hlsl } from './npm/compose/words.mjs';
 
 /** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
 export const bind = /*#__PURE__*/ bind_in(hooks);
 /** A light's shadow as functions of a shader: umbrage_<name>(world, normal), and what it declares. */
-export const shadow = /*#__PURE__*/ shadow_in(hooks, looks, depth32f, declare_in_hlsl);
+export const shadow = /*#__PURE__*/ shadow_in(hooks, calls, words_of_hlsl, depth32f, declare_in_hlsl);
 /** The worst tier of a text: of the snippets, of all they need, and of the hooks of the maps they are bound to. */
 export const exactness = items => exactness_in(language, items);
 /** The snippets, bound or not, and all they need, each once: text to paste into any shader. */

@@ -1274,7 +1274,8 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { e.cleared() } -> std::same_as<typename Encoding::texel>;  // texel of an empty map: decodes to the far plane
 };
 
-/// Encoding with a choice of the depth that a code decodes to: lower_edge, center or upper_edge.
+/// Encoding with a choice of the depth that a code decodes to: lower_edge, center or upper_edge. It has `decode_sampled`
+/// too, the reader's snippet in C++.
 template <class Encoding>
 concept has_edge = requires(Encoding e) {
     { e.edge } -> std::convertible_to<float>;
@@ -3157,30 +3158,6 @@ namespace detail {
 
 }  // namespace umbrage
 
-// ---- umbrage/core/line_allocator.hpp
-// Allocator of images' memory, which starts at a cache line.
-//
-//     std::vector<float, detail::line_allocator<float>> texels;
-//
-
-namespace umbrage::detail {
-
-/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
-
-}  // namespace umbrage::detail
-
 // ---- umbrage/core/image.hpp
 // Images: a view of any pixels, an owner of pixels, and two ways to fetch a texel, clamped and bordered.
 //
@@ -3263,6 +3240,24 @@ struct image_view {
         return {{}, first < last ? row(first) : data, {size.x, last - first}, stride};
     }
 };
+
+namespace detail {
+
+/// Allocator that aligns memory to cache lines, so that blocks of pixels do not straddle two lines needlessly.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
 
 /// Owner of pixels, without gaps between rows. Moved from, it is empty.
 template <class T>
@@ -3992,59 +3987,293 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/depth/code.hpp
-// Quantized depth: a depth as an integer of Bits bits (its code), and back. All encodings of this library build on it.
+// ---- umbrage/core/parallel.hpp
+// Threads for image functions, from the caller's scheduler: the library starts none.
 //
-//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
-//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// The contract of parallel_for(count, piece), for count >= 0:
+//   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
+//                 Some may be empty
+//   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
+//   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
+//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
+//                 then. Results are unspecified, and arguments may be used again
+//   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
+//   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
+// A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
+// call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
+// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
+// The result has the same bits for all pieces.
+
+namespace umbrage {
+
+/// Default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+namespace detail {
+
+/// Runs pieces on the caller's scheduler. A single piece runs directly, since threads would not help.
+template <class ParallelFor, class Piece>
+void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
+    if (count == 1) piece(0, 1);
+    else parallel(count, piece);
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/debug/false_color.hpp
+// False color for depth: blue near the light, through cyan, green and yellow, to red far away.
+//
+//     glm::vec3 color = umbrage::false_color(depth);
+//
+// Also called: heat map, jet color map.
+
+namespace umbrage {
+
+/// False color of a depth.
+/// @param v       depth, clamped to [0, 1]
+/// @param cleared depth of the far plane: 1, or 0 for reversed depth
+/// @return        RGB in [0, 1]. Brightness falls at both ends: 0 is dark blue, 1 is dark red
+/// @edge          NaN: the color of cleared
+/// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
+/// @exactness     B, n = 3: one rounded difference per channel
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> false_color(T v, T cleared = T(1)) {
+    const T x = saturate(v, cleared) * T(4);
+    const auto ramp = [x](T peak) {
+        const T distance = x < peak ? peak - x : x - peak;
+        return saturate(T(1.5) - distance);
+    };
+    return {ramp(T(3)), ramp(T(2)), ramp(T(1))};
+}
+
+namespace glsl {
+
+inline constexpr snippet false_color{
+    .name = "false_color",
+    .summary = "depth 0..1 as a color from blue over green to red",
+    .exactness = tier::b,
+    .operations = 3,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_false_color: blue for 0.0, through green, to red for 1.0
+UMBRAGE_HIGHP vec3 umbrage_false_color(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
+    return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+)GLSL",
+};
+
+inline constexpr const snippet* false_color_snippets[]{&false_color};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/debug/overlay_texel.hpp
+// Overlay of a map in a corner of the picture: the texel that a pixel shows, for x and y one by one.
+//
+//     float column = umbrage::overlay_texel(x + 0.5f, 256.0f, 1024.0f, 1024.0f / 256.0f);  // -1: outside the overlay
 //
 
 namespace umbrage {
 
-/// Lower end of a quantization step [x, x + 1) 2^-Bits, as the depth to which a code x decodes.
+/// Texel under a pixel's center, along one side of the overlay.
+///
+/// @param coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
+/// @param size              size of the overlay in pixels, an integer
+/// @param map_size          size of the map in texels, an integer, at most 65536 in float. The product size map_size
+///                          must be at most 2^23 in float and 2^52 in double
+/// @param texels_per_pixel  map_size / size, with an error of up to 16 ulp
+/// @return                  an integer from 0 to map_size - 1, or -1 outside the overlay
+/// @edge                    NaN coord: -1
+/// @formula                 floor(coord map_size / size)
+/// @exactness               A: the quotient rounds, so its floor may be 1 too low. Products of integers correct it
 template <real T>
-inline constexpr T lower_edge = T(0);
-
-/// Center of a quantization step, as the depth to which its code decodes.
-template <real T>
-inline constexpr T center = T(0.5);
-
-/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself by quantization
-/// alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared depth 1 decodes to 1.
-template <real T>
-inline constexpr T upper_edge = T(1);
-
-/// Code of a depth.
-/// @param depth     in [0, 1]; clamped
-/// @param cleared   cleared depth: 1, or 0 where depth is reversed
-/// @return          0 .. 2^Bits - 1
-/// @edge            NaN: the code of the cleared depth
-/// @formula         min(floor(depth 2^Bits), 2^Bits - 1)
-/// @exactness       A: scaling by a power of two, floor, min
-template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth, T cleared = T(1)) {
-    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
-    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth, cleared) * T(codes));
-    return x < codes ? x : codes - 1;
+[[nodiscard]] T overlay_texel(T coord, T size, T map_size, T texels_per_pixel) {
+    if (is_nan(coord) || !(coord >= T(0) && coord < size)) return T(-1);
+    const T texel = std::floor(coord * texels_per_pixel - T(0.5));
+    return (texel + T(1)) * size <= coord * map_size ? texel + T(1) : texel;
 }
 
-/// Depth of a code.
-/// @param code    0 .. 2^Bits - 1
-/// @param edge    lower_edge, center or upper_edge
-/// @return        (code + edge) 2^-Bits
-/// @exactness     A, except for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
-template <int Bits, real T>
-[[nodiscard]] constexpr T from_code(T code, T edge) {
-    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
+namespace glsl {
+
+inline constexpr snippet overlay_texel{
+    .name = "overlay_texel",
+    .summary = "texel under a pixel of a map drawn in the picture's corner",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_overlay_texel: texel under a pixel of a map drawn in the picture's corner; -1.0 outside the overlay
+//   coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
+//   size              size of the overlay in pixels, an integer
+//   map_size          size of the map in texels, an integer, at most 65536.0; times size at most 2^23
+//   texels_per_pixel  map_size / size
+UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
+                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
+    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+)GLSL",
+};
+
+inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/debug/probe_color.hpp
+// Debug view of a receiver's lookup: the texels of its map, or a plain color for the reason why it has no shadow.
+//
+//     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
+//     color = umbrage::probe_inputs(color, world, normal);
+//
+// Also called: shadow debug mode, cascade colors (probe_color).
+// See also: shadow/probe.hpp, which joins both functions for a shadow, in C++ and in shaders.
+
+namespace umbrage {
+
+namespace detail {
+
+/// True if a probe can use a number: not NaN, and of a magnitude below 2^64.
+template <real T>
+[[nodiscard]] constexpr bool is_usable(T v) {
+    return !is_nan(v) && v < T(0x1p64) && v > T(-0x1p64);
 }
 
-/// Largest errors of from_code(to_code(depth)), below and above the depth.
-[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
-    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
-    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
+}  // namespace detail
+
+/// Debug color of a receiver's position in a map.
+///
+/// @param at          position in the map: x and y in texels, z depth before the bias
+/// @param size        size of the map, in texels
+/// @param bias        bias of the receiver, in depth
+/// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
+/// @param direction   depth direction of the map
+/// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
+///                    next seven, again gray in map 8.
+///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                    Cyan: beyond the far plane. Blue: in front of the near plane.
+///                    Red: bias at its limit of 1, which removes all shadows
+/// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
+/// @exactness         A
+template <real T>
+[[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
+                                         depth_direction direction = depth_direction::forward) {
+    using color = glm::vec<3, T>;
+    const T z_far = T(cleared_depth(direction)), z_near = T(1) - z_far;
+    if (!(detail::is_usable(at.x) && detail::is_usable(at.y) && detail::is_usable(at.z))) return color(1, 0, 1);
+    if (at.x >= T(65536)) return color(0, 0, 0);
+    if (!(at.x >= T(0) && at.y >= T(0) && at.x <= size.x && at.y <= size.y)) return color(1, 1, 1);
+    if (z_far > z_near ? at.z > T(1) : at.z < T(0)) return color(0, 1, 1);
+    if (z_far > z_near ? at.z < T(0) : at.z > T(1)) return color(0, 0, 1);
+    if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
+    const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
+    const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
+    const auto level = [&](T bit) { return (is_odd(std::floor(number * bit)) ? T(0.875) : T(0.375)) * shade; };
+    return {level(T(1)), level(T(0.5)), level(T(0.25))};
 }
 
+/// The color given, unless the receiver itself is wrong.
+///
+/// @param color    color from probe_color
+/// @param world    world position of the receiver
+/// @param normal   surface normal of the receiver
+/// @return         color, or yellow for a zero normal, which gets no bias
+/// @edge           a component that is NaN or of magnitude 2^64 or more: magenta
+/// @exactness      A
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> probe_inputs(glm::vec<3, T> color, glm::vec<3, T> world, glm::vec<3, T> normal) {
+    bool usable = true, zero = true;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        usable = usable && detail::is_usable(world[i]) && detail::is_usable(normal[i]);
+        zero = zero && normal[i] == T(0);
+    }
+    if (!usable) return {T(1), T(0), T(1)};
+    return zero ? glm::vec<3, T>(T(1), T(1), T(0)) : color;
+}
+
+namespace glsl {
+
+inline constexpr snippet probe_color{
+    .name = "probe_color",
+    .summary = "debug color of a lookup: its texels, or why it fails",
+    .exactness = tier::a,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_probe_color: debug color of a receiver's position in a map
+//   at      x and y in texels, z depth
+//   size    size of the map, in texels
+//   bias    bias of the receiver, in depth
+//   number  index of the map, an integer
+//   magenta  not a number
+//   black    behind the light, or in no cascade
+//   white    outside the map
+//   cyan     beyond the far plane
+//   blue     in front of the near plane
+//   red      bias at its limit of 1.0
+//   else     squares of one texel, gray or in the map's color: all is well
+UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
+                                       UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(at.x) < limit && abs(at.y) * 2.0 < limit * 2.0 && abs(at.z) * 4.0 < limit * 4.0;
+    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
+    bool forward = umbrage_cleared_depth() > 0.5;
+    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
+    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
+    UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
+    UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
+    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
+    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
+    bits = bits - 2.0 * floor(bits * 0.5);
+    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
+    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
+    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
+    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
+    color = inside ? color : vec3(1.0, 1.0, 1.0);
+    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
+    return usable ? color : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet probe_inputs{
+    .name = "probe_inputs",
+    .summary = "debug color, unless position or normal is wrong",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_probe_inputs: color, unless the receiver is wrong
+//   magenta  position or normal is not a number
+//   yellow   a normal of zero
+UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
+                                        UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
+    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
+    bool usable = abs(world.x) < limit && abs(world.y) * 2.0 < limit * 2.0 && abs(world.z) * 4.0 < limit * 4.0;
+    usable = usable && abs(normal.x) * 8.0 < limit * 8.0;
+    usable = usable && abs(normal.y) * 16.0 < limit * 16.0 && abs(normal.z) * 32.0 < limit * 32.0;
+    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
+    return usable ? given : vec3(1.0, 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* probe_color_snippets[]{&probe_color, &probe_inputs};
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/conversions.hpp
@@ -4539,6 +4768,61 @@ struct float_bits {
 
 }  // namespace umbrage
 
+// ---- umbrage/depth/quantize.hpp
+// Quantized depth: a depth as an integer of Bits bits (its code), and back. All encodings of this library build on it.
+//
+//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
+//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//
+
+namespace umbrage {
+
+/// Lower end of a quantization step [x, x + 1) 2^-Bits, as the depth to which a code x decodes.
+template <real T>
+inline constexpr T lower_edge = T(0);
+
+/// Center of a quantization step, as the depth to which its code decodes.
+template <real T>
+inline constexpr T center = T(0.5);
+
+/// Upper end of a quantization step, as the depth to which its code decodes. No surface shadows itself by quantization
+/// alone: d <= decode(encode(d)) for every d in [0, 1]. The cleared depth 1 decodes to 1.
+template <real T>
+inline constexpr T upper_edge = T(1);
+
+/// Code of a depth.
+/// @param depth     in [0, 1]; clamped
+/// @param cleared   cleared depth: 1, or 0 where depth is reversed
+/// @return          0 .. 2^Bits - 1
+/// @edge            NaN: the code of the cleared depth
+/// @formula         min(floor(depth 2^Bits), 2^Bits - 1)
+/// @exactness       A: scaling by a power of two, floor, min
+template <int Bits, real T>
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T cleared = T(1)) {
+    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
+    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+    const auto x = static_cast<std::uint32_t>(saturate(depth, cleared) * T(codes));
+    return x < codes ? x : codes - 1;
+}
+
+/// Depth of a code.
+/// @param code    0 .. 2^Bits - 1
+/// @param edge    lower_edge, center or upper_edge
+/// @return        (code + edge) 2^-Bits
+/// @exactness     A, except for the center of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+template <int Bits, real T>
+[[nodiscard]] constexpr T from_code(T code, T edge) {
+    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
+}
+
+/// Largest errors of from_code(to_code(depth)), below and above the depth.
+[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
+    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
+    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/depth/r16.hpp
 // Depth in one 16-bit UNORM channel: half the memory of a float map, without packing.
 //
@@ -4627,6 +4911,8 @@ struct r16 {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_r16(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_r16(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_r16(c.x, edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
@@ -4754,6 +5040,8 @@ struct rg {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rg<Bits>(glm::vec2(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
@@ -5045,6 +5333,8 @@ struct rgb10 {
         return target::packed(encode_rgb10(depth, cleared_depth(direction)));
     }
     [[nodiscard]] float decode(texel t) const { return decode_rgb10(target::unpacked(t), edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rgb10(glm::vec3(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
@@ -5150,6 +5440,8 @@ struct rgb24 {
 
     [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+    /// Depth of the values that sampling returns, as the reader's snippet computes it.
+    [[nodiscard]] float decode_sampled(glm::vec4 c) const { return decode_rgb24(glm::vec3(c), edge); }
     [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
     [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
 };
@@ -10961,6 +11253,98 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/lighting.hpp
+// Lighting of the DirectX SDK's ShadowMap sample: a spot cone, and diffuse plus ambient light.
+//
+//     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
+//     glm::vec3 color = umbrage::diffuse_ambient(albedo, ambient, glm::dot(normal, to_light), visibility * cone);
+//
+// Also called: spotlight cone, smooth falloff, inner and outer angle (spot_cone).
+//
+
+namespace umbrage {
+
+/// 1 for points inside a spot light's cone, else 0.
+///
+/// @param direction   direction of the light, unit length
+/// @param to_point    vector from the light to the point, of any length whose square neither overflows nor underflows
+/// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
+/// @return            1 inside the cone, 0 outside
+/// @edge              point at the apex, or NaN: 0
+/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test without its
+///                    normalization
+/// @exactness         B, n = 11
+/// @cite              Microsoft DirectX SDK, ShadowMap sample
+template <real T>
+[[nodiscard]] constexpr T spot_cone(glm::vec<3, T> direction, glm::vec<3, T> to_point, T cos_outer) {
+    const T d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    const T length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    const T edge2 = cos_outer * cos_outer * length2;
+    const bool defined = !is_nan(d) && !is_nan(edge2);
+    return defined && d > T(0) && d * d > edge2 ? T(1) : T(0);
+}
+
+/// Light that a diffuse surface reflects to the eye.
+///
+/// @param albedo       albedo of the surface, RGB
+/// @param ambient      fraction of the light that reaches shadows, RGB, each in [0, 1]
+/// @param n_dot_l      cosine between the normal and the direction to the light
+/// @param visibility   visibility of the light, 1 = lit
+/// @edge               n_dot_l <= 0 or NaN: ambient light alone
+/// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
+/// @exactness          B, n = 5
+/// @cite               Microsoft DirectX SDK, ShadowMap sample
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, glm::vec<3, T> ambient, T n_dot_l,
+                                                       T visibility) {
+    const bool faces = !is_nan(n_dot_l) && n_dot_l > T(0);
+    return albedo * (faces ? visibility * n_dot_l * (T(1) - ambient) + ambient : ambient);
+}
+
+namespace glsl {
+
+inline constexpr snippet spot_cone{
+    .name = "spot_cone",
+    .summary = "1 inside a spot light's cone, else 0",
+    .exactness = tier::b,
+    .operations = 11,
+    .source = R"GLSL(
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
+                                      UMBRAGE_HIGHP float cos_outer) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
+        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet diffuse_ambient{
+    .name = "diffuse_ambient",
+    .summary = "diffuse plus ambient light of a surface",
+    .exactness = tier::b,
+    .operations = 5,
+    .source = R"GLSL(
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
+//   for n_dot_l <= 0.0 and NaN: albedo * ambient
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP vec3 ambient,
+                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
+}
+)GLSL",
+};
+
+inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/light/pancake.hpp
 // Pancaking: the vertex shader clamps casters to the near plane, for rasterizers that cannot clamp depth.
 //
@@ -11505,7 +11889,7 @@ inline constexpr const snippet* tetrahedron_snippets[]{
 //
 //     auto faces = umbrage::make_tetrahedron_light<float>(
 //         {.position = p, .map_size = 1024, .border = 2, .clip = clip});
-//     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // images/tetrahedron_pass.hpp
+//     umbrage::rasterize_tetrahedron(map.view(), mesh, faces);  // draw/tetrahedron_pass.hpp
 //     glm::vec2 texel = umbrage::tetrahedron_texel(umbrage::tetrahedron_coordinate(world - p), 1024.0f, 2.0f);
 //
 // Triangles share rectangles, so a face's depth pass must leave the texels of other faces unchanged. Discard in a
@@ -11667,348 +12051,12 @@ template <real T = float>
 
 }  // namespace umbrage
 
-// ---- umbrage/shade/lighting.hpp
-// Lighting of the DirectX SDK's ShadowMap sample: a spot cone, and diffuse plus ambient light.
-//
-//     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
-//     glm::vec3 color = umbrage::diffuse_ambient(albedo, ambient, glm::dot(normal, to_light), visibility * cone);
-//
-// Also called: spotlight cone, smooth falloff, inner and outer angle (spot_cone).
-//
-
-namespace umbrage {
-
-/// 1 for points inside a spot light's cone, else 0.
-///
-/// @param direction   direction of the light, unit length
-/// @param to_point    vector from the light to the point, of any length whose square neither overflows nor underflows
-/// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
-/// @return            1 inside the cone, 0 outside
-/// @edge              point at the apex, or NaN: 0
-/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test without its
-///                    normalization
-/// @exactness         B, n = 11
-/// @cite              Microsoft DirectX SDK, ShadowMap sample
-template <real T>
-[[nodiscard]] constexpr T spot_cone(glm::vec<3, T> direction, glm::vec<3, T> to_point, T cos_outer) {
-    const T d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
-    const T length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
-    const T edge2 = cos_outer * cos_outer * length2;
-    const bool defined = !is_nan(d) && !is_nan(edge2);
-    return defined && d > T(0) && d * d > edge2 ? T(1) : T(0);
-}
-
-/// Light that a diffuse surface reflects to the eye.
-///
-/// @param albedo       albedo of the surface, RGB
-/// @param ambient      fraction of the light that reaches shadows, RGB, each in [0, 1]
-/// @param n_dot_l      cosine between the normal and the direction to the light
-/// @param visibility   visibility of the light, 1 = lit
-/// @edge               n_dot_l <= 0 or NaN: ambient light alone
-/// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
-/// @exactness          B, n = 5
-/// @cite               Microsoft DirectX SDK, ShadowMap sample
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, glm::vec<3, T> ambient, T n_dot_l,
-                                                       T visibility) {
-    const bool faces = !is_nan(n_dot_l) && n_dot_l > T(0);
-    return albedo * (faces ? visibility * n_dot_l * (T(1) - ambient) + ambient : ambient);
-}
-
-namespace glsl {
-
-inline constexpr snippet spot_cone{
-    .name = "spot_cone",
-    .summary = "1 inside a spot light's cone, else 0",
-    .exactness = tier::b,
-    .operations = 11,
-    .source = R"GLSL(
-// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
-//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
-UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
-                                      UMBRAGE_HIGHP float cos_outer) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
-        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
-        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
-    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
-}
-)GLSL",
-};
-
-inline constexpr snippet diffuse_ambient{
-    .name = "diffuse_ambient",
-    .summary = "diffuse plus ambient light of a surface",
-    .exactness = tier::b,
-    .operations = 5,
-    .source = R"GLSL(
-// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient)
-//   for n_dot_l <= 0.0 and NaN: albedo * ambient
-UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP vec3 ambient,
-                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 light = visibility * n_dot_l * (1.0 - ambient) + ambient;
-    return albedo * (n_dot_l > 0.0 ? light : ambient);  // max gives NaN for a signalling NaN on Mesa
-}
-)GLSL",
-};
-
-inline constexpr const snippet* lighting_snippets[]{&spot_cone, &diffuse_ambient};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/version.hpp
 // The version of umbrage. CMake reads it from here.
 
 #define UMBRAGE_VERSION_MAJOR 0
 #define UMBRAGE_VERSION_MINOR 1
 #define UMBRAGE_VERSION_PATCH 0
-
-// ---- umbrage/view/false_color.hpp
-// False color for depth: blue near the light, through cyan, green and yellow, to red far away.
-//
-//     glm::vec3 color = umbrage::false_color(depth);
-//
-// Also called: heat map, jet color map.
-
-namespace umbrage {
-
-/// False color of a depth.
-/// @param v       depth, clamped to [0, 1]
-/// @param cleared depth of the far plane: 1, or 0 for reversed depth
-/// @return        RGB in [0, 1]. Brightness falls at both ends: 0 is dark blue, 1 is dark red
-/// @edge          NaN: the color of cleared
-/// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
-/// @exactness     B, n = 3: one rounded difference per channel
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> false_color(T v, T cleared = T(1)) {
-    const T x = saturate(v, cleared) * T(4);
-    const auto ramp = [x](T peak) {
-        const T distance = x < peak ? peak - x : x - peak;
-        return saturate(T(1.5) - distance);
-    };
-    return {ramp(T(3)), ramp(T(2)), ramp(T(1))};
-}
-
-namespace glsl {
-
-inline constexpr snippet false_color{
-    .name = "false_color",
-    .summary = "depth 0..1 as a color from blue over green to red",
-    .exactness = tier::b,
-    .operations = 3,
-    .needs = list<&saturate>,
-    .source = R"GLSL(
-// umbrage_false_color: blue for 0.0, through green, to red for 1.0
-UMBRAGE_HIGHP vec3 umbrage_false_color(UMBRAGE_HIGHP float v) {
-    UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
-    return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
-}
-)GLSL",
-};
-
-inline constexpr const snippet* false_color_snippets[]{&false_color};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/view/overlay_texel.hpp
-// Overlay of a map in a corner of the picture: the texel that a pixel shows, for x and y one by one.
-//
-//     float column = umbrage::overlay_texel(x + 0.5f, 256.0f, 1024.0f, 1024.0f / 256.0f);  // -1: outside the overlay
-//
-
-namespace umbrage {
-
-/// Texel under a pixel's center, along one side of the overlay.
-///
-/// @param coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
-/// @param size              size of the overlay in pixels, an integer
-/// @param map_size          size of the map in texels, an integer, at most 65536 in float. The product size map_size
-///                          must be at most 2^23 in float and 2^52 in double
-/// @param texels_per_pixel  map_size / size, with an error of up to 16 ulp
-/// @return                  an integer from 0 to map_size - 1, or -1 outside the overlay
-/// @edge                    NaN coord: -1
-/// @formula                 floor(coord map_size / size)
-/// @exactness               A: the quotient rounds, so its floor may be 1 too low. Products of integers correct it
-template <real T>
-[[nodiscard]] T overlay_texel(T coord, T size, T map_size, T texels_per_pixel) {
-    if (is_nan(coord) || !(coord >= T(0) && coord < size)) return T(-1);
-    const T texel = std::floor(coord * texels_per_pixel - T(0.5));
-    return (texel + T(1)) * size <= coord * map_size ? texel + T(1) : texel;
-}
-
-namespace glsl {
-
-inline constexpr snippet overlay_texel{
-    .name = "overlay_texel",
-    .summary = "texel under a pixel of a map drawn in the picture's corner",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_overlay_texel: texel under a pixel of a map drawn in the picture's corner; -1.0 outside the overlay
-//   coord             center of the pixel, counted from the corner: 0.5, 1.5, ...
-//   size              size of the overlay in pixels, an integer
-//   map_size          size of the map in texels, an integer, at most 65536.0; times size at most 2^23
-//   texels_per_pixel  map_size / size
-UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
-                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
-    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
-    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
-    return coord >= 0.0 && coord < size ? texel : -1.0;
-}
-)GLSL",
-};
-
-inline constexpr const snippet* overlay_texel_snippets[]{&overlay_texel};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/view/probe_color.hpp
-// Debug view of a receiver's lookup: the texels of its map, or a plain color for the reason why it has no shadow.
-//
-//     glm::vec3 color = umbrage::probe_color(at, glm::vec2(1024), bias, 0.0f);
-//     color = umbrage::probe_inputs(color, world, normal);
-//
-// Also called: shadow debug mode, cascade colors (probe_color).
-// See also: shadow/probe.hpp, which joins both functions for a shadow, in C++ and in shaders.
-
-namespace umbrage {
-
-namespace detail {
-
-/// True if a probe can use a number: not NaN, and of a magnitude below 2^64.
-template <real T>
-[[nodiscard]] constexpr bool is_usable(T v) {
-    return !is_nan(v) && v < T(0x1p64) && v > T(-0x1p64);
-}
-
-}  // namespace detail
-
-/// Debug color of a receiver's position in a map.
-///
-/// @param at          position in the map: x and y in texels, z depth before the bias
-/// @param size        size of the map, in texels
-/// @param bias        bias of the receiver, in depth
-/// @param number      index of the map, an integer from 0 to 65535: a cascade, a face or a page
-/// @param direction   depth direction of the map
-/// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
-///                    next seven, again gray in map 8.
-///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
-///                    Cyan: beyond the far plane. Blue: in front of the near plane.
-///                    Red: bias at its limit of 1, which removes all shadows
-/// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
-/// @exactness         A
-template <real T>
-[[nodiscard]] glm::vec<3, T> probe_color(glm::vec<3, T> at, glm::vec<2, T> size, T bias, T number,
-                                         depth_direction direction = depth_direction::forward) {
-    using color = glm::vec<3, T>;
-    const T z_far = T(cleared_depth(direction)), z_near = T(1) - z_far;
-    if (!(detail::is_usable(at.x) && detail::is_usable(at.y) && detail::is_usable(at.z))) return color(1, 0, 1);
-    if (at.x >= T(65536)) return color(0, 0, 0);
-    if (!(at.x >= T(0) && at.y >= T(0) && at.x <= size.x && at.y <= size.y)) return color(1, 1, 1);
-    if (z_far > z_near ? at.z > T(1) : at.z < T(0)) return color(0, 1, 1);
-    if (z_far > z_near ? at.z < T(0) : at.z > T(1)) return color(0, 0, 1);
-    if (is_nan(bias) || !(bias < T(1))) return color(1, 0, 0);
-    const auto is_odd = [](T v) { return v - T(2) * std::floor(v * T(0.5)) > T(0.5); };
-    const T shade = is_odd(std::floor(at.x) + std::floor(at.y)) ? T(0.75) : T(1);
-    const auto level = [&](T bit) { return (is_odd(std::floor(number * bit)) ? T(0.875) : T(0.375)) * shade; };
-    return {level(T(1)), level(T(0.5)), level(T(0.25))};
-}
-
-/// The color given, unless the receiver itself is wrong.
-///
-/// @param color    color from probe_color
-/// @param world    world position of the receiver
-/// @param normal   surface normal of the receiver
-/// @return         color, or yellow for a zero normal, which gets no bias
-/// @edge           a component that is NaN or of magnitude 2^64 or more: magenta
-/// @exactness      A
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> probe_inputs(glm::vec<3, T> color, glm::vec<3, T> world, glm::vec<3, T> normal) {
-    bool usable = true, zero = true;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        usable = usable && detail::is_usable(world[i]) && detail::is_usable(normal[i]);
-        zero = zero && normal[i] == T(0);
-    }
-    if (!usable) return {T(1), T(0), T(1)};
-    return zero ? glm::vec<3, T>(T(1), T(1), T(0)) : color;
-}
-
-namespace glsl {
-
-inline constexpr snippet probe_color{
-    .name = "probe_color",
-    .summary = "debug color of a lookup: its texels, or why it fails",
-    .exactness = tier::a,
-    .needs = list<&cleared_depth>,
-    .source = R"GLSL(
-// umbrage_probe_color: debug color of a receiver's position in a map
-//   at      x and y in texels, z depth
-//   size    size of the map, in texels
-//   bias    bias of the receiver, in depth
-//   number  index of the map, an integer
-//   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
-//   cyan     beyond the far plane
-//   blue     in front of the near plane
-//   red      bias at its limit of 1.0
-//   else     squares of one texel, gray or in the map's color: all is well
-UMBRAGE_HIGHP vec3 umbrage_probe_color(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float bias,
-                                       UMBRAGE_HIGHP float number) {
-    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
-    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
-    bool usable = abs(at.x) < limit && abs(at.y) * 2.0 < limit * 2.0 && abs(at.z) * 4.0 < limit * 4.0;
-    bool inside = at.x >= 0.0 && at.y >= 0.0 && at.x <= size.x && at.y <= size.y;
-    bool forward = umbrage_cleared_depth() > 0.5;
-    bool past_far = forward ? at.z > 1.0 : at.z < 0.0;
-    bool past_near = forward ? at.z < 0.0 : at.z > 1.0;
-    UMBRAGE_HIGHP vec2 place = clamp(vec2(at.x, at.y), vec2(0.0, 0.0), vec2(65536.0, 65536.0));
-    UMBRAGE_HIGHP float square = floor(place.x) + floor(place.y);
-    UMBRAGE_HIGHP float shade = square - 2.0 * floor(square * 0.5) > 0.5 ? 0.75 : 1.0;
-    UMBRAGE_HIGHP vec3 bits = floor(vec3(number, number * 0.5, number * 0.25));
-    bits = bits - 2.0 * floor(bits * 0.5);
-    UMBRAGE_HIGHP vec3 color = (bits * 0.5 + 0.375) * shade;
-    color = bias < 1.0 ? color : vec3(1.0, 0.0, 0.0);
-    color = past_near ? vec3(0.0, 0.0, 1.0) : color;
-    color = past_far ? vec3(0.0, 1.0, 1.0) : color;
-    color = inside ? color : vec3(1.0, 1.0, 1.0);
-    color = at.x < 65536.0 ? color : vec3(0.0, 0.0, 0.0);
-    return usable ? color : vec3(1.0, 0.0, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr snippet probe_inputs{
-    .name = "probe_inputs",
-    .summary = "debug color, unless position or normal is wrong",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_probe_inputs: color, unless the receiver is wrong
-//   magenta  position or normal is not a number
-//   yellow   a normal of zero
-UMBRAGE_HIGHP vec3 umbrage_probe_inputs(UMBRAGE_HIGHP vec3 color, UMBRAGE_HIGHP vec3 world,
-                                        UMBRAGE_HIGHP vec3 normal) {
-    UMBRAGE_HIGHP float limit = 18446744073709551616.0;
-    // limits differ on purpose: Mesa makes max(x, y) < limit of equal ones, which loses a NaN
-    bool usable = abs(world.x) < limit && abs(world.y) * 2.0 < limit * 2.0 && abs(world.z) * 4.0 < limit * 4.0;
-    usable = usable && abs(normal.x) * 8.0 < limit * 8.0;
-    usable = usable && abs(normal.y) * 16.0 < limit * 16.0 && abs(normal.z) * 32.0 < limit * 32.0;
-    bool zero = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
-    UMBRAGE_HIGHP vec3 given = zero ? vec3(1.0, 1.0, 0.0) : color;
-    return usable ? given : vec3(1.0, 0.0, 1.0);
-}
-)GLSL",
-};
-
-inline constexpr const snippet* probe_color_snippets[]{&probe_color, &probe_inputs};
-
-}  // namespace glsl
-}  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
@@ -12017,227 +12065,87 @@ inline constexpr const snippet* probe_color_snippets[]{&probe_color, &probe_inpu
 // texts of snippets. Made by single_include/amalgamate.cmake.
 
 
-// ---- umbrage/core/list.hpp
-// List of types whose values know their names, for tools, tables and tests to iterate over.
+// ---- umbrage/debug/overlay.hpp
+// Debug overlay of a shadow map in the corner of a rendered picture, with stretched contrast.
 //
-//     using encodings = umbrage::list_of<depth32f, rg<9>>;
-//     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_color(s(depth));
+//     });
 //
 
 namespace umbrage {
 
-/// Cheap alternative to std::tuple: it is never constructed, so files that do not iterate over it pay nothing.
-template <class... Values>
-struct list_of {
-    static constexpr std::size_t size = sizeof...(Values);
+/// Mapping of low..high to 0..1. Clamps values outside, and returns 1 for NaN.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
 
-    /// Calls use(value) in order, with a value of each type or with each of its `values`.
-    template <class Use>
-    static constexpr void for_each(Use&& use) {
-        (each<Values>(use), ...);
-    }
-
-    /// Calls use(value) with the value of that name.
-    /// @return   false if no value has that name
-    template <class Use>
-    static constexpr bool with(std::string_view name, Use&& use) {
-        bool found = false;
-        for_each([&](const auto& value) {
-            if (found || value.name != name) return;
-            found = true;
-            static_cast<void>(use(value));
-        });
-        return found;
-    }
-
-private:
-    template <class Value, class Use>
-    static constexpr void each(Use& use) {
-        if constexpr (requires { Value::values; })
-            for (const Value& value : Value::values) use(value);
-        else use(Value{});
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
     }
 };
 
-}  // namespace umbrage
-
-// ---- umbrage/filter/filters.hpp
-// List of every filter in this library, for tools, tables, proofs and examples.
-//
-//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
-//
-
-namespace umbrage::filters {
-
-/// List of the filters that need no size of the light.
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
-
-/// Filters that also know the size of the light. Their maps must store z/w.
-using soft = list_of<pcss, dpcf>;
-
-}  // namespace umbrage::filters
-
-namespace umbrage {
-
-/// Calls use(filter) once for each filter of filters::all, in order.
-template <class Use>
-void for_each_filter(Use&& use) {
-    filters::all::for_each(use);
+/// Range of a map's depths, without the texels to which nothing was drawn.
+///
+/// @param map       depths, any values
+/// @param cleared   texels of this value are skipped, as are NaN and infinities
+/// @param outliers  share of the depths to drop at each end, 0 <= outliers < 1/2
+/// @return          the range
+/// @edge            no texel left: 0..1
+/// @throws std::invalid_argument  outliers out of range
+template <class = detail::on_use>
+[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
+    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](auto at) {
+        std::nth_element(depths.begin(), at, depths.end());
+        return *at;
+    };
+    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
 }
 
-/// Calls use(filter) with the filter of that name.
-/// @return   false when no filter has that name
-template <class Use>
-bool with_filter(std::string_view name, Use&& use) {
-    return filters::all::with(name, use);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/parallel.hpp
-// Threads for image functions, from the caller's scheduler: the library starts none.
-//
-//     auto parallel_for = [&](int count, auto&& piece) {
-//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
-//                           [&](const auto& range) { piece(range.begin(), range.end()); });
-//     };
-//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
-//
-// The contract of parallel_for(count, piece), for count >= 0:
-//   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
-//                 Some may be empty
-//   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
-//   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
-//   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
-//                 then. Results are unspecified, and arguments may be used again
-//   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
-//   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
-// A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
-// call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
-// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
-// The result has the same bits for all pieces.
-
-namespace umbrage {
-
-/// Default: everything in one piece, on the caller's thread.
-struct serial {
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        if (count > 0) piece(0, count);
-    }
+/// Placement of an overlay: its size, and the row order of both images. It goes to the visible top left corner.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; 0 stands for the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< place of row 0 of the map
+    texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
 };
 
-namespace detail {
-
-/// Runs pieces on the caller's scheduler. A single piece runs directly, since threads would not help.
-template <class ParallelFor, class Piece>
-void in_pieces(int count, ParallelFor&& parallel, const Piece& piece) {
-    if (count == 1) piece(0, 1);
-    else parallel(count, piece);
+/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off the part
+/// that does not fit.
+///
+/// @param picture   picture to draw into
+/// @param map       depths, any values
+/// @param place     size of the overlay, and the row order of both images
+/// @param color     color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Color>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Color&& color) {
+    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
+            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
+    }
 }
 
-}  // namespace detail
 }  // namespace umbrage
-
-// ---- umbrage/simd/dispatch.hpp
-// Dispatch of a loop to the machine's best instruction set at run time. The loop is compiled for each set, without
-// flags or intrinsics.
-//
-//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
-//
-// A body is inlined into thin functions that carry the target. Functions that it calls must be UMBRAGE_INLINE too, or
-// they are compiled for the base set. At -O2, GCC only vectorizes loops whose count it knows, and no `c ? x : y` on
-// floats. So loops run over blocks of 64, and select on the bits.
-//
-// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled. A machine without that set
-// uses the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
-// program.
-
-// Put before a loop that writes memory from which it does not read. At -O2, GCC does not check that at run time.
-#if defined(__GNUC__) && !defined(__clang__)
-#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
-#else
-#define UMBRAGE_NO_OVERLAP
-#endif
-
-namespace umbrage::detail {
-
-enum class isa { base, avx2, avx512 };
-
-template <isa Set>
-using isa_constant = std::integral_constant<isa, Set>;
-
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
-inline constexpr bool has_dispatch = true;
-
-/// Best instruction set of this machine, among those with their own path.
-[[nodiscard]] inline isa best_isa() {
-    __builtin_cpu_init();
-    if (!__builtin_cpu_supports("avx2")) return isa::base;
-    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    return wide ? isa::avx512 : isa::avx2;
-}
-
-template <class Body>
-__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
-    body(isa_constant<isa::avx2>{});
-}
-template <class Body>
-__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
-    body(isa_constant<isa::avx512>{});
-}
-#else
-inline constexpr bool has_dispatch = false;
-[[nodiscard]] inline isa best_isa() { return isa::base; }
-#endif
-
-/// Widest set for which anything is compiled.
-#if defined(UMBRAGE_FORCE_ISA)
-inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
-#else
-inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
-#endif
-
-/// Instruction set that image functions use. Tests set it to run every path.
-inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
-
-/// Runs the body, compiled for the instruction set in use, which it receives as a constant. Only for results that no
-/// contraction to FMA can change.
-template <class Body>
-void on_best_isa(const Body& body) {
-    if constexpr (widest_isa >= isa::avx512)
-        if (isa_in_use >= isa::avx512) return on_avx512(body);
-    if constexpr (widest_isa >= isa::avx2)
-        if (isa_in_use >= isa::avx2) return on_avx2(body);
-    body(isa_constant<isa::base>{});
-}
-
-/// Runs a body with sums of products that round. AVX-512 includes FMA, with which compilers change such results.
-template <class Body>
-void on_best_isa_without_fma(const Body& body) {
-    if constexpr (widest_isa >= isa::avx2)
-        if (isa_in_use != isa::base) return on_avx2(body);
-    body(isa_constant<isa::base>{});
-}
-
-/// Runs the body in a separate function, for the instruction set of its caller. A large body with several callers is
-/// then compiled once.
-template <class Body>
-void out_of_line(isa_constant<isa::base> set, const Body& body) {
-    body(set);
-}
-template <isa Set, class Body>
-void out_of_line(isa_constant<Set>, const Body& body) {
-    if constexpr (Set == isa::avx512) on_avx512(body);
-    else on_avx2(body);
-}
-
-/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. A loop over
-/// an array that starts elsewhere, as may happen on a stack, can take several times as long.
-inline constexpr int block = 64;
-
-}  // namespace umbrage::detail
 
 // ---- umbrage/simd/strict_math.hpp
 // Protection from -ffast-math for code with guaranteed bits.
@@ -12274,6 +12182,179 @@ constexpr bool finite_math_only = false;
 #endif
 
 }  // namespace umbrage::detail
+
+// ---- umbrage/draw/mesh.hpp
+// Meshes for the depth pass: triangles, drawn once or as instances, each with its matrix.
+//
+//     umbrage::mesh_view mesh{positions, triangles};
+//     umbrage::mesh_view same{{&vertices[0].position.x, vertices.size(), sizeof(vertex)}, indices};  // interleaved
+//
+// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane); negative scale, mirrored instances, flipped
+// winding, glFrontFace (is_mirrored); interleaved vertices, byteStride (position_view); 16-bit indices, index buffer,
+// UNSIGNED_SHORT (triangle_view).
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Element of a view by its index, for loops over all.
+template <class View>
+struct element_of {
+    const View* view;
+    std::size_t i;
+
+    [[nodiscard]] auto operator*() const { return (*view)[i]; }
+    element_of& operator++() { return ++i, *this; }
+    [[nodiscard]] bool operator==(const element_of&) const = default;
+};
+
+}  // namespace detail
+
+/// Positions of a mesh: packed, or a part of larger vertices, as in interleaved buffers. The view does not own them.
+class position_view {
+public:
+    position_view() = default;
+
+    /// @param all   glm::vec3 one after the other: a span, a vector, an array
+    template <std::convertible_to<std::span<const glm::vec3>> All>
+    position_view(const All& all) {
+        const std::span<const glm::vec3> packed(all);
+        first_ = reinterpret_cast<const float*>(packed.data()), count_ = packed.size();
+    }
+
+    /// @param first    x of the first position; y and z follow it
+    /// @param count    number of positions
+    /// @param stride   bytes from one position to the next, at least 12 and a multiple of 4: the size of a vertex, or
+    ///                 glTF's byteStride. Packed positions without one have 12
+    /// @throws std::invalid_argument  another stride; no first position of some
+    position_view(const float* first, std::size_t count, std::size_t stride)
+        : first_(first), count_(count), stride_(stride / sizeof(float)) {
+        constexpr auto function = "position_view";
+        detail::require(stride >= 3 * sizeof(float) && stride % sizeof(float) == 0, function, "stride",
+                        "a multiple of 4 bytes, 12 or more", stride);
+        detail::require(first || count == 0, function, "count", "0 where first is null", count);
+    }
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator[](std::size_t i) const {
+        const float* const p = first_ + i * stride_;
+        return {p[0], p[1], p[2]};
+    }
+    [[nodiscard]] detail::element_of<position_view> begin() const { return {this, 0}; }
+    [[nodiscard]] detail::element_of<position_view> end() const { return {this, count_}; }
+
+private:
+    const float* first_ = nullptr;
+    std::size_t count_ = 0, stride_ = sizeof(glm::vec3) / sizeof(float);  // floats
+};
+
+/// Triangles of a mesh: three indices each, of 32 or 16 bits. The view does not own them.
+class triangle_view {
+public:
+    triangle_view() = default;
+
+    /// @param all   glm::uvec3 for each triangle: a span, a vector, an array
+    template <std::convertible_to<std::span<const glm::uvec3>> All>
+    triangle_view(const All& all) : step_(sizeof(glm::uvec3) / sizeof(std::uint32_t)) {
+        const std::span<const glm::uvec3> triangles(all);
+        words_ = reinterpret_cast<const std::uint32_t*>(triangles.data()), count_ = triangles.size();
+    }
+
+    /// @param all   three indices for each triangle
+    /// @throws std::invalid_argument  a number of indices that is no multiple of 3
+    template <std::convertible_to<std::span<const std::uint32_t>> All>
+    triangle_view(const All& all) {
+        const std::span<const std::uint32_t> indices(all);
+        words_ = indices.data(), count_ = triangles_of(indices.size());
+    }
+    template <std::convertible_to<std::span<const std::uint16_t>> All>
+    triangle_view(const All& all) {
+        const std::span<const std::uint16_t> indices(all);
+        shorts_ = indices.data(), count_ = triangles_of(indices.size());
+    }
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    [[nodiscard]] UMBRAGE_INLINE std::uint32_t index(std::size_t triangle, glm::length_t corner) const {
+        const std::size_t i = triangle * step_ + std::size_t(corner);
+        return shorts_ ? shorts_[i] : words_[i];
+    }
+    [[nodiscard]] glm::uvec3 operator[](std::size_t i) const { return {index(i, 0), index(i, 1), index(i, 2)}; }
+    [[nodiscard]] detail::element_of<triangle_view> begin() const { return {this, 0}; }
+    [[nodiscard]] detail::element_of<triangle_view> end() const { return {this, count_}; }
+
+    /// Calls use(indices, step) with the indices from a triangle on, as they are in memory. `step` is the number from
+    /// one triangle to the next: 3, or 4 for a glm::uvec3 that is aligned as four.
+    template <class Use>
+    UMBRAGE_INLINE void stored_from(std::size_t triangle, const Use& use) const {
+        if (shorts_) use(shorts_ + triangle * step_, step_);
+        else use(words_ + triangle * step_, step_);
+    }
+
+private:
+    [[nodiscard]] static std::size_t triangles_of(std::size_t indices) {
+        detail::require(indices % 3 == 0, "triangle_view", "indices.size()", "a multiple of 3", indices);
+        return indices / 3;
+    }
+
+    const std::uint32_t* words_ = nullptr;   // these
+    const std::uint16_t* shorts_ = nullptr;  // or those
+    std::size_t count_ = 0, step_ = 3;       // indices from one triangle to the next
+};
+
+/// Triangles with three indices into the positions each. The view does not own them.
+struct mesh_view {
+    position_view positions;
+    triangle_view triangles;
+};
+
+/// Faces to leave out. Front faces are counter-clockwise in NDC with x to the right and y up, as in most right-handed
+/// worlds. In most left-handed worlds they are clockwise: exchange front and back there. An instance that mirrors its
+/// mesh keeps its faces: front faces are those of the mesh.
+enum class cull_mode { none, front, back };
+
+/// Treatment of casters in front of the near plane: clipped, or clamped to the near plane (pancaking).
+///
+/// Clamped casters between the light and a near plane at the receivers still cast shadows. GPUs call it depth clamp,
+/// but here the far plane still clips. A clamped caster has the near plane's depth. A receiver nearer to that plane
+/// than its bias is lit behind any such caster. Fits without casters need a margin above the largest bias.
+enum class near_plane { clips, clamps };
+
+/// Matrix with which an instance of a mesh is drawn.
+/// @param world_to_clip   projection * view
+/// @param model           model to world
+/// @exactness             the product in double, rounded once. Far from the world's origin a float product would lose
+///                        the precision that remains after the camera's or the light's position is subtracted
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
+    return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
+}
+
+/// True when an instance mirrors its mesh, as a negative scale along one or three axes does. Such an instance turns
+/// front faces clockwise, so a GPU needs the other glFrontFace for it. The depth pass of instances takes care of it.
+/// @param model   model to world
+/// @formula       determinant of the upper left 3 x 3 < 0
+/// @edge          a model that is flat or not finite: false, or as its rounded determinant has it
+template <class = detail::on_use>
+[[nodiscard]] bool is_mirrored(const glm::mat4& model) {
+    const glm::dmat4 m(model);
+    return glm::dot(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])), glm::dvec3(m[2])) < 0.0;
+}
+
+namespace detail {
+
+/// Faces to leave out of a mesh whose matrix mirrors it.
+[[nodiscard]] constexpr cull_mode mirrored(cull_mode cull) {
+    if (cull == cull_mode::none) return cull;
+    return cull == cull_mode::front ? cull_mode::back : cull_mode::front;
+}
+
+}  // namespace detail
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/simd/bits.hpp
 // Comparisons, selections and conversions of floats by operations on their bits. They have no branch, so loops over
@@ -12381,6 +12462,733 @@ struct least_of {
 };
 struct greatest_of {
     UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/dispatch.hpp
+// Dispatch of a loop to the machine's best instruction set at run time. The loop is compiled for each set, without
+// flags or intrinsics.
+//
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
+//
+// A body is inlined into thin functions that carry the target. Functions that it calls must be UMBRAGE_INLINE too, or
+// they are compiled for the base set. At -O2, GCC only vectorizes loops whose count it knows, and no `c ? x : y` on
+// floats. So loops run over blocks of 64, and select on the bits.
+//
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled. A machine without that set
+// uses the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
+// program.
+
+// Put before a loop that writes memory from which it does not read. At -O2, GCC does not check that at run time.
+#if defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define UMBRAGE_NO_OVERLAP
+#endif
+
+namespace umbrage::detail {
+
+enum class isa { base, avx2, avx512 };
+
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+inline constexpr bool has_dispatch = true;
+
+/// Best instruction set of this machine, among those with their own path.
+[[nodiscard]] inline isa best_isa() {
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2")) return isa::base;
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return wide ? isa::avx512 : isa::avx2;
+}
+
+template <class Body>
+__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
+    body(isa_constant<isa::avx2>{});
+}
+template <class Body>
+__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
+    body(isa_constant<isa::avx512>{});
+}
+#else
+inline constexpr bool has_dispatch = false;
+[[nodiscard]] inline isa best_isa() { return isa::base; }
+#endif
+
+/// Widest set for which anything is compiled.
+#if defined(UMBRAGE_FORCE_ISA)
+inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
+#else
+inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
+#endif
+
+/// Instruction set that image functions use. Tests set it to run every path.
+inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
+
+/// Runs the body, compiled for the instruction set in use, which it receives as a constant. Only for results that no
+/// contraction to FMA can change.
+template <class Body>
+void on_best_isa(const Body& body) {
+    if constexpr (widest_isa >= isa::avx512)
+        if (isa_in_use >= isa::avx512) return on_avx512(body);
+    if constexpr (widest_isa >= isa::avx2)
+        if (isa_in_use >= isa::avx2) return on_avx2(body);
+    body(isa_constant<isa::base>{});
+}
+
+/// Runs a body with sums of products that round. AVX-512 includes FMA, with which compilers change such results.
+template <class Body>
+void on_best_isa_without_fma(const Body& body) {
+    if constexpr (widest_isa >= isa::avx2)
+        if (isa_in_use != isa::base) return on_avx2(body);
+    body(isa_constant<isa::base>{});
+}
+
+/// Runs the body in a separate function, for the instruction set of its caller. A large body with several callers is
+/// then compiled once.
+template <class Body>
+void out_of_line(isa_constant<isa::base> set, const Body& body) {
+    body(set);
+}
+template <isa Set, class Body>
+void out_of_line(isa_constant<Set>, const Body& body) {
+    if constexpr (Set == isa::avx512) on_avx512(body);
+    else on_avx2(body);
+}
+
+/// Number of elements of a loop whose count the compiler knows. Arrays of that size start at a cache line. A loop over
+/// an array that starts elsewhere, as may happen on a stack, can take several times as long.
+inline constexpr int block = 64;
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/draw/raster/projection.hpp
+// Projection of world positions to vertices snapped to the 1/256 texel grid, one at a time or in blocks.
+//
+//     projection project(world_to_clip, clip, {1024, 1024});
+//     snapped_vertex vertex = project.snap(project.homogeneous(position));
+//
+// Texels are counted from the bottom here (NDC y = -1) for every clip space. The texture origin only mirrors rows when
+// texels are written, so both origins give the same picture.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Steps of the vertex grid per texel.
+inline constexpr int subtexels = 256;
+
+/// Largest side of an image in texels, and largest distance of a vertex from texel 0 before it is clipped. Differences
+/// of vertices then stay below 2^23 steps, edge functions below 2^47.
+inline constexpr int guard_band = 1 << 14;
+
+/// Vertex on the grid. Its order makes results independent of the order in which a mesh lists vertices.
+struct snapped_vertex {
+    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
+    double depth;       ///< z/w moved to [0, 1]. Only points beyond the far plane are outside
+
+    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
+};
+
+/// Checks the size of an image and its clip space.
+/// @throws std::invalid_argument  clip unset; a side negative or above guard_band
+inline void require_drawable(glm::ivec2 size, clip_space clip, const char* function) {
+    require_given(clip, function);
+    require(size.x >= 0 && size.y >= 0 && size.x <= guard_band && size.y <= guard_band, function, "size",
+            "from 0 to 16384 texels a side", size);
+}
+
+/// Stand-in for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
+}
+
+/// Bits of the planes that a vertex is outside of.
+[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
+    return v.x == std::numeric_limits<std::int32_t>::lowest() ? static_cast<unsigned>(v.y) : 0u;
+}
+
+/// Projection to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]), and from there to the grid.
+/// Products of a float matrix' elements are exact in double, so contraction to FMA changes no bit of it.
+class projection {
+public:
+    static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
+    static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
+
+    /// @param world_to_clip  projection * view; its elements must be finite
+    /// @throws std::invalid_argument  as require_drawable
+    projection(const glm::dmat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
+        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
+        require_drawable(size, clip, function);
+    }
+
+    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
+        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
+        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
+                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
+    }
+
+    /// Distance of a point from a plane: positive inside, negative outside.
+    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
+        switch (plane) {
+            case 0: return h.w - smallest_w;
+            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
+            case 2: return guard_band * h.w + h.x;
+            case 3: return guard_band * h.w - h.x;
+            case 4: return guard_band * h.w + h.y;
+            default: return guard_band * h.w - h.y;
+        }
+    }
+
+    /// Bits of the planes that the point is outside of.
+    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
+        unsigned bits = 0;
+        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
+        return bits;
+    }
+
+    /// Intersection of a plane with the line from a point inside to one outside. Callers always use this direction, so
+    /// triangles on both sides of an edge cut it at the same point.
+    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
+        const double d = distance(plane, in);
+        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // points on the plane are exactly on it
+            case 0: h.w = smallest_w; break;
+            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
+            case 2: h.x = -guard_band * h.w; break;
+            case 3: h.x = guard_band * h.w; break;
+            case 4: h.y = -guard_band * h.w; break;
+            default: h.y = guard_band * h.w; break;
+        }
+        return h;
+    }
+
+    /// Nearest point of the grid, halves upwards. The point must be inside all planes: clamps only catch cut()'s
+    /// rounding.
+    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+    }
+
+    /// Snaps 64 positions at once, as homogeneous() and snap() do. Positions outside of planes, or not finite, become
+    /// `outside_vertex`.
+    /// @exactness  the bits of one by one
+    template <class = on_use>
+    void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
+        using bits = std::int64_t;
+        constexpr bits minus_zero = std::numeric_limits<bits>::lowest();
+        const bool forward = clip_.direction == depth_direction::forward;
+        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
+        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        const bits lowest = forward ? 0 : minus_zero;
+        const bits highest = forward ? detail::highest<bits> : bit_cast<bits>(1.0);
+        on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            alignas(64) float x[block], y[block], z[block];
+            alignas(64) double column[block], row[block], depth[block];
+            alignas(64) bits outside[block];
+            alignas(64) std::int32_t finite[block];  // masks
+            for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            for (int i = 0; i < block; ++i) {
+                finite[i] = finite_mask(x[i]) & finite_mask(y[i]) & finite_mask(z[i]);
+                x[i] = masked(x[i], finite[i]), y[i] = masked(y[i], finite[i]), z[i] = masked(z[i], finite[i]);
+            }
+            const glm::dmat4 m = matrix_;
+            const glm::dvec2 half_size = half_size_;
+            for (int i = 0; i < block; ++i) {
+                const auto clip_row = [&](glm::length_t r) UMBRAGE_INLINE {
+                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
+                };
+                const double w = clip_row(3), band = guard_band * w;
+                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
+                const double hz = z_share * clip_row(2) + w_share * w;
+                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
+                    const bits d = bit_cast<bits>(distance);
+                    return bits((d < 0) & (d != minus_zero)) << plane;
+                };
+                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
+                             (~bits(finite[i]) & bits(nowhere));
+                const bits inside = -bits(outside[i] == 0);
+                column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = bit_cast<bits>(hz / w);
+                d = d < lowest ? lowest : d;
+                d = d > highest ? highest : d;
+                depth[i] = bit_cast<double>(d & inside);
+            }
+            alignas(64) std::int32_t columns[block], rows[block];
+            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) {
+                    const auto whole = static_cast<std::int32_t>(from[i]);
+                    to[i] = whole - std::int32_t(from[i] < whole);
+                }
+            };
+            floors(column, columns);
+            floors(row, rows);
+            for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
+        });
+    }
+
+private:
+    static constexpr double smallest_w = 0x1p-126;
+
+    [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
+        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
+    }
+
+    glm::dmat4 matrix_;
+    clip_space clip_;
+    glm::dvec2 half_size_;
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/barycentrics.hpp
+// Barycentric weights of texels on a triangle, to interpolate attributes after a camera pass.
+//
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
+//
+// For many texels of one triangle, this computes their common values only once:
+//
+//     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
+//     for (int x = first; x < last; ++x) use(weights({x, y}));
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Perspective-correct weights of a triangle's vertices at texel centers.
+class triangle_weights {
+public:
+    /// @param size            size of the image, in texels
+    /// @param mesh            triangles, world units
+    /// @param world_to_clip   projection * view
+    /// @param clip            clip space that the matrix leads to
+    /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
+    /// @throws std::invalid_argument  clip unset; triangle or an index of its out of range; a side of the image above
+    ///                                16384
+    triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     unsigned triangle)
+        : triangle_weights("triangle_weights", size, mesh, world_to_clip, clip, triangle) {}
+
+    /// Weights at the center of a texel.
+    /// @return      weights that are not negative and sum to 1
+    /// @edge        texel that snapping moved out of the triangle: the weights of the nearest edge. Triangle seen
+    ///              edge-on or not finite: (1, 0, 0)
+    /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+    /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
+        const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
+        const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
+        const double px = p.x - x * p.w, qx = q.x - x * q.w,
+                     rx = r.x - x * r.w;  // from the center to each vertex, times w
+        const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
+        const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
+        const double side = sum < 0.0 ? -1.0 : 1.0;
+        const auto inside = [&](double weight) UMBRAGE_INLINE { return side * weight > 0.0 ? side * weight : 0.0; };
+        const double total = inside(a) + inside(b) + inside(c);
+        const double over = total > 0.0 ? total : 1.0, first = total > 0.0 ? inside(a) : 1.0;
+        return {static_cast<float>(first / over), static_cast<float>(inside(b) / over),
+                static_cast<float>(inside(c) / over)};
+    }
+
+private:
+    triangle_weights(const char* function, glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                     clip_space clip, unsigned triangle)
+        : top_(clip.origin == texture_origin::top ? size.y : 0),
+          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
+        const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
+        detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
+        const glm::uvec3 t = mesh.triangles[triangle];
+        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
+                        "indices of positions", t);
+        for (glm::length_t i = 0; i < 3; ++i)
+            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);
+        bool finite = true;
+        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        if (!finite) vertices_ = {};
+    }
+    friend glm::vec3 barycentrics(glm::ivec2, const mesh_view&, const glm::mat4&, clip_space, glm::ivec2, unsigned);
+
+    double top_, down_;
+    std::array<glm::dvec4, 3> vertices_;
+};
+
+/// Weights of triangle_weights for a single texel.
+/// @throws std::invalid_argument  as triangle_weights
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    return triangle_weights("barycentrics", size, mesh, world_to_clip, clip, triangle)(texel);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/triangles.hpp
+// Batches of 64 triangles on the vertex grid: winding, edges and depth planes, in loops that vectorize.
+//
+//     triangles batch;
+//     batch.add(p, q, r, id);  // and more, until it is full()
+//     batch.set_up({{0, 0}, size}, cull_mode::none);
+//     for (int i = 0; i < batch.count; ++i)
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
+//
+// A sample is inside an edge from a to b if E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
+// is neither a top nor a left one the condition is E > 0, which is E - 1 >= 0. From texel to texel E grows by multiples
+// of 256. So its sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Texels first <= t < last. y counts from the bottom.
+struct texel_bounds {
+    glm::ivec2 first, last;
+};
+
+/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
+struct depth_plane {
+    glm::ivec2 first;        ///< a texel within the triangle's bounds
+    double z, dx, dy;        ///< multiples of one power of two: no sum of them within the bounds is rounded
+    double lowest, highest;  ///< range of the vertices' depths; samples never leave it
+
+    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
+        const double depth = z + dx * (x - first.x) + dy * (y - first.y);
+        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+    }
+};
+
+/// Up to 64 triangles, with one array per coordinate.
+class triangles {
+public:
+    int count = 0;
+    alignas(64) unsigned id[block];
+    // After set_up():
+    alignas(64) std::int32_t first_x[block], first_y[block], columns[block];  ///< texels that may be covered
+    alignas(64) std::int32_t rows[block];                                     ///< 0: none is covered
+    alignas(64) std::int32_t right[3][block], up[3][block];  ///< steps of edges / 256 from texel to texel
+    alignas(64) std::int32_t edge[3][block];                 ///< edges / 256 at the first texel, if is_small
+    alignas(64) float per_row[3][block];                     ///< -1 / up; undefined where that is 0
+
+    triangles() {  // every lane is set up, used or not
+        for (int i = 0; i < block; ++i) {
+            id[i] = 0;
+            for (int k = 0; k < 3; ++k) x_[k][i] = y_[k][i] = 0, z_[k][i] = 0.0;
+        }
+    }
+
+    /// Rows first <= y < second whose centers are above the lowest corner, and not above the highest. A bottom
+    /// edge and a corner cover no center that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - center) >> 8, ((highest - center) >> 8) + 1};
+    }
+
+    [[nodiscard]] bool full() const { return count == block; }
+
+    /// Adds a triangle. There must be room.
+    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                            unsigned triangle) {
+        const snapped_vertex* const corners[] = {&a, &b, &c};
+        for (int k = 0; k < 3; ++k)
+            x_[k][count] = corners[k]->x, y_[k][count] = corners[k]->y, z_[k][count] = corners[k]->depth;
+        id[count++] = triangle;
+    }
+
+    /// Sets up all triangles. Triangles that face away, without area or without a texel within `bounds`, get no rows.
+    ///
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. A sample is within 2^-48 n m of the
+    ///             plane through the snapped vertices: n is the bounds' larger side in 1/256 texel, m the sum of the
+    ///             magnitudes of the depth and its two slopes over the bounds
+    void set_up(const texel_bounds& bounds, cull_mode cull) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            set_up_bounds(bounds);
+            set_up_areas(cull);
+            set_up_planes();
+            for (int k = 0; k < 3; ++k) set_up_edge(k);
+        });
+    }
+
+    /// Rows first <= y < second that the triangles may cover. None: first >= second.
+    [[nodiscard]] glm::ivec2 covered_rows() const {
+        std::int32_t first = guard_band, last = 0;
+        for (int i = 0; i < count; ++i)
+            if (rows[i] > 0) first = lesser(first, first_y[i]), last = greater(last, first_y[i] + rows[i]);
+        return {first, last};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
+        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
+        const double low = a < b ? a : b, high = a < b ? b : a;
+        return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
+    }
+
+    /// Depth of the plane at x, y texels from the first one, not limited to that of the corners.
+    [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
+    [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
+    /// Depth of the plane at a corner. It may differ from the corner's by the rounding of the slopes.
+    [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
+        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - center) +
+               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - center);
+    }
+
+    /// True when 32 bits hold the edges over the triangle's bounds, and some texels beyond.
+    [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
+
+    /// Edge / 256 at a texel: inside where it is not negative.
+    [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
+        const std::int64_t step_x = right[k][i], step_y = up[k][i];
+        const std::int64_t e =
+            step_y * (y * subtexels + center - y_[k][i]) + step_x * (x * subtexels + center - x_[k][i]);
+        return (e - is_open(step_x, step_y)) >> 8;
+    }
+
+    /// Calls row() for each row that triangle i covers.
+    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
+    template <class Row>
+    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
+        // Sign of an edge's value: at texel `at`, the first of the row where it is not negative, the triangle begins or
+        // has ended. From row to row it moves as far as the edge does, so no row is searched.
+        struct side {
+            bool begins;
+            std::int64_t value, step, step_up;
+            int at = 0;
+        } sides[3];
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t value = edge_at(k, i, first_x[i], first_y[i]), r = right[k][i], u = up[k][i];
+            if (r > 0) sides[k] = {true, value, r, u};
+            else sides[k] = {false, -1 - value, -r, -u};
+        }
+        const int width = columns[i];
+        for (int y = 0; y < rows[i]; ++y) {
+            int first = 0, last = width;
+            for (side& s : sides) {
+                for (; s.at > 0 && s.value >= s.step; s.value -= s.step) --s.at;
+                for (; s.at < width && s.value < 0; s.value += s.step) ++s.at;
+                if (s.begins) first = greater(first, s.at);
+                else last = lesser(last, s.at);
+                s.value += s.step_up;
+            }
+            if (first < last) row(first_y[i] + y, first_x[i] + first, first_x[i] + last);
+        }
+    }
+
+private:
+    using bits = std::int64_t;
+    static constexpr int center = subtexels / 2;
+
+    /// True for right edges, and for bottom ones.
+    template <class Int>
+    [[nodiscard]] static UMBRAGE_INLINE Int is_open(Int right_step, Int up_step) {
+        return Int(right_step < 0) | (Int(right_step == 0) & Int(up_step > 0));
+    }
+
+    /// Puts the smallest vertex first, so results do not depend on the order in the mesh. Finds texels within the
+    /// bounds.
+    UMBRAGE_INLINE void set_up_bounds(const texel_bounds& bounds) {
+        const int min_x = bounds.first.x, min_y = bounds.first.y, max_x = bounds.last.x - 1, max_y = bounds.last.y - 1;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t ax = x_[0][i], bx = x_[1][i], cx = x_[2][i], ay = y_[0][i], by = y_[1][i], cy = y_[2][i];
+            const std::int32_t b_first = -std::int32_t((bx < ax) | ((bx == ax) & (by < ay)));
+            const std::int32_t x = b_first ? bx : ax, y = b_first ? by : ay;
+            const std::int32_t c_first = -std::int32_t((cx < x) | ((cx == x) & (cy < y)));
+            const auto pick = [=](std::int32_t p, std::int32_t q, std::int32_t r) UMBRAGE_INLINE {
+                const std::int32_t of_two = b_first ? q : p;
+                return c_first ? r : of_two;
+            };
+            second_is_first_[i] = b_first & ~c_first;
+            third_is_first_[i] = c_first;
+            x_[0][i] = pick(ax, bx, cx), x_[1][i] = pick(bx, cx, ax), x_[2][i] = pick(cx, ax, bx);
+            y_[0][i] = pick(ay, by, cy), y_[1][i] = pick(by, cy, ay), y_[2][i] = pick(cy, ay, by);
+
+            const std::int32_t left = lesser(lesser(ax, bx), cx), end = greater(greater(ax, bx), cx);
+            const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
+            width_[i] = end - left, height_[i] = top - bottom;
+            side_[i] = greater(end - left, top - bottom);
+            const std::int32_t from_x = greater((left + subtexels - 1 - center) >> 8, min_x);
+            const std::int32_t from_y = greater((bottom + subtexels - center) >> 8, min_y);
+            const std::int32_t to_x = lesser((end - center) >> 8, max_x), to_y = lesser((top - center) >> 8, max_y);
+            first_x[i] = from_x, first_y[i] = from_y;
+            columns[i] = to_x - from_x + 1;
+            rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
+        }
+        for (int i = 0; i < block; ++i) {
+            const bits second = second_is_first_[i], third = third_is_first_[i];
+            const bits a = bit_cast<bits>(z_[0][i]), b = bit_cast<bits>(z_[1][i]), c = bit_cast<bits>(z_[2][i]);
+            const auto pick = [=](bits p, bits q, bits r) UMBRAGE_INLINE {
+                return bit_cast<double>((p & ~(second | third)) | (q & second) | (r & third));
+            };
+            z_[0][i] = pick(a, b, c), z_[1][i] = pick(b, c, a), z_[2][i] = pick(c, a, b);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_areas(cull_mode cull) {
+        const bits keep_front = -bits(cull != cull_mode::front), keep_back = -bits(cull != cull_mode::back);
+        for (int i = 0; i < block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            area_[i] = x1 * y2 - x2 * y1;
+        }
+        for (int i = 0; i < block; ++i) {
+            const bits area = bit_cast<bits>(area_[i]), clockwise = -bits(area < 0);
+            const bits kept = -bits(area != 0) & ((keep_back & clockwise) | (keep_front & ~clockwise));
+            clockwise_[i] = static_cast<std::int32_t>(clockwise);
+            rows[i] &= static_cast<std::int32_t>(kept);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_edge(int k) {
+        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t turn = clockwise_[i];  // for the other winding all signs change
+            const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
+            right[k][i] = step_x, up[k][i] = step_y;
+            per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
+            const double e = double(step_y) * (first_y[i] * subtexels + center - ay[i]) +
+                             double(step_x) * (first_x[i] * subtexels + center - ax[i]) - is_open(step_x, step_y);
+            // As an integer: the lower 51 bits of the double, without the last 8.
+            edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_planes() {
+        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
+        constexpr bits tiny = bit_cast<bits>(0x1p-200);
+        const auto power_of_two = [](double a, double b, double c)
+                                      UMBRAGE_INLINE {  // of the largest number, rounded down
+                                          const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
+                                          const bits r = bit_cast<bits>(c) & exponent;
+                                          const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+                                          return bit_cast<double>(largest < other ? other : largest);
+                                      };
+        const auto one_over = [](double power) UMBRAGE_INLINE {
+            return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
+        };
+        const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52. GCC has no vectors of trunc() for AVX2
+            const double size = masked(v, magnitude), rounded = (size + 0x1p52) - 0x1p52;
+            const double whole = rounded - masked(1.0, -bits(rounded > size));
+            return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
+        };
+        for (int i = 0; i < block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            const double per_area = 1.0 / area_[i];
+
+            // Depths with so few bits that the products with x1 .. y2 and their differences need no rounding.
+            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(double(side_[i]), exponent) * 0x1p-49;
+            double units = one_over(unit);
+            const double z0 = truncate(z_[0][i] * units) * unit;
+            const double z1 = truncate(z_[1][i] * units) * unit;
+            const double z2 = truncate(z_[2][i] * units) * unit;
+            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
+            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
+
+            // Slopes with so few bits that every sample needs no rounding. Here for the products.
+            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
+                                 masked(slope_y, magnitude & short_digits) * double(height_[i]);
+            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
+            units = one_over(unit);
+            const double dx = truncate(slope_x * units) * unit;
+            const double dy = truncate(slope_y * units) * unit;
+            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + center - x_[0][i]) +
+                        dy * (first_y[i] * subtexels + center - y_[0][i]);
+            dx_[i] = dx * subtexels;
+            dy_[i] = dy * subtexels;
+            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
+        }
+    }
+
+    alignas(64) std::int32_t x_[3][block], y_[3][block];
+    alignas(64) double z_[3][block];
+    alignas(64) std::int32_t second_is_first_[block], third_is_first_[block], clockwise_[block];  // masks
+    alignas(64) std::int32_t width_[block], height_[block], side_[block];  // in 1/256 texel; side_ is the larger one
+    alignas(64) double area_[block], depth_[block], dx_[block], dy_[block];
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/band_buffer.hpp
+// Rows of an image that are drawn to: in place, or in a copy where they would contend for the cache.
+//
+//     band_buffer<> buffer;  // one per thread, for one band after the other
+//     buffer.begin(image.rows(first, last));
+//     for (const triangles& batch : ...) {
+//         buffer.expect(batch);
+//         draw<true>(buffer.rows(), first, batch);
+//     }
+//     buffer.finish();
+//
+// A column of texels takes one cache line per row. The usual L1 cache has 64 sets of 8 lines. All lines of the column
+// belong to one set if rows start a multiple of 4096 bytes apart. Stores then wait for lines that the loads of later
+// rows have evicted, and tall triangles take two to four times as long.
+//
+
+namespace umbrage::detail {
+
+template <class = on_use>
+class band_buffer {
+public:
+    /// @param rows   rows that nobody else uses until finish()
+    void begin(const image_view<float>& rows) {
+        in_place_ = rows_ = rows;
+        left_ = bounds_a_texel(rows) * rows.size.x * rows.size.y;
+    }
+
+    /// Rows at their present place.
+    [[nodiscard]] const image_view<float>& rows() const { return rows_; }
+
+    /// Prepares to draw a batch, after its set_up(). Copies the rows once the triangles so far make that worth the
+    /// time.
+    void expect(const triangles& batch) {
+        if (left_ <= 0) return;
+        for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
+        if (left_ > 0) return;
+        constexpr std::size_t line = 64;
+        const std::size_t lines =
+            ((row_bytes() + line - 1) / line) | 1;  // odd, so 64 rows begin in 64 sets of the cache
+        buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
+        rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
+        copy(in_place_, rows_);
+    }
+
+    void finish() {
+        if (rows_.data != in_place_.data) copy(rows_, in_place_);
+    }
+
+private:
+    /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
+    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
+    /// twice the best one. 0: rows do not contend. 8 rows never do.
+    [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
+        if (rows.size.y <= 8) return 0;
+        return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
+    }
+
+    [[nodiscard]] std::size_t row_bytes() const { return std::size_t(in_place_.size.x) * sizeof(float); }
+
+    void copy(const image_view<float>& from, const image_view<float>& to) const {
+        for (int y = 0; y < from.size.y; ++y) std::memcpy(to.row(y), from.row(y), row_bytes());
+    }
+
+    image_view<float> in_place_, rows_;
+    std::int64_t left_ = 0;  // texels in bounds until the rows are copied
+    std::vector<float, line_allocator<float>> buffer_;
 };
 
 }  // namespace umbrage::detail
@@ -12753,6 +13561,236 @@ inline constexpr int running_sum_lanes = 4;
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/draw/raster/depth_rounding.hpp
+// Rounding of depths side by side to the nearest float: two registers of doubles to one of floats.
+//
+//     const depths_of_binade<8> depths(lowest);
+//     depths.count(first, second);  // texels 0 .. 7, in the lanes in which it takes their depths
+//     depths.round(first, second, floats);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Rounding of any depths, limited to a triangle's. Floats above 0 have the order of their bits.
+template <int Lanes>
+class any_depths {
+public:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param lowest          normal number above 0
+    /// @param highest         normal number above 0
+    UMBRAGE_INLINE any_depths(double lowest, double highest)
+        : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
+          highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}
+
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        count_lanes<double, Lanes / 2>(first);
+        second = first + double(Lanes / 2);
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        narrow_lanes<float, Lanes>(first, second, depths);
+        ints bits = reinterpret_cast<ints>(depths);
+        keep_greatest(lowest_, bits);
+        keep_least(highest_, bits);
+        depths = reinterpret_cast<floats>(bits);
+    }
+
+private:
+    ints lowest_, highest_;
+};
+
+/// Rounding of depths between a power of two and the next, where floats are one step apart.
+///
+/// A sum with a large number is rounded to that step. The number is such that the sum's lower half then is the float.
+/// Conversion of doubles takes processors several times as long. Results of other depths are undefined.
+template <int Lanes>
+class depths_of_binade {
+public:
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    /// @param one   one of the depths
+    UMBRAGE_INLINE explicit depths_of_binade(double one) {
+        const std::int32_t power = bit_cast<std::int32_t>(static_cast<float>(one)) & 0x7F800000, steps = 1 << 23;
+        large_ = (0x1.8p52 + (power - steps)) * (static_cast<double>(bit_cast<float>(power)) / steps);
+    }
+
+    /// The first register has two of every four texels, so both lower halves are where a shuffle needs them.
+    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            first = doubles{double(I / 2 * 4 + I % 2)...};
+        }
+        (std::make_integer_sequence<int, Lanes / 2>{});
+        second = first + 2.0;
+    }
+    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
+        const doubles a = first + large_, b = second + large_;
+        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+            shuffle<(I / 4 * 4 + I % 2 * 2 + I % 4 / 2 * Lanes)...>(reinterpret_cast<floats>(a),
+                                                                    reinterpret_cast<floats>(b), depths);
+        }
+        (std::make_integer_sequence<int, Lanes>{});
+    }
+
+private:
+    double large_;
+};
+
+/// Triangles of a batch to which depths_of_binade applies. Their corners' depths as floats are normal numbers up to 1
+/// with one exponent. The plane's depths at the corners are the same floats, so samples, which are between, need no
+/// limit.
+class triangles_of_binade {
+public:
+    /// @param batch   after set_up()
+    UMBRAGE_INLINE explicit triangles_of_binade(const triangles& batch) {
+        using bits = std::int64_t;
+        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
+        constexpr bool little = std::endian::native == std::endian::little;
+        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
+            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
+            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
+            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
+            const auto first = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
+            const auto last = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
+            has_[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one))) &
+                      -(std::int32_t(little) & std::int32_t(((first ^ last) & 0x7F800000) == 0));
+        }
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < block; ++i)
+                has_[i] &= -std::int32_t(bit_cast<std::int32_t>(static_cast<float>(batch.depth_at_corner(k, i))) ==
+                                         bit_cast<std::int32_t>(static_cast<float>(batch.corner_depth(k, i))));
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return has_[i] != 0; }
+
+private:
+    alignas(64) std::int32_t has_[block];  // masks
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/small_triangles.hpp
+// Triangles of a few texels, all of a batch at once: a loop over the triangles for each texel of their bounds.
+//
+//     const small_triangles small(batch);
+//     small.for_each_sample([&](int x, int y, float depth) { ... });
+//     for (int i = 0; i < batch.count; ++i)
+//         if (!small.has(i)) ...  // one by one
+//
+// One by one, such a triangle would take a register per edge and a loop over rows for two samples.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+class small_triangles {
+public:
+    /// Finds them: bounds of a few texels on each side, depths that are normal numbers within (0, 1]. Takes none if
+    /// they are too few to pay for the work on all triangles of the batch.
+    /// @param batch   after set_up(). It must outlive this object
+    UMBRAGE_INLINE explicit small_triangles(const triangles& batch) : batch_(batch) {
+        using bits = std::int64_t;
+        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
+        alignas(64) std::int32_t is_plain[block];
+        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
+            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
+            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
+            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
+            is_plain[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one)));
+            lowest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
+            highest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
+        }
+        std::int32_t count = 0, drawn = 0, most_columns = 0, most_rows = 0;
+        const std::int32_t used = batch.count;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t columns = batch.columns[i], rows = batch.rows[i];
+            const std::int32_t is_small =
+                is_plain[i] & -(std::int32_t(i < used) & std::int32_t(rows > 0) & std::int32_t(rows <= side) &
+                                std::int32_t(columns <= side) & std::int32_t(batch.is_small(i)));
+            last_x_[i] = ((columns - 1) & is_small) | ~is_small;
+            last_y_[i] = ((rows - 1) & is_small) | ~is_small;
+            count -= is_small;
+            drawn += std::int32_t(i < used) & std::int32_t(rows > 0);
+            most_columns = greater(most_columns, columns & is_small);
+            most_rows = greater(most_rows, rows & is_small);
+        }
+        if (count >= enough) columns_ = most_columns, rows_ = most_rows;
+        has_all_ = drawn == (count >= enough ? count : 0);
+    }
+
+    /// True when the batch draws no other triangles.
+    [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
+    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
+
+    /// Calls sample() for each texel that a small triangle covers.
+    /// @param sample   (int x, int y, float depth): a covered texel, in any order
+    template <class Sample>
+    UMBRAGE_INLINE void for_each_sample(const Sample& sample) const {
+        for (int y = 0; y < rows_; ++y)
+            for (int x = 0; x < columns_; ++x) {
+                std::uint64_t inside = inside_at(x, y);
+                if (inside == 0) continue;
+                alignas(64) float depths[block];
+                find_depths(x, y, depths);
+                for (; inside != 0; inside &= inside - 1) {
+                    const int i = std::countr_zero(inside);
+                    sample(batch_.first_x[i] + x, batch_.first_y[i] + y, depths[i]);
+                }
+            }
+    }
+
+private:
+    static constexpr int side = 4;  // texels
+    static constexpr int enough = block / 4;
+
+    /// Triangles that cover the texel x to the right of their first one and y above it, one bit each.
+    [[nodiscard]] UMBRAGE_INLINE std::uint64_t inside_at(int x, int y) const {
+        alignas(64) std::uint32_t outside[block];  // in the sign
+        for (int i = 0; i < block; ++i) {
+            std::uint32_t sign = std::uint32_t(last_x_[i] - x) | std::uint32_t(last_y_[i] - y);
+            for (int k = 0; k < 3; ++k)
+                sign |= std::uint32_t(batch_.edge[k][i]) + std::uint32_t(x) * std::uint32_t(batch_.right[k][i]) +
+                        std::uint32_t(y) * std::uint32_t(batch_.up[k][i]);
+            outside[i] = sign;
+        }
+        static_assert(block == 64);
+        std::uint32_t halves[2];
+        for (std::size_t half = 0; half < 2; ++half) {
+            std::uint32_t bits = 0;
+            for (std::size_t i = 0; i < 32; ++i) bits |= ((outside[half * 32 + i] >> 31) - 1) & bit_of[i];
+            halves[half] = bits;
+        }
+        return std::uint64_t(halves[1]) << 32 | halves[0];
+    }
+
+    /// Depths as of depth_plane, but rounded before they are limited, which gives the same.
+    UMBRAGE_INLINE void find_depths(int x, int y, float (&depths)[block]) const {
+        for (int i = 0; i < block; ++i) {
+            std::int32_t depth = bit_cast<std::int32_t>(static_cast<float>(batch_.depth(i, x, y)));
+            depth = depth < lowest_[i] ? lowest_[i] : depth;
+            depths[i] = bit_cast<float>(depth > highest_[i] ? highest_[i] : depth);
+        }
+    }
+
+    static constexpr std::array<std::uint32_t, 32> bit_of = [] {
+        std::array<std::uint32_t, 32> bits{};
+        for (std::size_t i = 0; i < 32; ++i) bits[i] = std::uint32_t(1) << i;
+        return bits;
+    }();
+
+    const triangles& batch_;
+    int columns_ = 0, rows_ = 0;  // largest of any triangle
+    bool has_all_ = false;
+    alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first texel; -1: not a small triangle
+    alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/memory.hpp
 // Memory access of large images: non-temporal stores and prefetching.
 //
@@ -12902,6 +13940,1658 @@ UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = blo
 }
 
 }  // namespace umbrage::detail
+
+// ---- umbrage/draw/raster/depth_writer.hpp
+// Drawing of triangles into a depth image: the nearer of the stored depth and the plane's. All small triangles of a
+// batch are drawn at once. The others are drawn one by one, in columns some texels wide.
+//
+//     draw<true>(rows, first, batch);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Writer of batches into rows of an image.
+/// @tparam Lanes  texels side by side, two registers of doubles
+template <bool Forward, int Lanes>
+class depth_writer {
+public:
+    /// @param rows    rows of the image from the first on, upwards: all that the triangles cover
+    UMBRAGE_INLINE depth_writer(image_view<float> rows, int first)
+        : bottom_(reinterpret_cast<std::byte*>(rows.data)),
+          up_(rows.stride),
+          first_(first),
+          width_(rows.size.x),
+          skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
+
+    /// Draws the triangles of a batch.
+    UMBRAGE_INLINE void draw(const triangles& batch) const {
+        const small_triangles smaller(batch);
+        for (int i = 0; i < batch.count; ++i)
+            if (smaller.has(i)) expect(batch, i);
+        smaller.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        if (smaller.has_all()) return;
+        const triangles_of_binade of_binade(batch);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) expect(batch, i + 1);
+            if (!smaller.has(i)) draw(batch, i, of_binade.has(i));
+        }
+    }
+
+private:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+
+    /// Prefetches the texels of a triangle. Their latency is about the time to draw another small one.
+    UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
+        const int last = batch.first_y[i] + lesser(batch.rows[i], 16);
+        for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
+    }
+
+    UMBRAGE_INLINE void draw(const triangles& batch, int i, bool is_of_binade) const {
+        if (batch.rows[i] == 0) return;
+        const depth_plane plane = batch.plane(i);
+        if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
+        if constexpr (has_lanes)  // depths of one sign, none flushed: they have the order of their bits
+            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+                if (is_of_binade) draw_columns(batch, i, plane, depths_of_binade<Lanes>(plane.lowest));
+                else draw_columns(batch, i, plane, any_depths<Lanes>(plane.lowest, plane.highest));
+                return;
+            }
+        draw_rows(batch, i, plane);
+    }
+
+    /// Keeps the nearer depth, but the stored one where it is NaN.
+    /// @param depth   not NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(float depth, float& there) {
+        if constexpr (finite_math_only)
+            there = select(-(Forward ? is_lit(depth, there) : is_lit(there, depth)), depth, there);
+        else there = (Forward ? depth < there : depth > there) ? depth : there;
+    }
+
+    /// Keeps the nearer depth per lane, but the stored one where it is NaN, or where `outside` is negative.
+    /// @param depth   not NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(const floats& depth, const ints& outside, floats& there) {
+        const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
+        if constexpr (finite_math_only) {
+            const ints old = reinterpret_cast<ints>(there);
+            const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
+            there = reinterpret_cast<floats>((bits & ~kept) | (old & kept));
+        } else {
+            const auto seen = reinterpret_cast<floats>(bits | mask);  // or a NaN, which is not nearer
+            there = (Forward ? seen < there : seen > there) ? seen : there;
+        }
+    }
+
+    /// Draws a triangle texel by texel.
+    void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
+        batch.for_each_row(i, [&](int y, int first, int last) {
+            float* const texels = row(y);
+            for (int x = first; x < last; ++x) {
+                const double z = plane(x, y);
+                if (!(z >= 0.0 && z <= 1.0)) continue;
+                const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
+            }
+        });
+    }
+
+    /// Draws a triangle column by column, in rows of a block each. Depths are normal numbers within (0, 1].
+    /// @param depths   rounds the depths, see depth_rounding.hpp
+    template <class Depths>
+    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane,
+                                     const Depths& depths) const {
+        // Columns begin where blocks do in memory. Two triangles then share full blocks, which the processor passes
+        // from a store to the next load.
+        const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
+        const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
+        const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
+        const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
+        ints ramp;
+        count_lanes<std::int32_t, Lanes>(ramp);
+        doubles ramp_first, ramp_second;
+        depths.count(ramp_first, ramp_second);
+
+        // Texels x .. x_end - 1 of `height` rows; e: edges at x and y.
+        const double dx = plane.dx, dy = plane.dy, corner = plane.z;
+        const std::int32_t up0 = up[0], up1 = up[1], up2 = up[2];
+        const std::ptrdiff_t stride = up_;
+        const auto draw_tile = [&](int x, int y, int x_end, int height, const std::int32_t(&e)[3]) UMBRAGE_INLINE {
+            ints e0 = right[0] * ramp + e[0], e1 = right[1] * ramp + e[1], e2 = right[2] * ramp + e[2];
+            for (; x < x_end; x += Lanes, e0 += right[0] * Lanes, e1 += right[1] * Lanes, e2 += right[2] * Lanes) {
+                int first = 0, last = height;
+                if (height > few_rows) {
+                    // Rows in which a texel of the column can be inside all edges, or one more on each side.
+                    float low = 0.0f, high = static_cast<float>(height);
+                    const std::int32_t start[] = {e0[0], e1[0], e2[0]};
+                    for (int k = 0; k < 3; ++k) {
+                        const std::int32_t best = start[k] + greater(0, right[k] * (Lanes - 1));
+                        const float crossed = static_cast<float>(best) * batch.per_row[k][i];
+                        low = up[k] > 0 && crossed > low ? crossed : low;
+                        high = up[k] < 0 && crossed < high ? crossed : high;
+                    }
+                    first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
+                    if (first >= last) continue;  // no step to a first row far beyond the tile
+                }
+                // A tile at the image's border is moved inside. Its other texels get the same bits again.
+                const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
+                ints f0 = e0, f1 = e1, f2 = e2;
+                const double z = corner + dy * (y + first - first_y);
+                if ((moved | first) != 0) {
+                    f0 += right[0] * moved + up[0] * first;
+                    f1 += right[1] * moved + up[1] * first;
+                    f2 += right[2] * moved + up[2] * first;
+                }
+                doubles z_first = z + dx * (ramp_first + double(within - first_x));
+                doubles z_second = z + dx * (ramp_second + double(within - first_x));
+                std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
+                for (int rest = last - first; rest > 0; --rest, at += stride) {
+                    floats here, there;
+                    depths.round(z_first, z_second, here);
+                    load_lanes(at, there);
+                    take_nearer(here, f0 | f1 | f2, there);
+                    store_lanes(there, at);
+                    f0 += up0, f1 += up1, f2 += up2;
+                    z_first += dy, z_second += dy;
+                }
+            }
+        };
+        std::int32_t e[3];
+        if (batch.is_small(i)) {
+            for (int k = 0; k < 3; ++k) e[k] = batch.edge[k][i] + right[k] * (from - first_x);
+            return draw_tile(from, first_y, end, rows, e);
+        }
+        for (int y = first_y; y < first_y + rows; y += tile_rows)
+            for (int x = from; x < end; x += tile_columns) {
+                for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
+                    constexpr std::int64_t limit = 1 << 30;
+                    e[k] = static_cast<std::int32_t>(limited(batch.edge_at(k, i, x, y), -limit, limit));
+                }
+                draw_tile(x, y, lesser(x + tile_columns, end), lesser(first_y + rows - y, tile_rows), e);
+            }
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const {
+        return reinterpret_cast<float*>(bottom_ + (y - first_) * up_);
+    }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int first_, width_, skew_;
+};
+
+template <bool Forward>
+void draw(image_view<float> rows, int first, const triangles& batch) {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr isa in_use = decltype(set)::value;
+        constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
+        depth_writer<Forward, lanes>(rows, first).draw(batch);
+    });
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/band_lists.hpp
+// Triangles of a chunk by the bands of rows in which they may be visible: as many at a time as some memory holds.
+//
+//     band_lists<> lists;  // for one chunk after the other
+//     lists.begin(chunk.count(), bands);
+//     while (lists.fill(serial{}, [&](unsigned triangle, const auto& put) { put({first, last}, triangle); }))
+//         for (int band = 0; band < bands; ++band) lists.for_each(band, [&](const auto& list) { ... });
+//
+
+namespace umbrage::detail {
+
+template <class = on_use>
+class band_lists {
+public:
+    static constexpr unsigned piece = 1 << 16;  ///< triangles that a thread reads at a time
+
+    /// Part of a triangle that crosses planes.
+    struct part {
+        snapped_vertex a, b, c;
+        unsigned triangle;
+    };
+    /// Triangles of a piece that may be visible in a band.
+    struct list {
+        std::vector<unsigned> whole;  ///< triangles of the chunk
+        std::vector<part> parts;
+        void add(unsigned triangle) { whole.push_back(triangle); }
+        void add(const part& of) { parts.push_back(of); }
+    };
+
+    void begin(unsigned triangles, int bands) {
+        count_ = triangles;
+        bands_ = static_cast<std::size_t>(bands);
+        read_.assign((triangles + piece - 1) / piece, 0);
+        lists_.resize(read_.size() * bands_);
+    }
+
+    /// Replaces the lists by those of the next triangles, until the lists of each piece are full.
+    /// @param read   (unsigned triangle, const auto& put): calls put(bands, what) for a triangle or its parts. `bands`
+    ///               are first <= band < second
+    /// @return       false if no triangle was left
+    template <class ParallelFor, class Read>
+    bool fill(ParallelFor&& parallel, const Read& read) {
+        const std::size_t before = triangles_read();
+        if (before == count_) return false;
+        for (list& each : lists_) each.whole.clear(), each.parts.clear();
+        in_pieces(static_cast<int>(read_.size()), parallel, [&](int from, int to) {
+            for (std::size_t p = std::size_t(from); p < std::size_t(to); ++p) {
+                const unsigned first = unsigned(p) * piece, count = lesser(piece, count_ - first);
+                list* const lists = lists_.data() + p * bands_;
+                std::size_t bytes = 0;
+                const auto put = [&](const glm::ivec2& bands, const auto& what) {
+                    for (int band = bands.x; band < bands.y; ++band) lists[band].add(what), bytes += sizeof(what);
+                };
+                unsigned i = read_[p];
+                for (; i < count && bytes < full; ++i) read(first + i, put);
+                read_[p] = i;
+            }
+        });
+        return triangles_read() > before;
+    }
+
+    /// Calls use() with each list of a band.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += bands_) use(lists_[i]);
+    }
+
+private:
+    static constexpr std::size_t full = 1 << 20;  // bytes of a piece's lists
+
+    [[nodiscard]] std::size_t triangles_read() const {
+        std::size_t sum = 0;
+        for (const unsigned of_piece : read_) sum += of_piece;
+        return sum;
+    }
+
+    unsigned count_ = 0;
+    std::size_t bands_ = 1;
+    std::vector<list> lists_;     // per piece, band by band
+    std::vector<unsigned> read_;  // per piece, number of triangles that were read
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/draw/raster/clip.hpp
+// Clipping of a triangle to the part that can be drawn: behind the near plane, within the guard band.
+//
+//     clipped_polygon polygon = clip_triangle(project, a, b, c);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Convex polygon on the grid, its smallest vertex first. A fan around that vertex is the same for every first vertex
+/// and winding of the triangle.
+struct clipped_polygon {
+    std::array<snapped_vertex, 3 + projection::planes> vertices;
+    int count = 0;  ///< 0 or 3..9
+};
+
+/// Side of the near plane on which a polygon is kept. Both sides cut an edge at the same point.
+enum class near_side { behind, before };
+
+/// Part of a triangle inside all planes, or outside the near plane, where snap() gives it that plane's depth.
+/// @param a       first point, in homogeneous texels
+/// @param b       second point
+/// @param c       third point
+/// @param planes  a bit for each plane to clip against; those with all three points inside may be left out
+template <class = on_use>
+[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
+                                                   const glm::dvec4& c, unsigned planes = ~0u,
+                                                   near_side side = near_side::behind) {
+    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
+    int count = 3;
+    for (int plane = 0; plane < projection::planes; ++plane) {
+        if (!(planes >> plane & 1u)) continue;
+        const auto before = points;
+        const int count_before = count;
+        count = 0;
+        for (int i = 0; i < count_before; ++i) {
+            const auto& p = before[std::size_t(i)];
+            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
+            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
+            const bool keeps_inside = plane != projection::z_near || side == near_side::behind;
+            if (p_inside == keeps_inside) points[std::size_t(count++)] = p;
+            if (p_inside != q_inside && count < int(points.size()))
+                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
+        }
+    }
+    clipped_polygon polygon;
+    if (count < 3) return polygon;
+    polygon.count = count;
+    std::array<snapped_vertex, 3 + projection::planes> snapped;
+    int smallest = 0;
+    for (int i = 0; i < count; ++i) {
+        snapped[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+        if (snapped[std::size_t(i)] < snapped[std::size_t(smallest)]) smallest = i;
+    }
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = snapped[std::size_t((smallest + i) % count)];
+    return polygon;
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/snapped_chunk.hpp
+// Chunk of a mesh's triangles in some instances, with vertices projected and snapped: as many as fit a cache.
+//
+//     snapped_chunk chunk(mesh, projections);
+//     chunk.take(first_triangle, first_instance, 1 << 16);
+//     chunk.snap(serial{});
+//     for (unsigned i = 0; i < chunk.count(); ++i) use(chunk.vertex(chunk.place_of(i), 0));
+//
+// Triangles are counted on from one instance to the next, and so are vertices.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Memory for vertices, each written before it is read. A vector would write them twice. (<memory>, which has a class
+/// for this, includes the streams.)
+class unwritten_vertices {
+public:
+    unwritten_vertices() = default;
+    unwritten_vertices(const unwritten_vertices&) = delete;
+    unwritten_vertices& operator=(const unwritten_vertices&) = delete;
+    ~unwritten_vertices() { delete[] data_; }
+
+    /// Makes room for `count` vertices. Keeps nothing.
+    void make(std::size_t count) {
+        if (count <= count_) return;
+        delete[] data_;
+        data_ = nullptr;
+        data_ = new snapped_vertex[count];
+        count_ = count;
+    }
+    [[nodiscard]] snapped_vertex* data() const { return data_; }
+    [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
+
+private:
+    snapped_vertex* data_ = nullptr;
+    std::size_t count_ = 0;
+};
+
+struct index_range {
+    unsigned lowest = ~0u, highest = 0;
+
+    void include(const index_range& other) {
+        lowest = lesser(lowest, other.lowest), highest = greater(highest, other.highest);
+    }
+    [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
+};
+
+/// Range of the indices of triangles first <= t < last.
+template <class = on_use>
+[[nodiscard]] index_range indices_of(const triangle_view& triangles, std::size_t first, std::size_t last) {
+    index_range range;
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        triangles.stored_from(first, [&](const auto* indices, std::size_t step) UMBRAGE_INLINE {
+            unsigned low = ~0u, high = 0;
+            const auto include = [&](unsigned index) UMBRAGE_INLINE {
+                low = low < index ? low : index;
+                high = high < index ? index : high;
+            };
+            const std::size_t count = step * (last - first);
+            std::size_t i = 0;
+            if (step == 3)  // no gaps
+                for (; count - i >= block; i += block)
+                    for (std::size_t k = 0; k < block; ++k) include(indices[i + k]);
+            for (; i < count; ++i)
+                if (i % step < 3) include(indices[i]);
+            range = {low, high};
+        });
+    });
+    return range;
+}
+
+/// Instance of a chunk, and triangle of the mesh.
+struct drawn_triangle {
+    std::size_t instance, triangle;
+};
+
+template <class = on_use>
+class snapped_chunk {
+public:
+    explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}
+
+    /// Takes triangles from a given one and a given instance on. These are the rest of the mesh and as many further
+    /// instances as `most` has room for, or `most` triangles.
+    /// @param instances   from that instance on, at least one
+    /// @param indices     range of the vertex indices of these triangles
+    void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
+        first_ = first;
+        triangles_ = lesser(most, mesh_.triangles.size() - first);
+        const std::size_t corners = 3 * triangles_, range = indices.count();
+        by_corner_ = corners < range;
+        lowest_ = indices.lowest;
+        used_ = lesser(corners, range);
+        stride_ = (used_ + block - 1) / block * block;
+        const bool whole = triangles_ == mesh_.triangles.size();
+        const std::size_t room = whole ? greater(most / greater(triangles_, stride_), std::size_t(1)) : 1;
+        instances_ = instances.first(lesser(room, instances.size()));
+    }
+
+    [[nodiscard]] std::size_t instances() const { return instances_.size(); }
+    [[nodiscard]] unsigned count() const { return static_cast<unsigned>(triangles_ * instances_.size()); }
+
+    template <class ParallelFor>
+    void snap(ParallelFor&& parallel) {
+        const std::size_t blocks = stride_ / block * instances_.size();
+        vertices_.make(blocks * block);
+        constexpr std::size_t piece = 64;  // blocks that a thread takes at a time
+        parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
+            for (std::size_t i = std::size_t(begin) * piece; i < lesser(std::size_t(end) * piece, blocks); ++i) {
+                const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
+                alignas(64) glm::vec3 positions[block];
+                for (std::size_t k = 0; k < block; ++k) positions[k] = position(lesser(vertex + k, used_ - 1));
+                instances_[instance].snap(positions, vertices_.data() + i * block);
+            }
+        });
+    }
+
+    /// Instance and triangle of the chunk's i-th triangle.
+    /// @param i   below count()
+    [[nodiscard]] UMBRAGE_INLINE drawn_triangle place_of(unsigned i) const {
+        if (instances_.size() == 1) return {0, first_ + i};
+        const unsigned triangles = static_cast<unsigned>(triangles_), instance = i / triangles;
+        return {instance, first_ + (i - instance * triangles)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE const snapped_vertex& vertex(const drawn_triangle& at, glm::length_t corner) const {
+        const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
+                                              : std::size_t(mesh_.triangles.index(at.triangle, corner) - lowest_);
+        return vertices_[at.instance * stride_ + vertex];
+    }
+
+    /// Corner before it was snapped.
+    [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
+        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles.index(at.triangle, corner)]);
+    }
+    [[nodiscard]] const projection& projection_of(const drawn_triangle& at) const { return instances_[at.instance]; }
+
+private:
+    [[nodiscard]] glm::vec3 position(std::size_t i) const {
+        if (!by_corner_) return mesh_.positions[lowest_ + i];
+        return mesh_.positions[mesh_.triangles.index(first_ + i / 3, glm::length_t(i % 3))];
+    }
+
+    mesh_view mesh_;
+    std::span<const projection> instances_;
+    std::size_t first_ = 0, triangles_ = 0;
+    std::size_t used_ = 0, stride_ = 0;  // vertices of an instance, and the same rounded up to blocks
+    unsigned lowest_ = 0;                // index
+    bool by_corner_ = false;             // three vertices per triangle, instead of a range of the mesh's
+    unwritten_vertices vertices_;
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/raster/snapped_mesh.hpp
+// Instances of a mesh on the grid of an image, chunk by chunk: vertices projected and snapped, triangles clipped and
+// passed on in batches. Batches follow the mesh's order, or an order in which threads draw at the same time.
+//
+//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, at_near, serial{}, "rasterize");
+//     snapped.for_each_chunk(serial{}, [&] {
+//         snapped.for_each_batch([&](const triangles& batch) { ... });
+//     });
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Locks for rows of an image to which several threads draw: one thread at a time may draw to a row.
+template <class = on_use>
+class row_locks {
+public:
+    explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
+
+    /// Runs `use` while no other thread draws to the rows.
+    /// @param rows   first <= y < second, at least one row
+    /// @param use    (); must not throw
+    template <class Use>
+    void hold(const glm::ivec2& rows, const Use& use) {
+        const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
+        // From the first on in every thread, so that no two threads wait for each other.
+        for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
+        use();
+        for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
+    }
+
+private:
+    static constexpr int rows_a_lock = 16;
+
+    struct alignas(64) lock {  // one cache line each: threads at other rows take none from each other
+        int held = 0;
+    };
+    std::vector<lock> locks_;
+};
+
+/// Triangles of a mesh, once for each of some matrices, chunk by chunk.
+template <class OnUse = on_use>
+class snapped_mesh {
+public:
+    /// @param to_clip   one matrix per instance; those that are not finite draw nothing
+    /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above guard_band
+    template <class ParallelFor>
+    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::dmat4> to_clip, clip_space clip,
+                 cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
+        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
+        require_drawable(size, clip, function);
+        if (mesh.triangles.empty()) return;
+        const std::size_t count = mesh.triangles.size();
+        indices_.resize((count + piece - 1) / piece);
+        in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
+            for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
+                indices_[i] = indices_of(mesh.triangles, i * piece, lesser((i + 1) * piece, count));
+        });
+        const std::size_t highest = indices_from(0, count).highest;
+        require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
+        if (size.x == 0 || size.y == 0) return;
+        instances_.reserve(to_clip.size());
+        for (const glm::dmat4& matrix : to_clip)
+            if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
+    }
+    snapped_mesh(const snapped_mesh&) = delete;
+    snapped_mesh& operator=(const snapped_mesh&) = delete;
+
+    /// Calls use() for each chunk; it draws the chunk.
+    template <class ParallelFor, class Use>
+    void for_each_chunk(ParallelFor&& parallel, const Use& use) {
+        // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
+        // share vertices with others, which would be snapped once per piece.
+        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
+        for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
+            for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
+                chunk_.take(first, {instances_.data() + instance, instances_.size() - instance}, step,
+                            indices_from(first, step));
+                chunk_.snap(parallel);
+                use();
+            }
+    }
+
+    /// Passes on the chunk in the mesh's order.
+    /// @param draw   (const triangles&)
+    template <class Draw>
+    void for_each_batch(const Draw& draw) const {
+        for_each_batch_of(0, chunk_.count(), draw);
+    }
+
+    /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
+    /// @param target   see rasterize.hpp: depth_target; drawing a batch must not throw
+    template <class ParallelFor, class Target>
+    void for_each_batch(ParallelFor&& parallel, const Target& target) {
+        const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
+        if (bands == 1 || is_coherent(rows)) {
+            if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
+            else return for_each_batch_under_locks(parallel, target);
+        }
+        const auto draw_bands = [&](int first, int last) {
+            Target own = target;
+            for (int band = first; band < last; ++band) {
+                const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
+                own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
+                    in_batches(bounds, draw, [&](const auto& add) {
+                        lists_.for_each(band, [&](const auto& list) { add_from(list, add); });
+                    });
+                });
+            }
+        };
+        const auto read = [&](unsigned i, const auto& put) { put_into_bands(i, rows, put); };
+        lists_.begin(chunk_.count(), bands);
+        while (lists_.fill(parallel, read)) parallel(bands, draw_bands);
+    }
+
+private:
+    template <class ParallelFor>
+    static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
+    using lists = band_lists<OnUse>;
+    static constexpr unsigned piece = lists::piece;
+    static constexpr std::size_t several_pieces = 16 * piece;
+    static constexpr unsigned handful = 1 << 10;                  // triangles that a thread draws at a time
+    static constexpr unsigned before = 1u << projection::z_near;  // bit of the near plane
+
+    /// Vertex indices of `count` triangles from the first of a piece on, or of those that remain.
+    [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
+        index_range all;
+        for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
+            all.include(indices_[i]);
+        return all;
+    }
+
+    /// True if each piece alone touches more vertices than it has corners, but several pieces together do not.
+    [[nodiscard]] bool shares_vertices() const {
+        const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
+        return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
+    }
+
+    /// Corners of a triangle, and the planes that any of them is outside of.
+    struct corners {
+        const snapped_vertex &a, &b, &c;
+        unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+    };
+    [[nodiscard]] UMBRAGE_INLINE corners corners_of(const drawn_triangle& at) const {
+        return {chunk_.vertex(at, 0), chunk_.vertex(at, 1), chunk_.vertex(at, 2)};
+    }
+
+    /// True when triangles draw nothing if all their corners are outside of these planes. There may be no planes.
+    [[nodiscard]] bool is_out_of_sight(unsigned planes) const {
+        return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
+    }
+
+    /// Drawn parts of a triangle that crosses planes: the part behind the near plane and, if that plane clamps, the
+    /// part in front of it. There are none if the triangle is outside of another plane, or not finite.
+    /// @param use   (a, b, c, unsigned triangle), for each triangle of a part
+    template <class Use>
+    void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
+        const unsigned beyond = planes_outside(c.a) & planes_outside(c.b) & planes_outside(c.c);
+        if (is_out_of_sight(beyond) || (c.crossed & projection::nowhere)) return;
+        const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
+        const auto part = [&](near_side side) {
+            const auto [v, count] = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), c.crossed, side);
+            for (std::size_t k = 1; int(k) + 1 < count; ++k) use(v[0], v[k], v[k + 1], unsigned(at.triangle));
+        };
+        if (!beyond) part(near_side::behind);
+        if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
+    }
+
+    /// Draws in batches the triangles that for_each(add) adds by add(a, b, c, unsigned triangle).
+    template <class Draw, class ForEach>
+    void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
+        triangles batch;
+        const auto finish = [&] {
+            batch.set_up(bounds, cull_);
+            draw(batch);
+            batch.count = 0;
+        };
+        for_each([&](const auto& a, const auto& b, const auto& c, unsigned triangle) UMBRAGE_INLINE {
+            batch.add(a, b, c, triangle);
+            if (batch.full()) finish();
+        });
+        if (batch.count > 0) finish();
+    }
+
+    template <class Draw>
+    void for_each_batch_of(unsigned first, unsigned last, const Draw& draw) const {
+        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
+            for (unsigned i = first; i < last; ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
+                else for_each_part(at, c, add);
+            }
+        });
+    }
+
+    /// Draws by threads under locks. Each thread draws triangles that follow each other. They cover few rows, so
+    /// threads seldom wait for each other.
+    template <class ParallelFor, class Draw>
+    void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
+        row_locks<> locks(size_.y);
+        parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
+            for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
+                              [&](const triangles& batch) {
+                                  const glm::ivec2 rows = batch.covered_rows();
+                                  if (rows.x < rows.y) locks.hold(rows, [&] { draw(batch); });
+                              });
+        });
+    }
+
+    template <class Add>
+    void add_from(const typename lists::list& list, const Add& add) const {
+        for (std::size_t k = 0; k < list.whole.size(); ++k) {
+            expect(list.whole, k);
+            const drawn_triangle at = chunk_.place_of(list.whole[k]);
+            const corners c = corners_of(at);
+            add(c.a, c.b, c.c, unsigned(at.triangle));
+        }
+        for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
+    }
+
+    /// True when successive triangles are in few bands, judged by samples.
+    [[nodiscard]] bool is_coherent(int rows_a_band) const {
+        constexpr unsigned looks = 16, many = 64;
+        const unsigned step = greater(chunk_.count() / looks, many);
+        int covered = 0, allowed = 0;
+        for (unsigned first = 0; first < chunk_.count(); first += step, allowed += 2 * rows_a_band) {
+            std::int32_t lowest = guard_band * subtexels, highest = -lowest;
+            for (unsigned i = first; i < lesser(first + many, chunk_.count()); ++i) {
+                const corners c = corners_of(chunk_.place_of(i));
+                if (c.crossed != 0) continue;
+                lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
+            }
+            const glm::ivec2 rows = rows_between(lowest, highest);
+            covered += greater(rows.y - rows.x, 0);
+        }
+        return covered <= allowed;
+    }
+
+    /// Rows first <= y < last that triangles may cover.
+    [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
+        const auto between = triangles::rows_between(lowest, highest);
+        return {greater(between.x, 0), lesser(between.y, size_.y)};
+    }
+
+    /// Calls put() with a triangle of the chunk, or its parts, and the bands in which they may be visible.
+    template <class Put>
+    void put_into_bands(unsigned i, int rows_a_band, const Put& put) const {
+        const auto bands = [&](const auto& a, const auto& b, const auto& c) {
+            const glm::ivec2 rows = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
+            return glm::ivec2(rows.x / rows_a_band, (greater(rows.y, 0) + rows_a_band - 1) / rows_a_band);
+        };
+        const drawn_triangle at = chunk_.place_of(i);
+        const corners c = corners_of(at);
+        if (c.crossed == 0) return put(bands(c.a, c.b, c.c), i);
+        for_each_part(at, c, [&](const auto& p, const auto& q, const auto& r, unsigned triangle) {
+            put(bands(p, q, r), typename lists::part{p, q, r, triangle});
+        });
+    }
+
+    /// Prefetches the triangles after the k-th of a list, which can be anywhere. Inlined: see prefetch_line().
+    UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size())
+            mesh_.triangles.stored_from(chunk_.place_of(list[k + later]).triangle,
+                                        [](const auto* indices, std::size_t)
+                                            UMBRAGE_INLINE { prefetch_line(indices); });
+        if (k + soon >= list.size()) return;
+        const drawn_triangle at = chunk_.place_of(list[k + soon]);
+        for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&chunk_.vertex(at, corner));
+    }
+
+    mesh_view mesh_;
+    glm::ivec2 size_;
+    cull_mode cull_;
+    near_plane at_near_;
+    std::vector<projection> instances_;
+    snapped_chunk<OnUse> chunk_;
+    std::vector<index_range> indices_;  // per piece
+    lists lists_;
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/rasterize.hpp
+// Depth pass on the CPU: triangles into a depth image. Each sample on a shared edge is covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
+//
+// A camera pass keeps the nearest triangle per texel, and then interpolates:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, and edges are evaluated in integers at texel centers. Ties follow the top-left
+// rule, with top and left as in NDC for both texture origins. Depth is a plane with rounded coefficients, so that every
+// sample is computed exactly. No order of triangles or vertices, no threads and no instruction set changes a bit.
+// Contraction to FMA may only move a clipped triangle's cut by 1/256 texel.
+// Also called: software rasterizer (rasterize_depth, rasterize).
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Target for batches of triangles: a depth image, or bands of it. Each thread has a copy, and draws bands by it.
+template <bool Forward>
+class depth_target {
+public:
+    /// @param image   row 0 at the bottom
+    explicit depth_target(image_view<float> image) : image_(image) {}
+
+    void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
+
+    /// Draws batches into a band of rows.
+    /// @param rows   first <= y < second, at least one row, to which nobody else draws meanwhile
+    /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
+    template <class Use>
+    void in_band(const glm::ivec2& rows, const Use& use) {
+        buffer_.begin(image_.rows(rows.x, rows.y));
+        use([&](const triangles& batch) {
+            buffer_.expect(batch);
+            draw<Forward>(buffer_.rows(), rows.x, batch);
+        });
+        buffer_.finish();
+    }
+
+private:
+    image_view<float> image_;
+    band_buffer<> buffer_;
+};
+
+template <class ParallelFor>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::dmat4> to_clip,
+                     clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
+    if (clip.origin == texture_origin::top && !depth.empty())
+        depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
+    snapped.for_each_chunk(parallel, [&] {
+        if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
+        else snapped.for_each_batch(parallel, depth_target<false>(depth));
+    });
+}
+
+/// @param to_clip_of   (model) -> its matrix to clip space, in double
+template <class ToClip, class ParallelFor>
+void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                         const ToClip& to_clip_of, clip_space clip, cull_mode cull, ParallelFor&& parallel,
+                         near_plane at_near) {
+    std::vector<glm::dmat4> to_clip, turned;  // no instance is in both
+    to_clip.reserve(instances.size());
+    for (const glm::mat4& model : instances) {
+        const bool turns = cull != cull_mode::none && is_mirrored(model);
+        (turns ? turned : to_clip).push_back(to_clip_of(model));
+    }
+    rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
+    if (!turned.empty())
+        rasterize_depth(depth, mesh, {turned.data(), turned.size()}, clip, mirrored(cull), parallel, at_near);
+}
+
+}  // namespace detail
+
+/// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
+///
+/// @param depth          image of at most 16384 x 16384 texels. clip.origin decides which row is the first
+/// @param mesh           triangles. One with a NaN or infinite position is left out. One without area on the 1/256
+///                       texel grid covers nothing
+/// @param world_to_clip  projection * view
+/// @param clip           clip space of the light; with reversed depth, larger depths win
+/// @param cull           faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @param at_near        treatment of casters in front of the near plane
+/// @edge        empty image: nothing happens. world_to_clip not finite: nothing is drawn
+/// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above 16384
+/// @formula     the nearer of the stored depth and the plane's; in ties the later one (same bits). Nothing beyond the
+///              far plane, never -0
+/// @exactness   coverage A from the snapped vertices on; depth B, see draw/raster/triangles.hpp: set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
+    rasterize_depth(depth, mesh, glm::dmat4(world_to_clip), clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+/// @exactness   coverage and depth B: products in double
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::dmat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
+    detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
+}
+
+/// Renders many instances of a mesh, whose vertices are not copied.
+///
+/// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
+/// @param cull        faces of the mesh to leave out, also where an instance mirrors it
+/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order.
+///                    Passes of mirrored instances cull the other faces (is_mirrored)
+/// Other parameters as for the pass of a single mesh.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    const auto to_clip = [&](const glm::mat4& model) { return glm::dmat4(model_to_clip(world_to_clip, model)); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
+}
+
+/// The same with a matrix in double, which loses nothing far from the origin.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::dmat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    const auto to_clip = [&](const glm::mat4& model) { return world_to_clip * glm::dmat4(model); };
+    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
+}
+
+/// Calls a function for each covered sample between the near and the far plane, triangle by triangle.
+///
+/// @param size    size of the image in texels, each side at most 16384
+/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); it does the depth test. For results that do not
+///                depend on the triangles' order, compare the triangles where depths tie
+/// Other parameters as for rasterize_depth.
+template <class Sample>
+void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
+               cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
+    const bool flipped = clip.origin == texture_origin::top;
+    const glm::dmat4 to_clip(world_to_clip);
+    detail::snapped_mesh snapped(size, mesh, {&to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
+    snapped.for_each_chunk(serial{}, [&] {
+        snapped.for_each_batch([&](const detail::triangles& batch) {
+            for (int i = 0; i < batch.count; ++i) {
+                const auto plane = batch.plane(i);
+                batch.for_each_row(i, [&](int y, int first, int last) {
+                    for (int x = first; x < last; ++x)
+                        if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                            sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                                   batch.id[i]);
+                });
+            }
+        });
+    });
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/draw/dual_paraboloid_pass.hpp
+// Depth pass of a dual paraboloid shadow map on the CPU.
+//
+//     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
+//
+
+namespace umbrage {
+
+/// Renders distances from the light into one of its two maps.
+///
+/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
+/// @param mesh       from tessellate: edges between its vertices are drawn as straight lines
+/// @param light      from make_dual_paraboloid_light
+/// @param map        0 or 1
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  another map; as rasterize_depth
+/// @exactness        vertices C: square roots in double. Then as rasterize_depth
+template <class ParallelFor = serial>
+void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
+                               ParallelFor&& parallel = {}) {
+    detail::require(map == 0 || map == 1, "rasterize_dual_paraboloid", "map", "0 or 1", map);
+    const glm::dvec3 position = -glm::dvec3(light.view[3]);
+    const glm::dmat4 projection(light.projection);
+    std::vector<glm::vec3> placed;
+    std::vector<bool> within;  // inside the map's square, which also contains its circle and border
+    placed.reserve(mesh.positions.size());
+    within.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec4 h = projection * dual_paraboloid_position(glm::dvec3(p) - position, double(map));
+        placed.emplace_back(glm::dvec3(h) / h.w);
+        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= h.w);
+    }
+    std::vector<glm::uvec3> drawn;
+    for (const glm::uvec3& t : mesh.triangles) {
+        bool is_drawn = false;  // false with all vertices beyond the circle: directions there form a convex cone
+        for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
+        if (is_drawn) drawn.push_back(t);
+    }
+    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
+                    std::forward<ParallelFor>(parallel));
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/bounds.hpp
+// Bounds that lights are fitted to: boxes, spheres, camera frustums and slices of them, and points.
+// An intersection is the part of a scene that a camera sees.
+//
+//     umbrage::polyhedron seen = umbrage::intersection(camera, umbrage::bounding_box<float>{scene_low, scene_high});
+//
+// Corners are computed in double for float and double alike.
+//
+
+namespace umbrage {
+
+/// Box with sides along the axes of the world.
+template <real T>
+struct bounding_box {
+    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; a flat box is allowed
+};
+
+/// Sphere in world space.
+template <real T>
+struct bounding_sphere {
+    glm::vec<3, T> center{T(0)};
+    T radius = T(1);  ///< >= 0
+};
+
+namespace detail {
+
+/// Box that was not given, with its low above its high. Setup functions that need a box refuse it.
+template <real T>
+inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
+
+/// Calls must(met, member, condition, value) for each condition of a box.
+template <real T, class Must>
+void check(const bounding_box<T>& box, Must&& must) {
+    must(all_finite(box.low), "low", "finite", box.low);
+    must(all_finite(box.high), "high", "finite", box.high);
+    must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
+         glm::mat<2, 3, T>(box.low, box.high));
+}
+
+/// Reports a box that is not finite, or whose low is above its high.
+template <real T>
+void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
+    check(box, member_check{function, argument});
+}
+
+/// Reports a box that was not given, or that require_box reports.
+template <real T>
+void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
+    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument, "given, with low not above high",
+            "no box");
+    require_box(box, function, argument);
+}
+
+/// corners, with errors in the name of `function`.
+template <real T>
+[[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
+    require_box(box, function, "box");
+    const glm::dvec3 low(box.low), high(box.high);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i)
+        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
+    return all;
+}
+
+}  // namespace detail
+
+/// Corners of a box. The bits of an index select the high x, y and z.
+/// @throws std::invalid_argument  bounds that are not finite; low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    return detail::corners_for("corners", box);
+}
+
+/// Sphere around a frustum: the smallest one whose center lies on the frustum's central line.
+///
+/// The radius depends on distances and tangents alone, so its bits do not change as the camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; more terms
+///            for a shift or a half_size
+/// @throws std::invalid_argument  an invalid frustum: see its members
+template <real T>
+[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f, "sphere_around");
+    const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
+    const auto n = double(f.z_near), z_far = double(f.z_far);
+    const double t = tangents.x * tangents.x + tangents.y * tangents.y;
+    const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
+    const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
+    // the point equally far from near and far corners without a shift, then the shift's contribution
+    const double upright = (n + z_far) * (1.0 + t) / 2.0 + leaning, lean = s * (z_far - n);
+    const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
+                          2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
+    const double center =
+        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
+    const double beyond = z_far - center;
+    const double more =
+        beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);
+    return {glm::dvec3(f.position) + axes * glm::dvec3(glm::dvec2(f.shift) * center, center),
+            std::sqrt(beyond * beyond + z_far * z_far * t + more)};
+}
+
+namespace detail {
+
+/// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
+/// keep its precision if the other is far away.
+[[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
+    return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
+                                           : p + (q - p) * (at_p / (at_p - at_q));
+}
+
+/// Part of a convex polygon on the inner side of a plane.
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const double at_p = inside(p), at_q = inside(q);
+        if (!(at_p < 0.0)) kept.push_back(p);
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(crossing(p, at_p, q, at_q));
+    }
+    return kept;
+}
+
+/// Implementation of polyhedron.
+template <class = on_use>
+class convex_body {
+public:
+    struct face {
+        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;  ///< empty if the body does not reach the plane
+    };
+
+    convex_body() = default;
+
+    template <real T>
+    convex_body(const bounding_box<T>& box) {
+        const glm::dvec3 low(box.low), high(box.high);
+        add_faces(corners_for("polyhedron", box), {{{1, 0, 0, -low.x},
+                                                    {-1, 0, 0, high.x},
+                                                    {0, 1, 0, -low.y},
+                                                    {0, -1, 0, high.y},
+                                                    {0, 0, 1, -low.z},
+                                                    {0, 0, -1, high.z}}});
+    }
+
+    template <real T>
+    convex_body(const frustum<T>& f) {
+        const glm::dmat3 axes = detail::axes(f, "polyhedron");
+        const auto x = double(f.tan_half_x), y = double(f.tan_half_y);
+        const glm::dvec2 shift(f.shift), size(f.half_size);
+        const auto plane = [&](glm::dvec3 normal, double offset) {
+            const glm::dvec3 n = axes * normal;
+            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
+        };
+        add_faces(corners_for("polyhedron", f),
+                  {plane({1, 0, x - shift.x}, size.x), plane({-1, 0, x + shift.x}, size.x),
+                   plane({0, 1, y - shift.y}, size.y), plane({0, -1, y + shift.y}, size.y),
+                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
+    }
+
+    [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
+    void faces() const&& = delete;  ///< deleted for temporaries: the reference would dangle
+    [[nodiscard]] bool empty() const { return faces_.empty(); }
+
+    [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
+        convex_body body;
+        bool touch = false;
+        const auto add = [&](const convex_body& of, const convex_body& within) {
+            for (face f : of.faces_) {
+                for (const face& other : within.faces_) f.corners = clipped(f.corners, other.plane);
+                touch = touch || !f.corners.empty();
+                body.faces_.push_back(
+                    std::move(f));  // faces without corners too: rounding may remove corners of a flat body
+            }
+        };
+        add(a, b);
+        add(b, a);
+        return touch && !a.empty() && !b.empty() ? body : convex_body();
+    }
+
+private:
+    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
+        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+        for (std::size_t i = 0; i < 6; ++i)
+            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
+    }
+
+    std::vector<face> faces_;
+};
+
+}  // namespace detail
+
+/// Convex body, given by its faces.
+using polyhedron = detail::convex_body<>;
+
+/// Intersection of two bodies, empty if they do not meet.
+template <class Use = detail::on_use>
+[[nodiscard]] polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    return detail::convex_body<Use>::common(a, b);
+}
+
+namespace detail {
+
+/// First unmet condition of the bounds that a hull was made of. The fit that takes the hull reports it.
+struct first_fault {
+    std::string member, condition, got;  ///< empty without a fault
+
+    template <class Value>
+    void operator()(bool met, std::string_view checked, std::string_view wanted, const Value& value) {
+        if (!met && condition.empty()) member = checked, condition = wanted, got = printed(value);
+    }
+};
+
+/// Implementation of hull.
+template <class Use = on_use>
+struct rounded_hull {
+    std::vector<glm::dvec3> points;
+    double radius = 0.0;  ///< radius of the ball around each point, world units
+    first_fault fault;    ///< of an invalid box or frustum, which gives no points
+
+    rounded_hull() = default;
+    template <real T>
+    rounded_hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    template <real T>
+    rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    template <real T>
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
+    template <real T>
+    rounded_hull(const bounding_box<T>& box) {
+        add_corners(box);
+    }
+    template <real T>
+    rounded_hull(const frustum<T>& f) {
+        add_corners(f);
+    }
+    rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    rounded_hull(const convex_body<Use>& p) {
+        for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+
+private:
+    void add_corners(const auto& bounds) {
+        check(bounds, fault);
+        if (!fault.condition.empty()) return;
+        const eight_corners c = corners_for("hull", bounds);
+        points.assign(c.begin(), c.end());
+    }
+};
+
+}  // namespace detail
+
+/// Convex hull of points with a ball around each: the shape that a directional light is fitted to.
+/// A fit refuses the hull of an invalid box or frustum.
+using hull = detail::rounded_hull<>;
+
+}  // namespace umbrage
+
+// ---- umbrage/draw/instances.hpp
+// Culling of instances against a shadow map. The map of a cascade covers a small part of the world, and most casters
+// are outside.
+//
+//     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
+//     for (const auto& c : cascades) {
+//         const glm::mat4 world_to_clip = c.light.projection * c.light.view;
+//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, world_to_clip, clip),
+//                                  world_to_clip, clip);
+//     }
+//
+// Also called: caster culling, frustum culling of casters (instances_in_map).
+//
+
+namespace umbrage {
+
+/// Bounding box of a mesh's positions.
+/// @param mesh   positions that are not finite are skipped, as the depth pass skips their triangles
+/// @edge         no position: low above high. Nothing is then drawn, and corners() refuses the box
+template <class = detail::on_use>
+[[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
+    bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
+    for (const glm::vec3& p : mesh.positions)
+        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
+    return box;
+}
+
+namespace detail {
+
+/// True when a body within a box may mark a texel. Other parameters as for umbrage::may_mark.
+/// @param middle         center of the box
+/// @param half           half size of the box
+/// @param reach          dvec3 normal -> extent of the body from its center along the normal, times its length
+template <class Reach>
+[[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
+                            const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
+    require_given(clip, "may_mark");
+    if (!all_finite(to_clip)) return false;
+    if (!all_finite(middle) || !all_finite(half)) return true;
+    const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
+    const auto magnitude = [&](const glm::dvec4& row) {
+        return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
+    };
+    const double of_w = magnitude(rows[3]);
+    // The body is outside if a multiple of w plus a multiple of a row is below 0 for all of it.
+    const auto beyond = [&](double w, glm::length_t row, double sign) {
+        const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
+        const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
+        return farthest < -0x1p-20 * (of_w + magnitude(rows[row]));
+    };
+    const bool forward = clip.direction == depth_direction::forward, clips = at_near == near_plane::clips;
+    const double low = clip.range == depth_range::zero_to_one ? 0.0 : 1.0;  // z >= 0, or w + z >= 0
+    return !(beyond(1, 0, 1) || beyond(1, 0, -1) || beyond(1, 1, 1) || beyond(1, 1, -1) || beyond(1, 3, 0) ||
+             ((clips || !forward) && beyond(low, 2, 1)) || ((clips || forward) && beyond(1, 2, -1)));
+}
+
+}  // namespace detail
+
+/// True when a mesh within the bounds may mark a texel of a map.
+///
+/// False only if all of it is outside of one plane: a side, the far plane, the eye's, or a near plane that clips. A
+/// near plane that clamps keeps casters between it and the light.
+/// @param bounds    in the mesh's space
+/// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
+/// @param clip      clip space that the matrix leads to
+/// @param at_near   as for the depth pass
+/// @edge            low above high, or a radius below 0: false, nothing is there. Bounds not finite: true. to_clip not
+///                  finite: false, nothing is drawn
+/// @exactness       conservative: with a margin of 2^-20 of the sums that a shader's floats round
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
+    if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
+    const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
+    const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
+    return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
+}
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
+    if (bounds.radius < 0.0f) return false;
+    const auto radius = static_cast<double>(bounds.radius);
+    const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
+    return detail::may_mark(glm::dvec3(bounds.center), glm::dvec3(radius), reach, to_clip, clip, at_near);
+}
+
+/// Instances that may mark a map, in their order. The depth pass of these has the same bits as that of all.
+/// @param bounds          box or sphere around the mesh
+/// @param instances       model to world, one matrix each
+/// @param world_to_clip   projection * view
+/// Other parameters as for may_mark.
+template <class Bounds>
+[[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
+                                                      const glm::mat4& world_to_clip, clip_space clip,
+                                                      near_plane at_near = near_plane::clips) {
+    std::vector<glm::mat4> kept;
+    for (const glm::mat4& model : instances)
+        if (may_mark(bounds, model_to_clip(world_to_clip, model), clip, at_near)) kept.push_back(model);
+    return kept;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/draw/tessellate.hpp
+// Tessellation of a mesh for maps in which straight edges are curves, as in dual paraboloid maps. Edges are cut until
+// positions and distances from the light between vertices are close enough to straight lines.
+//
+//     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
+//     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);
+//
+
+namespace umbrage {
+
+/// Mesh whose edges are short as seen from a light.
+struct tessellated_mesh {
+    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
+    std::vector<glm::uvec3> triangles;
+
+    template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
+    [[nodiscard]] View view() const {
+        return View{positions, triangles};
+    }
+};
+
+/// Settings of a tessellation.
+struct tessellation {
+    glm::vec3 position{0};               ///< position of the light, world units
+    float angle = 0.1f;                  ///< radians, > 0: largest angle of an edge as seen from the light
+    float range = 100;                   ///< range of the light, > 0. Edges entirely beyond it may have wrong distances
+    float depth_error = 1.0f / 4096.0f;  ///< error of distances between an edge's ends, over range; above 0, below 1
+};
+
+namespace detail {
+
+template <class = on_use>
+class tessellator {
+public:
+    tessellator(const mesh_view& mesh, const tessellation& to)
+        : light_(to.position),
+          range_(double(to.range)),
+          sag_(0.75 * double(to.depth_error) * range_),
+          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
+          greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
+          cut_{{}, {}} {
+        for (const glm::vec3& p : mesh.positions) add(p);
+        for (const glm::uvec3& t : mesh.triangles) cut(t);
+    }
+
+    [[nodiscard]] tessellated_mesh take() { return std::move(cut_); }
+
+private:
+    unsigned add(glm::vec3 p) {
+        cut_.positions.push_back(p);
+        vertices_.push_back({glm::length(glm::dvec3(p) - light_)});
+        return static_cast<unsigned>(cut_.positions.size() - 1);
+    }
+
+    /// Excess length of an edge: 1 minus its angle's cosine, or else its error. Zeros where it is short enough. It
+    /// depends on the edge's ends only, so both triangles at the edge decide the same.
+    [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
+        const double p = vertices_[a].distance, q = vertices_[b].distance;
+        if (detail::greater(p, q) < sag_) return {0, 0};
+        const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
+        const double cosine = glm::dot(to_a, to_b) / (p * q);
+        if (cosine < least_cosine_) return {1 - cosine, 0};
+        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
+        // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
+        const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
+        return {0, sag > sag_ ? sag : 0};
+    }
+
+    /// An edge, ordered from near to far, and the fraction of its length at which the bisector of the viewing angle
+    /// cuts it. The fraction is at most 1/2 and stays accurate for a very distant end. Swapping the ends changes
+    /// nothing.
+    struct divided_edge {
+        glm::dvec3 close, distant;
+        double share;
+
+        [[nodiscard]] glm::vec3 middle() const { return glm::vec3(glm::mix(close, distant, share)); }
+
+        /// False where rounding moves the middle by 1/8 of its way from the nearer end, or more.
+        [[nodiscard]] bool has_middle() const {
+            const glm::dvec3 way = share * (distant - close);
+            return glm::distance(glm::dvec3(middle()) - close, way) < 0.125 * glm::length(way);
+        }
+    };
+    [[nodiscard]] divided_edge edge(unsigned a, unsigned b) const {
+        const double p = vertices_[a].distance, q = vertices_[b].distance;
+        if (q < p) return edge(b, a);
+        return {glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), p / (p + q)};
+    }
+
+    /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
+    /// rounding moves its middle: to cut again and again would not shorten it.
+    [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
+        glm::length_t longest = 3;
+        std::pair<double, double> most{0, 0};
+        for (glm::length_t i = 0; i < 3; ++i)
+            if (const auto by = excess(t[i], t[(i + 1) % 3]); by > most) longest = i, most = by;
+        if (longest == 3) return 3;
+        return edge(t[longest], t[(longest + 1) % 3]).has_middle() ? longest : 3;
+    }
+
+    /// Cuts a triangle in two at its longest edge, until no edge is too long.
+    void cut(const glm::uvec3& whole) {
+        std::vector<glm::uvec3> left{whole};
+        while (!left.empty()) {
+            const glm::uvec3 t = left.back();
+            left.pop_back();
+            const glm::length_t longest = longest_edge(t);
+            if (longest == 3) {
+                cut_.triangles.push_back(t);
+                continue;
+            }
+            const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
+            left.push_back({a, m, c});
+            left.push_back({m, b, c});
+        }
+    }
+
+    /// Midpoint of an edge. Its newer end lists it: a cut gives a vertex few edges to older ones, but the older end may
+    /// be a fan's center, whose list would be searched from one end to the other for each cut.
+    unsigned between(unsigned a, unsigned b) {
+        if (a < b) return between(b, a);
+        for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
+            if (vertices_[m].end == b) return m;
+        const unsigned m = add(edge(a, b).middle());
+        vertices_[m].end = b;
+        vertices_[m].next = vertices_[a].middle;
+        return vertices_[a].middle = m;
+    }
+
+    static constexpr unsigned none = ~0u;
+    struct vertex {
+        double distance;         ///< distance from the light
+        unsigned middle = none;  ///< midpoint of the last cut edge from here to an older end
+        unsigned end = none;     ///< older end of the edge, for a midpoint
+        unsigned next = none;    ///< midpoint of the edge cut before it, for a midpoint
+    };
+
+    glm::dvec3 light_;
+    double range_, sag_, least_cosine_, greatest_cosine_;
+    tessellated_mesh cut_;
+    std::vector<vertex> vertices_;
+};
+
+}  // namespace detail
+
+/// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
+///
+/// A tenth of the angle makes up to a hundred times as many triangles. An angle far below paraboloid_edge_angle may
+/// make millions from a single one.
+/// @param mesh   triangles with a position that is not finite stay as they are
+/// @param to     settings
+/// @return       the same surface, with the same winding. Triangles that share an edge still do, without gaps, even if
+///               they have separate vertices of equal position
+/// @throws std::invalid_argument  angle, range or depth_error out of range; an index out of range
+/// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
+///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range. Inside a triangle, a
+///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
+///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
+///               contain the light, or are seen edge-on, would be cut forever
+/// @edge         where rounding moves the cut of a triangle's longest edge, far from the origin or with one end close
+///               to the light, the triangle stays. Beside neighbors that are cut it may leave a gap
+template <class = detail::on_use>
+[[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
+    constexpr auto function = "tessellate";
+    detail::require(detail::all_finite(to.position), function, "position", "finite", to.position);
+    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "finite and above 0", to.angle);
+    detail::require(is_finite(to.range) && to.range > 0, function, "range", "finite and above 0", to.range);
+    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
+                    to.depth_error);
+    for (const glm::uvec3& t : mesh.triangles)
+        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
+                        "mesh.triangles", "indices of positions", t);
+    return detail::tessellator<>(mesh, to).take();
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/draw/tetrahedron_pass.hpp
+// Depth pass of a tetrahedron shadow map on the CPU.
+//
+//     umbrage::rasterize_tetrahedron(map.view(), mesh, umbrage::make_tetrahedron_light(light));
+//     umbrage::rasterize_tetrahedron(map.view(), tree, model_matrices, umbrage::make_tetrahedron_light(light));
+//
+
+namespace umbrage {
+
+/// Renders each face's depths into its triangle of the map, as tetrahedron_face_of places it, and nowhere else.
+///
+/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
+/// @param instances  model to world, one matrix each
+/// @param faces      from make_tetrahedron_light, each on its own triangle
+/// @throws std::invalid_argument  as rasterize_depth; depth not square
+/// @exactness        the bits of rasterize_depth, with the product of projection and view in double
+/// Other parameters as for rasterize_depth.
+template <real T, class ParallelFor = serial>
+void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                           const std::array<light_space<T>, 4>& faces, cull_mode cull = cull_mode::none,
+                           ParallelFor&& parallel = {}) {
+    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth.size", "square", depth.size);
+    const auto side = static_cast<float>(depth.size.x);
+    image<float> drawn(depth.size);
+    for (int i = 0; i < 4; ++i) {
+        const light_space<T>& face = faces[static_cast<std::size_t>(i)];
+        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
+        rasterize_depth(drawn.view(), mesh, instances, glm::dmat4(face.projection) * glm::dmat4(face.view), face.clip,
+                        cull, parallel);
+        for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
+            for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
+                if (tetrahedron_face_of(glm::vec2(texel), side) == i) depth[texel] = drawn[texel];
+    }
+}
+
+/// Renders a mesh whose positions are in the world.
+/// Parameters as for the pass of instances.
+template <real T, class ParallelFor = serial>
+void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, const std::array<light_space<T>, 4>& faces,
+                           cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const glm::mat4 in_place(1);
+    rasterize_tetrahedron(depth, mesh, std::span(&in_place, 1), faces, cull, parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/core/list.hpp
+// List of types whose values know their names, for tools, tables and tests to iterate over.
+//
+//     using encodings = umbrage::list_of<depth32f, rg<9>>;
+//     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
+//
+
+namespace umbrage {
+
+/// Cheap alternative to std::tuple: it is never constructed, so files that do not iterate over it pay nothing.
+template <class... Values>
+struct list_of {
+    static constexpr std::size_t size = sizeof...(Values);
+
+    /// Calls use(value) in order, with a value of each type or with each of its `values`.
+    template <class Use>
+    static constexpr void for_each(Use&& use) {
+        (each<Values>(use), ...);
+    }
+
+    /// Calls use(value) with the value of that name.
+    /// @return   false if no value has that name
+    template <class Use>
+    static constexpr bool with(std::string_view name, Use&& use) {
+        bool found = false;
+        for_each([&](const auto& value) {
+            if (found || value.name != name) return;
+            found = true;
+            static_cast<void>(use(value));
+        });
+        return found;
+    }
+
+private:
+    template <class Value, class Use>
+    static constexpr void each(Use& use) {
+        if constexpr (requires { Value::values; })
+            for (const Value& value : Value::values) use(value);
+        else use(Value{});
+    }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/filter/filters.hpp
+// List of every filter in this library, for tools, tables, proofs and examples.
+//
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
+//
+
+namespace umbrage::filters {
+
+/// List of the filters that need no size of the light.
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, window, disc>;
+
+/// Filters that also know the size of the light. Their maps must store z/w.
+using soft = list_of<pcss, dpcf>;
+
+}  // namespace umbrage::filters
+
+namespace umbrage {
+
+/// Calls use(filter) once for each filter of filters::all, in order.
+template <class Use>
+void for_each_filter(Use&& use) {
+    filters::all::for_each(use);
+}
+
+/// Calls use(filter) with the filter of that name.
+/// @return   false when no filter has that name
+template <class Use>
+bool with_filter(std::string_view name, Use&& use) {
+    return filters::all::with(name, use);
+}
+
+}  // namespace umbrage
 
 // ---- umbrage/images/blur.hpp
 // Separable blur of images with one to four floats per texel, such as moments.
@@ -13182,2050 +15872,7 @@ template <real T>
 
 }  // namespace umbrage
 
-// ---- umbrage/images/mesh.hpp
-// Meshes for the depth pass: triangles, drawn once or as instances, each with its matrix.
-//
-//     umbrage::mesh_view mesh{positions, triangles};
-//     umbrage::mesh_view same{{&vertices[0].position.x, vertices.size(), sizeof(vertex)}, indices};  // interleaved
-//
-// Also called: depth clamp, GL_DEPTH_CLAMP, depthClipEnable (near_plane); negative scale, mirrored instances, flipped
-// winding, glFrontFace (is_mirrored); interleaved vertices, byteStride (position_view); 16-bit indices, index buffer,
-// UNSIGNED_SHORT (triangle_view).
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
-
-/// Element of a view by its index, for loops over all.
-template <class View>
-struct element_of {
-    const View* view;
-    std::size_t i;
-
-    [[nodiscard]] auto operator*() const { return (*view)[i]; }
-    element_of& operator++() { return ++i, *this; }
-    [[nodiscard]] bool operator==(const element_of&) const = default;
-};
-
-}  // namespace detail
-
-/// Positions of a mesh: packed, or a part of larger vertices, as in interleaved buffers. The view does not own them.
-class position_view {
-public:
-    position_view() = default;
-
-    /// @param all   glm::vec3 one after the other: a span, a vector, an array
-    template <std::convertible_to<std::span<const glm::vec3>> All>
-    position_view(const All& all) {
-        const std::span<const glm::vec3> packed(all);
-        first_ = reinterpret_cast<const float*>(packed.data()), count_ = packed.size();
-    }
-
-    /// @param first    x of the first position; y and z follow it
-    /// @param count    number of positions
-    /// @param stride   bytes from one position to the next, at least 12 and a multiple of 4: the size of a vertex, or
-    ///                 glTF's byteStride. Packed positions without one have 12
-    /// @throws std::invalid_argument  another stride; no first position of some
-    position_view(const float* first, std::size_t count, std::size_t stride)
-        : first_(first), count_(count), stride_(stride / sizeof(float)) {
-        constexpr auto function = "position_view";
-        detail::require(stride >= 3 * sizeof(float) && stride % sizeof(float) == 0, function, "stride",
-                        "a multiple of 4 bytes, 12 or more", stride);
-        detail::require(first || count == 0, function, "count", "0 where first is null", count);
-    }
-
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] bool empty() const { return count_ == 0; }
-    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator[](std::size_t i) const {
-        const float* const p = first_ + i * stride_;
-        return {p[0], p[1], p[2]};
-    }
-    [[nodiscard]] detail::element_of<position_view> begin() const { return {this, 0}; }
-    [[nodiscard]] detail::element_of<position_view> end() const { return {this, count_}; }
-
-private:
-    const float* first_ = nullptr;
-    std::size_t count_ = 0, stride_ = sizeof(glm::vec3) / sizeof(float);  // floats
-};
-
-/// Triangles of a mesh: three indices each, of 32 or 16 bits. The view does not own them.
-class triangle_view {
-public:
-    triangle_view() = default;
-
-    /// @param all   glm::uvec3 for each triangle: a span, a vector, an array
-    template <std::convertible_to<std::span<const glm::uvec3>> All>
-    triangle_view(const All& all) : step_(sizeof(glm::uvec3) / sizeof(std::uint32_t)) {
-        const std::span<const glm::uvec3> triangles(all);
-        words_ = reinterpret_cast<const std::uint32_t*>(triangles.data()), count_ = triangles.size();
-    }
-
-    /// @param all   three indices for each triangle
-    /// @throws std::invalid_argument  a number of indices that is no multiple of 3
-    template <std::convertible_to<std::span<const std::uint32_t>> All>
-    triangle_view(const All& all) {
-        const std::span<const std::uint32_t> indices(all);
-        words_ = indices.data(), count_ = triangles_of(indices.size());
-    }
-    template <std::convertible_to<std::span<const std::uint16_t>> All>
-    triangle_view(const All& all) {
-        const std::span<const std::uint16_t> indices(all);
-        shorts_ = indices.data(), count_ = triangles_of(indices.size());
-    }
-
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] bool empty() const { return count_ == 0; }
-    [[nodiscard]] UMBRAGE_INLINE std::uint32_t index(std::size_t triangle, glm::length_t corner) const {
-        const std::size_t i = triangle * step_ + std::size_t(corner);
-        return shorts_ ? shorts_[i] : words_[i];
-    }
-    [[nodiscard]] glm::uvec3 operator[](std::size_t i) const { return {index(i, 0), index(i, 1), index(i, 2)}; }
-    [[nodiscard]] detail::element_of<triangle_view> begin() const { return {this, 0}; }
-    [[nodiscard]] detail::element_of<triangle_view> end() const { return {this, count_}; }
-
-    /// Calls use(indices, step) with the indices from a triangle on, as they are in memory. `step` is the number from
-    /// one triangle to the next: 3, or 4 for a glm::uvec3 that is aligned as four.
-    template <class Use>
-    UMBRAGE_INLINE void stored_from(std::size_t triangle, const Use& use) const {
-        if (shorts_) use(shorts_ + triangle * step_, step_);
-        else use(words_ + triangle * step_, step_);
-    }
-
-private:
-    [[nodiscard]] static std::size_t triangles_of(std::size_t indices) {
-        detail::require(indices % 3 == 0, "triangle_view", "indices.size()", "a multiple of 3", indices);
-        return indices / 3;
-    }
-
-    const std::uint32_t* words_ = nullptr;   // these
-    const std::uint16_t* shorts_ = nullptr;  // or those
-    std::size_t count_ = 0, step_ = 3;       // indices from one triangle to the next
-};
-
-/// Triangles with three indices into the positions each. The view does not own them.
-struct mesh_view {
-    position_view positions;
-    triangle_view triangles;
-};
-
-/// Faces to leave out. Front faces are counter-clockwise in NDC with x to the right and y up, as in most right-handed
-/// worlds. In most left-handed worlds they are clockwise: exchange front and back there. An instance that mirrors its
-/// mesh keeps its faces: front faces are those of the mesh.
-enum class cull_mode { none, front, back };
-
-/// Treatment of casters in front of the near plane: clipped, or clamped to the near plane (pancaking).
-///
-/// Clamped casters between the light and a near plane at the receivers still cast shadows. GPUs call it depth clamp,
-/// but here the far plane still clips. A clamped caster has the near plane's depth. A receiver nearer to that plane
-/// than its bias is lit behind any such caster. Fits without casters need a margin above the largest bias.
-enum class near_plane { clips, clamps };
-
-/// Matrix with which an instance of a mesh is drawn.
-/// @param world_to_clip   projection * view
-/// @param model           model to world
-/// @exactness             the product in double, rounded once. Far from the world's origin a float product would lose
-///                        the precision that remains after the camera's or the light's position is subtracted
-template <class = detail::on_use>
-[[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
-    return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
-}
-
-/// True when an instance mirrors its mesh, as a negative scale along one or three axes does. Such an instance turns
-/// front faces clockwise, so a GPU needs the other glFrontFace for it. The depth pass of instances takes care of it.
-/// @param model   model to world
-/// @formula       determinant of the upper left 3 x 3 < 0
-/// @edge          a model that is flat or not finite: false, or as its rounded determinant has it
-template <class = detail::on_use>
-[[nodiscard]] bool is_mirrored(const glm::mat4& model) {
-    const glm::dmat4 m(model);
-    return glm::dot(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])), glm::dvec3(m[2])) < 0.0;
-}
-
-namespace detail {
-
-/// Faces to leave out of a mesh whose matrix mirrors it.
-[[nodiscard]] constexpr cull_mode mirrored(cull_mode cull) {
-    if (cull == cull_mode::none) return cull;
-    return cull == cull_mode::front ? cull_mode::back : cull_mode::front;
-}
-
-}  // namespace detail
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/projection.hpp
-// Projection of world positions to vertices snapped to the 1/256 texel grid, one at a time or in blocks.
-//
-//     projection project(world_to_clip, clip, {1024, 1024});
-//     snapped_vertex vertex = project.snap(project.homogeneous(position));
-//
-// Texels are counted from the bottom here (NDC y = -1) for every clip space. The texture origin only mirrors rows when
-// texels are written, so both origins give the same picture.
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Steps of the vertex grid per texel.
-inline constexpr int subtexels = 256;
-
-/// Largest side of an image in texels, and largest distance of a vertex from texel 0 before it is clipped. Differences
-/// of vertices then stay below 2^23 steps, edge functions below 2^47.
-inline constexpr int guard_band = 1 << 14;
-
-/// Vertex on the grid. Its order makes results independent of the order in which a mesh lists vertices.
-struct snapped_vertex {
-    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]. Only points beyond the far plane are outside
-
-    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
-};
-
-/// Checks the size of an image and its clip space.
-/// @throws std::invalid_argument  clip unset; a side negative or above guard_band
-inline void require_drawable(glm::ivec2 size, clip_space clip, const char* function) {
-    require_given(clip, function);
-    require(size.x >= 0 && size.y >= 0 && size.x <= guard_band && size.y <= guard_band, function, "size",
-            "from 0 to 16384 texels a side", size);
-}
-
-/// Stand-in for a vertex outside of planes: off the grid, with their bits.
-[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
-    return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
-}
-
-/// Bits of the planes that a vertex is outside of.
-[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::lowest() ? static_cast<unsigned>(v.y) : 0u;
-}
-
-/// Projection to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]), and from there to the grid.
-/// Products of a float matrix' elements are exact in double, so contraction to FMA changes no bit of it.
-class projection {
-public:
-    static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
-    static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
-
-    /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  as require_drawable
-    projection(const glm::dmat4& world_to_clip, clip_space clip, glm::ivec2 size, const char* function = "rasterize")
-        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        require_drawable(size, clip, function);
-    }
-
-    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
-        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
-        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
-                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
-    }
-
-    /// Distance of a point from a plane: positive inside, negative outside.
-    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
-        switch (plane) {
-            case 0: return h.w - smallest_w;
-            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
-            case 2: return guard_band * h.w + h.x;
-            case 3: return guard_band * h.w - h.x;
-            case 4: return guard_band * h.w + h.y;
-            default: return guard_band * h.w - h.y;
-        }
-    }
-
-    /// Bits of the planes that the point is outside of.
-    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
-        unsigned bits = 0;
-        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
-        return bits;
-    }
-
-    /// Intersection of a plane with the line from a point inside to one outside. Callers always use this direction, so
-    /// triangles on both sides of an edge cut it at the same point.
-    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
-        const double d = distance(plane, in);
-        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
-        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
-        switch (plane) {                            // points on the plane are exactly on it
-            case 0: h.w = smallest_w; break;
-            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
-            case 2: h.x = -guard_band * h.w; break;
-            case 3: h.x = guard_band * h.w; break;
-            case 4: h.y = -guard_band * h.w; break;
-            default: h.y = guard_band * h.w; break;
-        }
-        return h;
-    }
-
-    /// Nearest point of the grid, halves upwards. The point must be inside all planes: clamps only catch cut()'s
-    /// rounding.
-    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
-        constexpr double limit = double(guard_band) * subtexels;
-        const auto grid = [&](double v) {
-            const double steps = v / h.w * subtexels + 0.5;
-            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-            const auto whole = static_cast<std::int32_t>(inside);
-            return whole - (inside < whole ? 1 : 0);
-        };
-        const double depth = h.z / h.w;
-        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
-        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
-    }
-
-    /// Snaps 64 positions at once, as homogeneous() and snap() do. Positions outside of planes, or not finite, become
-    /// `outside_vertex`.
-    /// @exactness  the bits of one by one
-    template <class = on_use>
-    void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
-        using bits = std::int64_t;
-        constexpr bits minus_zero = std::numeric_limits<bits>::lowest();
-        const bool forward = clip_.direction == depth_direction::forward;
-        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
-        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
-        const bits lowest = forward ? 0 : minus_zero;
-        const bits highest = forward ? detail::highest<bits> : bit_cast<bits>(1.0);
-        on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            alignas(64) float x[block], y[block], z[block];
-            alignas(64) double column[block], row[block], depth[block];
-            alignas(64) bits outside[block];
-            alignas(64) std::int32_t finite[block];  // masks
-            for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
-            for (int i = 0; i < block; ++i) {
-                finite[i] = finite_mask(x[i]) & finite_mask(y[i]) & finite_mask(z[i]);
-                x[i] = masked(x[i], finite[i]), y[i] = masked(y[i], finite[i]), z[i] = masked(z[i], finite[i]);
-            }
-            const glm::dmat4 m = matrix_;
-            const glm::dvec2 half_size = half_size_;
-            for (int i = 0; i < block; ++i) {
-                const auto clip_row = [&](glm::length_t r) UMBRAGE_INLINE {
-                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
-                };
-                const double w = clip_row(3), band = guard_band * w;
-                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
-                const double hz = z_share * clip_row(2) + w_share * w;
-                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
-                    const bits d = bit_cast<bits>(distance);
-                    return bits((d < 0) & (d != minus_zero)) << plane;
-                };
-                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
-                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
-                             (~bits(finite[i]) & bits(nowhere));
-                const bits inside = -bits(outside[i] == 0);
-                column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
-                bits d = bit_cast<bits>(hz / w);
-                d = d < lowest ? lowest : d;
-                d = d > highest ? highest : d;
-                depth[i] = bit_cast<double>(d & inside);
-            }
-            alignas(64) std::int32_t columns[block], rows[block];
-            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
-                for (int i = 0; i < block; ++i) {
-                    const auto whole = static_cast<std::int32_t>(from[i]);
-                    to[i] = whole - std::int32_t(from[i] < whole);
-                }
-            };
-            floors(column, columns);
-            floors(row, rows);
-            for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
-            for (int i = 0; i < block; ++i)
-                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
-        });
-    }
-
-private:
-    static constexpr double smallest_w = 0x1p-126;
-
-    [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
-        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
-    }
-
-    glm::dmat4 matrix_;
-    clip_space clip_;
-    glm::dvec2 half_size_;
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/barycentrics.hpp
-// Barycentric weights of texels on a triangle, to interpolate attributes after a camera pass.
-//
-//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
-//
-// For many texels of one triangle, this computes their common values only once:
-//
-//     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
-//     for (int x = first; x < last; ++x) use(weights({x, y}));
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Perspective-correct weights of a triangle's vertices at texel centers.
-class triangle_weights {
-public:
-    /// @param size            size of the image, in texels
-    /// @param mesh            triangles, world units
-    /// @param world_to_clip   projection * view
-    /// @param clip            clip space that the matrix leads to
-    /// @param triangle        index into mesh.triangles; its vertices may be behind the camera
-    /// @throws std::invalid_argument  clip unset; triangle or an index of its out of range; a side of the image above
-    ///                                16384
-    triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                     unsigned triangle)
-        : triangle_weights("triangle_weights", size, mesh, world_to_clip, clip, triangle) {}
-
-    /// Weights at the center of a texel.
-    /// @return      weights that are not negative and sum to 1
-    /// @edge        texel that snapping moved out of the triangle: the weights of the nearest edge. Triangle seen
-    ///              edge-on or not finite: (1, 0, 0)
-    /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
-    /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
-    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
-        const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
-        const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
-        const double px = p.x - x * p.w, qx = q.x - x * q.w,
-                     rx = r.x - x * r.w;  // from the center to each vertex, times w
-        const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
-        const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
-        const double side = sum < 0.0 ? -1.0 : 1.0;
-        const auto inside = [&](double weight) UMBRAGE_INLINE { return side * weight > 0.0 ? side * weight : 0.0; };
-        const double total = inside(a) + inside(b) + inside(c);
-        const double over = total > 0.0 ? total : 1.0, first = total > 0.0 ? inside(a) : 1.0;
-        return {static_cast<float>(first / over), static_cast<float>(inside(b) / over),
-                static_cast<float>(inside(c) / over)};
-    }
-
-private:
-    triangle_weights(const char* function, glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                     clip_space clip, unsigned triangle)
-        : top_(clip.origin == texture_origin::top ? size.y : 0),
-          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
-        const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
-        detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
-        const glm::uvec3 t = mesh.triangles[triangle];
-        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
-                        "indices of positions", t);
-        for (glm::length_t i = 0; i < 3; ++i)
-            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);
-        bool finite = true;
-        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
-        if (!finite) vertices_ = {};
-    }
-    friend glm::vec3 barycentrics(glm::ivec2, const mesh_view&, const glm::mat4&, clip_space, glm::ivec2, unsigned);
-
-    double top_, down_;
-    std::array<glm::dvec4, 3> vertices_;
-};
-
-/// Weights of triangle_weights for a single texel.
-/// @throws std::invalid_argument  as triangle_weights
-[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
-    return triangle_weights("barycentrics", size, mesh, world_to_clip, clip, triangle)(texel);
-}
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/triangles.hpp
-// Batches of 64 triangles on the vertex grid: winding, edges and depth planes, in loops that vectorize.
-//
-//     triangles batch;
-//     batch.add(p, q, r, id);  // and more, until it is full()
-//     batch.set_up({{0, 0}, size}, cull_mode::none);
-//     for (int i = 0; i < batch.count; ++i)
-//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
-//
-// A sample is inside an edge from a to b if E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0. For an edge that
-// is neither a top nor a left one the condition is E > 0, which is E - 1 >= 0. From texel to texel E grows by multiples
-// of 256. So its sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Texels first <= t < last. y counts from the bottom.
-struct texel_bounds {
-    glm::ivec2 first, last;
-};
-
-/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
-struct depth_plane {
-    glm::ivec2 first;        ///< a texel within the triangle's bounds
-    double z, dx, dy;        ///< multiples of one power of two: no sum of them within the bounds is rounded
-    double lowest, highest;  ///< range of the vertices' depths; samples never leave it
-
-    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
-        const double depth = z + dx * (x - first.x) + dy * (y - first.y);
-        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
-    }
-};
-
-/// Up to 64 triangles, with one array per coordinate.
-class triangles {
-public:
-    int count = 0;
-    alignas(64) unsigned id[block];
-    // After set_up():
-    alignas(64) std::int32_t first_x[block], first_y[block], columns[block];  ///< texels that may be covered
-    alignas(64) std::int32_t rows[block];                                     ///< 0: none is covered
-    alignas(64) std::int32_t right[3][block], up[3][block];  ///< steps of edges / 256 from texel to texel
-    alignas(64) std::int32_t edge[3][block];                 ///< edges / 256 at the first texel, if is_small
-    alignas(64) float per_row[3][block];                     ///< -1 / up; undefined where that is 0
-
-    triangles() {  // every lane is set up, used or not
-        for (int i = 0; i < block; ++i) {
-            id[i] = 0;
-            for (int k = 0; k < 3; ++k) x_[k][i] = y_[k][i] = 0, z_[k][i] = 0.0;
-        }
-    }
-
-    /// Rows first <= y < second whose centers are above the lowest corner, and not above the highest. A bottom
-    /// edge and a corner cover no center that they meet.
-    [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
-        return {(lowest + subtexels - center) >> 8, ((highest - center) >> 8) + 1};
-    }
-
-    [[nodiscard]] bool full() const { return count == block; }
-
-    /// Adds a triangle. There must be room.
-    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
-                            unsigned triangle) {
-        const snapped_vertex* const corners[] = {&a, &b, &c};
-        for (int k = 0; k < 3; ++k)
-            x_[k][count] = corners[k]->x, y_[k][count] = corners[k]->y, z_[k][count] = corners[k]->depth;
-        id[count++] = triangle;
-    }
-
-    /// Sets up all triangles. Triangles that face away, without area or without a texel within `bounds`, get no rows.
-    ///
-    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. A sample is within 2^-48 n m of the
-    ///             plane through the snapped vertices: n is the bounds' larger side in 1/256 texel, m the sum of the
-    ///             magnitudes of the depth and its two slopes over the bounds
-    void set_up(const texel_bounds& bounds, cull_mode cull) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            set_up_bounds(bounds);
-            set_up_areas(cull);
-            set_up_planes();
-            for (int k = 0; k < 3; ++k) set_up_edge(k);
-        });
-    }
-
-    /// Rows first <= y < second that the triangles may cover. None: first >= second.
-    [[nodiscard]] glm::ivec2 covered_rows() const {
-        std::int32_t first = guard_band, last = 0;
-        for (int i = 0; i < count; ++i)
-            if (rows[i] > 0) first = lesser(first, first_y[i]), last = greater(last, first_y[i] + rows[i]);
-        return {first, last};
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
-        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
-        const double low = a < b ? a : b, high = a < b ? b : a;
-        return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
-    }
-
-    /// Depth of the plane at x, y texels from the first one, not limited to that of the corners.
-    [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
-    [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
-    /// Depth of the plane at a corner. It may differ from the corner's by the rounding of the slopes.
-    [[nodiscard]] UMBRAGE_INLINE double depth_at_corner(int k, int i) const {
-        return depth(i, 0, 0) + dx_[i] * 0x1p-8 * (x_[k][i] - first_x[i] * subtexels - center) +
-               dy_[i] * 0x1p-8 * (y_[k][i] - first_y[i] * subtexels - center);
-    }
-
-    /// True when 32 bits hold the edges over the triangle's bounds, and some texels beyond.
-    [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
-
-    /// Edge / 256 at a texel: inside where it is not negative.
-    [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
-        const std::int64_t step_x = right[k][i], step_y = up[k][i];
-        const std::int64_t e =
-            step_y * (y * subtexels + center - y_[k][i]) + step_x * (x * subtexels + center - x_[k][i]);
-        return (e - is_open(step_x, step_y)) >> 8;
-    }
-
-    /// Calls row() for each row that triangle i covers.
-    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
-    template <class Row>
-    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
-        // Sign of an edge's value: at texel `at`, the first of the row where it is not negative, the triangle begins or
-        // has ended. From row to row it moves as far as the edge does, so no row is searched.
-        struct side {
-            bool begins;
-            std::int64_t value, step, step_up;
-            int at = 0;
-        } sides[3];
-        for (int k = 0; k < 3; ++k) {
-            const std::int64_t value = edge_at(k, i, first_x[i], first_y[i]), r = right[k][i], u = up[k][i];
-            if (r > 0) sides[k] = {true, value, r, u};
-            else sides[k] = {false, -1 - value, -r, -u};
-        }
-        const int width = columns[i];
-        for (int y = 0; y < rows[i]; ++y) {
-            int first = 0, last = width;
-            for (side& s : sides) {
-                for (; s.at > 0 && s.value >= s.step; s.value -= s.step) --s.at;
-                for (; s.at < width && s.value < 0; s.value += s.step) ++s.at;
-                if (s.begins) first = greater(first, s.at);
-                else last = lesser(last, s.at);
-                s.value += s.step_up;
-            }
-            if (first < last) row(first_y[i] + y, first_x[i] + first, first_x[i] + last);
-        }
-    }
-
-private:
-    using bits = std::int64_t;
-    static constexpr int center = subtexels / 2;
-
-    /// True for right edges, and for bottom ones.
-    template <class Int>
-    [[nodiscard]] static UMBRAGE_INLINE Int is_open(Int right_step, Int up_step) {
-        return Int(right_step < 0) | (Int(right_step == 0) & Int(up_step > 0));
-    }
-
-    /// Puts the smallest vertex first, so results do not depend on the order in the mesh. Finds texels within the
-    /// bounds.
-    UMBRAGE_INLINE void set_up_bounds(const texel_bounds& bounds) {
-        const int min_x = bounds.first.x, min_y = bounds.first.y, max_x = bounds.last.x - 1, max_y = bounds.last.y - 1;
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t ax = x_[0][i], bx = x_[1][i], cx = x_[2][i], ay = y_[0][i], by = y_[1][i], cy = y_[2][i];
-            const std::int32_t b_first = -std::int32_t((bx < ax) | ((bx == ax) & (by < ay)));
-            const std::int32_t x = b_first ? bx : ax, y = b_first ? by : ay;
-            const std::int32_t c_first = -std::int32_t((cx < x) | ((cx == x) & (cy < y)));
-            const auto pick = [=](std::int32_t p, std::int32_t q, std::int32_t r) UMBRAGE_INLINE {
-                const std::int32_t of_two = b_first ? q : p;
-                return c_first ? r : of_two;
-            };
-            second_is_first_[i] = b_first & ~c_first;
-            third_is_first_[i] = c_first;
-            x_[0][i] = pick(ax, bx, cx), x_[1][i] = pick(bx, cx, ax), x_[2][i] = pick(cx, ax, bx);
-            y_[0][i] = pick(ay, by, cy), y_[1][i] = pick(by, cy, ay), y_[2][i] = pick(cy, ay, by);
-
-            const std::int32_t left = lesser(lesser(ax, bx), cx), end = greater(greater(ax, bx), cx);
-            const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
-            width_[i] = end - left, height_[i] = top - bottom;
-            side_[i] = greater(end - left, top - bottom);
-            const std::int32_t from_x = greater((left + subtexels - 1 - center) >> 8, min_x);
-            const std::int32_t from_y = greater((bottom + subtexels - center) >> 8, min_y);
-            const std::int32_t to_x = lesser((end - center) >> 8, max_x), to_y = lesser((top - center) >> 8, max_y);
-            first_x[i] = from_x, first_y[i] = from_y;
-            columns[i] = to_x - from_x + 1;
-            rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
-        }
-        for (int i = 0; i < block; ++i) {
-            const bits second = second_is_first_[i], third = third_is_first_[i];
-            const bits a = bit_cast<bits>(z_[0][i]), b = bit_cast<bits>(z_[1][i]), c = bit_cast<bits>(z_[2][i]);
-            const auto pick = [=](bits p, bits q, bits r) UMBRAGE_INLINE {
-                return bit_cast<double>((p & ~(second | third)) | (q & second) | (r & third));
-            };
-            z_[0][i] = pick(a, b, c), z_[1][i] = pick(b, c, a), z_[2][i] = pick(c, a, b);
-        }
-    }
-
-    UMBRAGE_INLINE void set_up_areas(cull_mode cull) {
-        const bits keep_front = -bits(cull != cull_mode::front), keep_back = -bits(cull != cull_mode::back);
-        for (int i = 0; i < block; ++i) {
-            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
-            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
-            area_[i] = x1 * y2 - x2 * y1;
-        }
-        for (int i = 0; i < block; ++i) {
-            const bits area = bit_cast<bits>(area_[i]), clockwise = -bits(area < 0);
-            const bits kept = -bits(area != 0) & ((keep_back & clockwise) | (keep_front & ~clockwise));
-            clockwise_[i] = static_cast<std::int32_t>(clockwise);
-            rows[i] &= static_cast<std::int32_t>(kept);
-        }
-    }
-
-    UMBRAGE_INLINE void set_up_edge(int k) {
-        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t turn = clockwise_[i];  // for the other winding all signs change
-            const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
-            right[k][i] = step_x, up[k][i] = step_y;
-            per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
-            const double e = double(step_y) * (first_y[i] * subtexels + center - ay[i]) +
-                             double(step_x) * (first_x[i] * subtexels + center - ax[i]) - is_open(step_x, step_y);
-            // As an integer: the lower 51 bits of the double, without the last 8.
-            edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
-        }
-    }
-
-    UMBRAGE_INLINE void set_up_planes() {
-        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
-        constexpr bits tiny = bit_cast<bits>(0x1p-200);
-        const auto power_of_two = [](double a, double b, double c)
-                                      UMBRAGE_INLINE {  // of the largest number, rounded down
-                                          const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
-                                          const bits r = bit_cast<bits>(c) & exponent;
-                                          const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
-                                          return bit_cast<double>(largest < other ? other : largest);
-                                      };
-        const auto one_over = [](double power) UMBRAGE_INLINE {
-            return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
-        };
-        const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52. GCC has no vectors of trunc() for AVX2
-            const double size = masked(v, magnitude), rounded = (size + 0x1p52) - 0x1p52;
-            const double whole = rounded - masked(1.0, -bits(rounded > size));
-            return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
-        };
-        for (int i = 0; i < block; ++i) {
-            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
-            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
-            const double per_area = 1.0 / area_[i];
-
-            // Depths with so few bits that the products with x1 .. y2 and their differences need no rounding.
-            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(double(side_[i]), exponent) * 0x1p-49;
-            double units = one_over(unit);
-            const double z0 = truncate(z_[0][i] * units) * unit;
-            const double z1 = truncate(z_[1][i] * units) * unit;
-            const double z2 = truncate(z_[2][i] * units) * unit;
-            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
-            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
-
-            // Slopes with so few bits that every sample needs no rounding. Here for the products.
-            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
-                                 masked(slope_y, magnitude & short_digits) * double(height_[i]);
-            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
-            units = one_over(unit);
-            const double dx = truncate(slope_x * units) * unit;
-            const double dy = truncate(slope_y * units) * unit;
-            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + center - x_[0][i]) +
-                        dy * (first_y[i] * subtexels + center - y_[0][i]);
-            dx_[i] = dx * subtexels;
-            dy_[i] = dy * subtexels;
-            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
-        }
-    }
-
-    alignas(64) std::int32_t x_[3][block], y_[3][block];
-    alignas(64) double z_[3][block];
-    alignas(64) std::int32_t second_is_first_[block], third_is_first_[block], clockwise_[block];  // masks
-    alignas(64) std::int32_t width_[block], height_[block], side_[block];  // in 1/256 texel; side_ is the larger one
-    alignas(64) double area_[block], depth_[block], dx_[block], dy_[block];
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/band_buffer.hpp
-// Rows of an image that are drawn to: in place, or in a copy where they would contend for the cache.
-//
-//     band_buffer<> buffer;  // one per thread, for one band after the other
-//     buffer.begin(image.rows(first, last));
-//     for (const triangles& batch : ...) {
-//         buffer.expect(batch);
-//         draw<true>(buffer.rows(), first, batch);
-//     }
-//     buffer.finish();
-//
-// A column of texels takes one cache line per row. The usual L1 cache has 64 sets of 8 lines. All lines of the column
-// belong to one set if rows start a multiple of 4096 bytes apart. Stores then wait for lines that the loads of later
-// rows have evicted, and tall triangles take two to four times as long.
-//
-
-namespace umbrage::detail {
-
-template <class = on_use>
-class band_buffer {
-public:
-    /// @param rows   rows that nobody else uses until finish()
-    void begin(const image_view<float>& rows) {
-        in_place_ = rows_ = rows;
-        left_ = bounds_a_texel(rows) * rows.size.x * rows.size.y;
-    }
-
-    /// Rows at their present place.
-    [[nodiscard]] const image_view<float>& rows() const { return rows_; }
-
-    /// Prepares to draw a batch, after its set_up(). Copies the rows once the triangles so far make that worth the
-    /// time.
-    void expect(const triangles& batch) {
-        if (left_ <= 0) return;
-        for (int i = 0; i < batch.count; ++i) left_ -= std::int64_t(batch.rows[i]) * batch.columns[i];
-        if (left_ > 0) return;
-        constexpr std::size_t line = 64;
-        const std::size_t lines =
-            ((row_bytes() + line - 1) / line) | 1;  // odd, so 64 rows begin in 64 sets of the cache
-        buffer_.resize(lines * line / sizeof(float) * std::size_t(rows_.size.y));
-        rows_ = {buffer_.data(), in_place_.size, static_cast<std::ptrdiff_t>(lines * line)};
-        copy(in_place_, rows_);
-    }
-
-    void finish() {
-        if (rows_.data != in_place_.data) copy(rows_, in_place_);
-    }
-
-private:
-    /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
-    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
-    /// twice the best one. 0: rows do not contend. 8 rows never do.
-    [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
-        if (rows.size.y <= 8) return 0;
-        return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
-    }
-
-    [[nodiscard]] std::size_t row_bytes() const { return std::size_t(in_place_.size.x) * sizeof(float); }
-
-    void copy(const image_view<float>& from, const image_view<float>& to) const {
-        for (int y = 0; y < from.size.y; ++y) std::memcpy(to.row(y), from.row(y), row_bytes());
-    }
-
-    image_view<float> in_place_, rows_;
-    std::int64_t left_ = 0;  // texels in bounds until the rows are copied
-    std::vector<float, line_allocator<float>> buffer_;
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/raster/depth_rounding.hpp
-// Rounding of depths side by side to the nearest float: two registers of doubles to one of floats.
-//
-//     const depths_of_binade<8> depths(lowest);
-//     depths.count(first, second);  // texels 0 .. 7, in the lanes in which it takes their depths
-//     depths.round(first, second, floats);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Rounding of any depths, limited to a triangle's. Floats above 0 have the order of their bits.
-template <int Lanes>
-class any_depths {
-public:
-    using ints = lanes_of<std::int32_t, Lanes>;
-    using floats = lanes_of<float, Lanes>;
-    using doubles = lanes_of<double, Lanes / 2>;
-
-    /// @param lowest          normal number above 0
-    /// @param highest         normal number above 0
-    UMBRAGE_INLINE any_depths(double lowest, double highest)
-        : lowest_(bit_cast<std::int32_t>(static_cast<float>(lowest)) + ints{}),
-          highest_(bit_cast<std::int32_t>(static_cast<float>(highest)) + ints{}) {}
-
-    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
-        count_lanes<double, Lanes / 2>(first);
-        second = first + double(Lanes / 2);
-    }
-    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
-        narrow_lanes<float, Lanes>(first, second, depths);
-        ints bits = reinterpret_cast<ints>(depths);
-        keep_greatest(lowest_, bits);
-        keep_least(highest_, bits);
-        depths = reinterpret_cast<floats>(bits);
-    }
-
-private:
-    ints lowest_, highest_;
-};
-
-/// Rounding of depths between a power of two and the next, where floats are one step apart.
-///
-/// A sum with a large number is rounded to that step. The number is such that the sum's lower half then is the float.
-/// Conversion of doubles takes processors several times as long. Results of other depths are undefined.
-template <int Lanes>
-class depths_of_binade {
-public:
-    using floats = lanes_of<float, Lanes>;
-    using doubles = lanes_of<double, Lanes / 2>;
-
-    /// @param one   one of the depths
-    UMBRAGE_INLINE explicit depths_of_binade(double one) {
-        const std::int32_t power = bit_cast<std::int32_t>(static_cast<float>(one)) & 0x7F800000, steps = 1 << 23;
-        large_ = (0x1.8p52 + (power - steps)) * (static_cast<double>(bit_cast<float>(power)) / steps);
-    }
-
-    /// The first register has two of every four texels, so both lower halves are where a shuffle needs them.
-    UMBRAGE_INLINE static void count(doubles& first, doubles& second) {
-        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
-            first = doubles{double(I / 2 * 4 + I % 2)...};
-        }
-        (std::make_integer_sequence<int, Lanes / 2>{});
-        second = first + 2.0;
-    }
-    UMBRAGE_INLINE void round(const doubles& first, const doubles& second, floats& depths) const {
-        const doubles a = first + large_, b = second + large_;
-        [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
-            shuffle<(I / 4 * 4 + I % 2 * 2 + I % 4 / 2 * Lanes)...>(reinterpret_cast<floats>(a),
-                                                                    reinterpret_cast<floats>(b), depths);
-        }
-        (std::make_integer_sequence<int, Lanes>{});
-    }
-
-private:
-    double large_;
-};
-
-/// Triangles of a batch to which depths_of_binade applies. Their corners' depths as floats are normal numbers up to 1
-/// with one exponent. The plane's depths at the corners are the same floats, so samples, which are between, need no
-/// limit.
-class triangles_of_binade {
-public:
-    /// @param batch   after set_up()
-    UMBRAGE_INLINE explicit triangles_of_binade(const triangles& batch) {
-        using bits = std::int64_t;
-        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
-        constexpr bool little = std::endian::native == std::endian::little;
-        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
-            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
-            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
-            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
-            const auto first = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
-            const auto last = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
-            has_[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one))) &
-                      -(std::int32_t(little) & std::int32_t(((first ^ last) & 0x7F800000) == 0));
-        }
-        for (int k = 0; k < 3; ++k)
-            for (int i = 0; i < block; ++i)
-                has_[i] &= -std::int32_t(bit_cast<std::int32_t>(static_cast<float>(batch.depth_at_corner(k, i))) ==
-                                         bit_cast<std::int32_t>(static_cast<float>(batch.corner_depth(k, i))));
-    }
-    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return has_[i] != 0; }
-
-private:
-    alignas(64) std::int32_t has_[block];  // masks
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/small_triangles.hpp
-// Triangles of a few texels, all of a batch at once: a loop over the triangles for each texel of their bounds.
-//
-//     const small_triangles small(batch);
-//     small.for_each_sample([&](int x, int y, float depth) { ... });
-//     for (int i = 0; i < batch.count; ++i)
-//         if (!small.has(i)) ...  // one by one
-//
-// One by one, such a triangle would take a register per edge and a loop over rows for two samples.
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-class small_triangles {
-public:
-    /// Finds them: bounds of a few texels on each side, depths that are normal numbers within (0, 1]. Takes none if
-    /// they are too few to pay for the work on all triangles of the batch.
-    /// @param batch   after set_up(). It must outlive this object
-    UMBRAGE_INLINE explicit small_triangles(const triangles& batch) : batch_(batch) {
-        using bits = std::int64_t;
-        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
-        alignas(64) std::int32_t is_plain[block];
-        for (int i = 0; i < block; ++i) {  // numbers above 0 have the order of their bits; others are below them
-            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
-            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
-            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
-            is_plain[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one)));
-            lowest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
-            highest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
-        }
-        std::int32_t count = 0, drawn = 0, most_columns = 0, most_rows = 0;
-        const std::int32_t used = batch.count;
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t columns = batch.columns[i], rows = batch.rows[i];
-            const std::int32_t is_small =
-                is_plain[i] & -(std::int32_t(i < used) & std::int32_t(rows > 0) & std::int32_t(rows <= side) &
-                                std::int32_t(columns <= side) & std::int32_t(batch.is_small(i)));
-            last_x_[i] = ((columns - 1) & is_small) | ~is_small;
-            last_y_[i] = ((rows - 1) & is_small) | ~is_small;
-            count -= is_small;
-            drawn += std::int32_t(i < used) & std::int32_t(rows > 0);
-            most_columns = greater(most_columns, columns & is_small);
-            most_rows = greater(most_rows, rows & is_small);
-        }
-        if (count >= enough) columns_ = most_columns, rows_ = most_rows;
-        has_all_ = drawn == (count >= enough ? count : 0);
-    }
-
-    /// True when the batch draws no other triangles.
-    [[nodiscard]] UMBRAGE_INLINE bool has_all() const { return has_all_; }
-    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
-
-    /// Calls sample() for each texel that a small triangle covers.
-    /// @param sample   (int x, int y, float depth): a covered texel, in any order
-    template <class Sample>
-    UMBRAGE_INLINE void for_each_sample(const Sample& sample) const {
-        for (int y = 0; y < rows_; ++y)
-            for (int x = 0; x < columns_; ++x) {
-                std::uint64_t inside = inside_at(x, y);
-                if (inside == 0) continue;
-                alignas(64) float depths[block];
-                find_depths(x, y, depths);
-                for (; inside != 0; inside &= inside - 1) {
-                    const int i = std::countr_zero(inside);
-                    sample(batch_.first_x[i] + x, batch_.first_y[i] + y, depths[i]);
-                }
-            }
-    }
-
-private:
-    static constexpr int side = 4;  // texels
-    static constexpr int enough = block / 4;
-
-    /// Triangles that cover the texel x to the right of their first one and y above it, one bit each.
-    [[nodiscard]] UMBRAGE_INLINE std::uint64_t inside_at(int x, int y) const {
-        alignas(64) std::uint32_t outside[block];  // in the sign
-        for (int i = 0; i < block; ++i) {
-            std::uint32_t sign = std::uint32_t(last_x_[i] - x) | std::uint32_t(last_y_[i] - y);
-            for (int k = 0; k < 3; ++k)
-                sign |= std::uint32_t(batch_.edge[k][i]) + std::uint32_t(x) * std::uint32_t(batch_.right[k][i]) +
-                        std::uint32_t(y) * std::uint32_t(batch_.up[k][i]);
-            outside[i] = sign;
-        }
-        static_assert(block == 64);
-        std::uint32_t halves[2];
-        for (std::size_t half = 0; half < 2; ++half) {
-            std::uint32_t bits = 0;
-            for (std::size_t i = 0; i < 32; ++i) bits |= ((outside[half * 32 + i] >> 31) - 1) & bit_of[i];
-            halves[half] = bits;
-        }
-        return std::uint64_t(halves[1]) << 32 | halves[0];
-    }
-
-    /// Depths as of depth_plane, but rounded before they are limited, which gives the same.
-    UMBRAGE_INLINE void find_depths(int x, int y, float (&depths)[block]) const {
-        for (int i = 0; i < block; ++i) {
-            std::int32_t depth = bit_cast<std::int32_t>(static_cast<float>(batch_.depth(i, x, y)));
-            depth = depth < lowest_[i] ? lowest_[i] : depth;
-            depths[i] = bit_cast<float>(depth > highest_[i] ? highest_[i] : depth);
-        }
-    }
-
-    static constexpr std::array<std::uint32_t, 32> bit_of = [] {
-        std::array<std::uint32_t, 32> bits{};
-        for (std::size_t i = 0; i < 32; ++i) bits[i] = std::uint32_t(1) << i;
-        return bits;
-    }();
-
-    const triangles& batch_;
-    int columns_ = 0, rows_ = 0;  // largest of any triangle
-    bool has_all_ = false;
-    alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first texel; -1: not a small triangle
-    alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/depth_writer.hpp
-// Drawing of triangles into a depth image: the nearer of the stored depth and the plane's. All small triangles of a
-// batch are drawn at once. The others are drawn one by one, in columns some texels wide.
-//
-//     draw<true>(rows, first, batch);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Writer of batches into rows of an image.
-/// @tparam Lanes  texels side by side, two registers of doubles
-template <bool Forward, int Lanes>
-class depth_writer {
-public:
-    /// @param rows    rows of the image from the first on, upwards: all that the triangles cover
-    UMBRAGE_INLINE depth_writer(image_view<float> rows, int first)
-        : bottom_(reinterpret_cast<std::byte*>(rows.data)),
-          up_(rows.stride),
-          first_(first),
-          width_(rows.size.x),
-          skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
-
-    /// Draws the triangles of a batch.
-    UMBRAGE_INLINE void draw(const triangles& batch) const {
-        const small_triangles smaller(batch);
-        for (int i = 0; i < batch.count; ++i)
-            if (smaller.has(i)) expect(batch, i);
-        smaller.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
-        if (smaller.has_all()) return;
-        const triangles_of_binade of_binade(batch);
-        for (int i = 0; i < batch.count; ++i) {
-            if (i + 1 < batch.count) expect(batch, i + 1);
-            if (!smaller.has(i)) draw(batch, i, of_binade.has(i));
-        }
-    }
-
-private:
-    using ints = lanes_of<std::int32_t, Lanes>;
-    using floats = lanes_of<float, Lanes>;
-    using doubles = lanes_of<double, Lanes / 2>;
-
-    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
-
-    /// Prefetches the texels of a triangle. Their latency is about the time to draw another small one.
-    UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
-        const int last = batch.first_y[i] + lesser(batch.rows[i], 16);
-        for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
-    }
-
-    UMBRAGE_INLINE void draw(const triangles& batch, int i, bool is_of_binade) const {
-        if (batch.rows[i] == 0) return;
-        const depth_plane plane = batch.plane(i);
-        if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
-        if constexpr (has_lanes)  // depths of one sign, none flushed: they have the order of their bits
-            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
-                if (is_of_binade) draw_columns(batch, i, plane, depths_of_binade<Lanes>(plane.lowest));
-                else draw_columns(batch, i, plane, any_depths<Lanes>(plane.lowest, plane.highest));
-                return;
-            }
-        draw_rows(batch, i, plane);
-    }
-
-    /// Keeps the nearer depth, but the stored one where it is NaN.
-    /// @param depth   not NaN, not 0
-    UMBRAGE_INLINE static void take_nearer(float depth, float& there) {
-        if constexpr (finite_math_only)
-            there = select(-(Forward ? is_lit(depth, there) : is_lit(there, depth)), depth, there);
-        else there = (Forward ? depth < there : depth > there) ? depth : there;
-    }
-
-    /// Keeps the nearer depth per lane, but the stored one where it is NaN, or where `outside` is negative.
-    /// @param depth   not NaN, not 0
-    UMBRAGE_INLINE static void take_nearer(const floats& depth, const ints& outside, floats& there) {
-        const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
-        if constexpr (finite_math_only) {
-            const ints old = reinterpret_cast<ints>(there);
-            const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
-            there = reinterpret_cast<floats>((bits & ~kept) | (old & kept));
-        } else {
-            const auto seen = reinterpret_cast<floats>(bits | mask);  // or a NaN, which is not nearer
-            there = (Forward ? seen < there : seen > there) ? seen : there;
-        }
-    }
-
-    /// Draws a triangle texel by texel.
-    void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
-        batch.for_each_row(i, [&](int y, int first, int last) {
-            float* const texels = row(y);
-            for (int x = first; x < last; ++x) {
-                const double z = plane(x, y);
-                if (!(z >= 0.0 && z <= 1.0)) continue;
-                const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-                if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
-            }
-        });
-    }
-
-    /// Draws a triangle column by column, in rows of a block each. Depths are normal numbers within (0, 1].
-    /// @param depths   rounds the depths, see depth_rounding.hpp
-    template <class Depths>
-    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane,
-                                     const Depths& depths) const {
-        // Columns begin where blocks do in memory. Two triangles then share full blocks, which the processor passes
-        // from a store to the next load.
-        const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
-        const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
-        const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
-        const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
-        ints ramp;
-        count_lanes<std::int32_t, Lanes>(ramp);
-        doubles ramp_first, ramp_second;
-        depths.count(ramp_first, ramp_second);
-
-        // Texels x .. x_end - 1 of `height` rows; e: edges at x and y.
-        const double dx = plane.dx, dy = plane.dy, corner = plane.z;
-        const std::int32_t up0 = up[0], up1 = up[1], up2 = up[2];
-        const std::ptrdiff_t stride = up_;
-        const auto draw_tile = [&](int x, int y, int x_end, int height, const std::int32_t(&e)[3]) UMBRAGE_INLINE {
-            ints e0 = right[0] * ramp + e[0], e1 = right[1] * ramp + e[1], e2 = right[2] * ramp + e[2];
-            for (; x < x_end; x += Lanes, e0 += right[0] * Lanes, e1 += right[1] * Lanes, e2 += right[2] * Lanes) {
-                int first = 0, last = height;
-                if (height > few_rows) {
-                    // Rows in which a texel of the column can be inside all edges, or one more on each side.
-                    float low = 0.0f, high = static_cast<float>(height);
-                    const std::int32_t start[] = {e0[0], e1[0], e2[0]};
-                    for (int k = 0; k < 3; ++k) {
-                        const std::int32_t best = start[k] + greater(0, right[k] * (Lanes - 1));
-                        const float crossed = static_cast<float>(best) * batch.per_row[k][i];
-                        low = up[k] > 0 && crossed > low ? crossed : low;
-                        high = up[k] < 0 && crossed < high ? crossed : high;
-                    }
-                    first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
-                    if (first >= last) continue;  // no step to a first row far beyond the tile
-                }
-                // A tile at the image's border is moved inside. Its other texels get the same bits again.
-                const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
-                ints f0 = e0, f1 = e1, f2 = e2;
-                const double z = corner + dy * (y + first - first_y);
-                if ((moved | first) != 0) {
-                    f0 += right[0] * moved + up[0] * first;
-                    f1 += right[1] * moved + up[1] * first;
-                    f2 += right[2] * moved + up[2] * first;
-                }
-                doubles z_first = z + dx * (ramp_first + double(within - first_x));
-                doubles z_second = z + dx * (ramp_second + double(within - first_x));
-                std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
-                for (int rest = last - first; rest > 0; --rest, at += stride) {
-                    floats here, there;
-                    depths.round(z_first, z_second, here);
-                    load_lanes(at, there);
-                    take_nearer(here, f0 | f1 | f2, there);
-                    store_lanes(there, at);
-                    f0 += up0, f1 += up1, f2 += up2;
-                    z_first += dy, z_second += dy;
-                }
-            }
-        };
-        std::int32_t e[3];
-        if (batch.is_small(i)) {
-            for (int k = 0; k < 3; ++k) e[k] = batch.edge[k][i] + right[k] * (from - first_x);
-            return draw_tile(from, first_y, end, rows, e);
-        }
-        for (int y = first_y; y < first_y + rows; y += tile_rows)
-            for (int x = from; x < end; x += tile_columns) {
-                for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
-                    constexpr std::int64_t limit = 1 << 30;
-                    e[k] = static_cast<std::int32_t>(limited(batch.edge_at(k, i, x, y), -limit, limit));
-                }
-                draw_tile(x, y, lesser(x + tile_columns, end), lesser(first_y + rows - y, tile_rows), e);
-            }
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const {
-        return reinterpret_cast<float*>(bottom_ + (y - first_) * up_);
-    }
-
-    std::byte* bottom_;
-    std::ptrdiff_t up_;
-    int first_, width_, skew_;
-};
-
-template <bool Forward>
-void draw(image_view<float> rows, int first, const triangles& batch) {
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr isa in_use = decltype(set)::value;
-        constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
-        depth_writer<Forward, lanes>(rows, first).draw(batch);
-    });
-}
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/depth_target.hpp
-// Target for batches of triangles: a depth image, or bands of it, each drawn by one thread.
-//
-//     const depth_target<true> target(depth);
-//     target(batch);
-//     depth_target<true> own = target;  // one per thread
-//     own.in_band({first, last}, [&](const auto& draw) { draw(batch); });
-//
-
-namespace umbrage::detail {
-
-template <bool Forward>
-class depth_target {
-public:
-    /// @param image   row 0 at the bottom
-    explicit depth_target(image_view<float> image) : image_(image) {}
-
-    void operator()(const triangles& batch) const { draw<Forward>(image_, 0, batch); }
-
-    /// Draws batches into a band of rows.
-    /// @param rows   first <= y < second, at least one row, to which nobody else draws meanwhile
-    /// @param use    (draw), which calls draw(const triangles&) for batches within these rows
-    template <class Use>
-    void in_band(const glm::ivec2& rows, const Use& use) {
-        buffer_.begin(image_.rows(rows.x, rows.y));
-        use([&](const triangles& batch) {
-            buffer_.expect(batch);
-            draw<Forward>(buffer_.rows(), rows.x, batch);
-        });
-        buffer_.finish();
-    }
-
-private:
-    image_view<float> image_;
-    band_buffer<> buffer_;
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/raster/band_lists.hpp
-// Triangles of a chunk by the bands of rows in which they may be visible: as many at a time as some memory holds.
-//
-//     band_lists<> lists;  // for one chunk after the other
-//     lists.begin(chunk.count(), bands);
-//     while (lists.fill(serial{}, [&](unsigned triangle, const auto& put) { put({first, last}, triangle); }))
-//         for (int band = 0; band < bands; ++band) lists.for_each(band, [&](const auto& list) { ... });
-//
-
-namespace umbrage::detail {
-
-template <class = on_use>
-class band_lists {
-public:
-    static constexpr unsigned piece = 1 << 16;  ///< triangles that a thread reads at a time
-
-    /// Part of a triangle that crosses planes.
-    struct part {
-        snapped_vertex a, b, c;
-        unsigned triangle;
-    };
-    /// Triangles of a piece that may be visible in a band.
-    struct list {
-        std::vector<unsigned> whole;  ///< triangles of the chunk
-        std::vector<part> parts;
-        void add(unsigned triangle) { whole.push_back(triangle); }
-        void add(const part& of) { parts.push_back(of); }
-    };
-
-    void begin(unsigned triangles, int bands) {
-        count_ = triangles;
-        bands_ = static_cast<std::size_t>(bands);
-        read_.assign((triangles + piece - 1) / piece, 0);
-        lists_.resize(read_.size() * bands_);
-    }
-
-    /// Replaces the lists by those of the next triangles, until the lists of each piece are full.
-    /// @param read   (unsigned triangle, const auto& put): calls put(bands, what) for a triangle or its parts. `bands`
-    ///               are first <= band < second
-    /// @return       false if no triangle was left
-    template <class ParallelFor, class Read>
-    bool fill(ParallelFor&& parallel, const Read& read) {
-        const std::size_t before = triangles_read();
-        if (before == count_) return false;
-        for (list& each : lists_) each.whole.clear(), each.parts.clear();
-        in_pieces(static_cast<int>(read_.size()), parallel, [&](int from, int to) {
-            for (std::size_t p = std::size_t(from); p < std::size_t(to); ++p) {
-                const unsigned first = unsigned(p) * piece, count = lesser(piece, count_ - first);
-                list* const lists = lists_.data() + p * bands_;
-                std::size_t bytes = 0;
-                const auto put = [&](const glm::ivec2& bands, const auto& what) {
-                    for (int band = bands.x; band < bands.y; ++band) lists[band].add(what), bytes += sizeof(what);
-                };
-                unsigned i = read_[p];
-                for (; i < count && bytes < full; ++i) read(first + i, put);
-                read_[p] = i;
-            }
-        });
-        return triangles_read() > before;
-    }
-
-    /// Calls use() with each list of a band.
-    template <class Use>
-    void for_each(int band, const Use& use) const {
-        for (std::size_t i = std::size_t(band); i < lists_.size(); i += bands_) use(lists_[i]);
-    }
-
-private:
-    static constexpr std::size_t full = 1 << 20;  // bytes of a piece's lists
-
-    [[nodiscard]] std::size_t triangles_read() const {
-        std::size_t sum = 0;
-        for (const unsigned of_piece : read_) sum += of_piece;
-        return sum;
-    }
-
-    unsigned count_ = 0;
-    std::size_t bands_ = 1;
-    std::vector<list> lists_;     // per piece, band by band
-    std::vector<unsigned> read_;  // per piece, number of triangles that were read
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/raster/clip.hpp
-// Clipping of a triangle to the part that can be drawn: behind the near plane, within the guard band.
-//
-//     clipped_polygon polygon = clip_triangle(project, a, b, c);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Convex polygon on the grid, its smallest vertex first. A fan around that vertex is the same for every first vertex
-/// and winding of the triangle.
-struct clipped_polygon {
-    std::array<snapped_vertex, 3 + projection::planes> vertices;
-    int count = 0;  ///< 0 or 3..9
-};
-
-/// Side of the near plane on which a polygon is kept. Both sides cut an edge at the same point.
-enum class near_side { behind, before };
-
-/// Part of a triangle inside all planes, or outside the near plane, where snap() gives it that plane's depth.
-/// @param a       first point, in homogeneous texels
-/// @param b       second point
-/// @param c       third point
-/// @param planes  a bit for each plane to clip against; those with all three points inside may be left out
-template <class = on_use>
-[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
-                                                   const glm::dvec4& c, unsigned planes = ~0u,
-                                                   near_side side = near_side::behind) {
-    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
-    int count = 3;
-    for (int plane = 0; plane < projection::planes; ++plane) {
-        if (!(planes >> plane & 1u)) continue;
-        const auto before = points;
-        const int count_before = count;
-        count = 0;
-        for (int i = 0; i < count_before; ++i) {
-            const auto& p = before[std::size_t(i)];
-            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
-            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
-            const bool keeps_inside = plane != projection::z_near || side == near_side::behind;
-            if (p_inside == keeps_inside) points[std::size_t(count++)] = p;
-            if (p_inside != q_inside && count < int(points.size()))
-                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
-        }
-    }
-    clipped_polygon polygon;
-    if (count < 3) return polygon;
-    polygon.count = count;
-    std::array<snapped_vertex, 3 + projection::planes> snapped;
-    int smallest = 0;
-    for (int i = 0; i < count; ++i) {
-        snapped[std::size_t(i)] = project.snap(points[std::size_t(i)]);
-        if (snapped[std::size_t(i)] < snapped[std::size_t(smallest)]) smallest = i;
-    }
-    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = snapped[std::size_t((smallest + i) % count)];
-    return polygon;
-}
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/row_locks.hpp
-// Locks for rows of an image to which several threads draw: one thread at a time may draw to a row.
-//
-//     row_locks<> locks(height);
-//     locks.hold({first, last}, [&] { ... });
-//
-
-namespace umbrage::detail {
-
-template <class = on_use>
-class row_locks {
-public:
-    explicit row_locks(int height) : locks_(std::size_t(height / rows_a_lock + 1)) {}
-
-    /// Runs `use` while no other thread draws to the rows.
-    /// @param rows   first <= y < second, at least one row
-    /// @param use    (); must not throw
-    template <class Use>
-    void hold(const glm::ivec2& rows, const Use& use) {
-        const std::size_t first = std::size_t(rows.x / rows_a_lock), last = std::size_t((rows.y - 1) / rows_a_lock);
-        // From the first on in every thread, so that no two threads wait for each other.
-        for (std::size_t i = first; i <= last; ++i) take_lock(locks_[i].held);
-        use();
-        for (std::size_t i = first; i <= last; ++i) store_release(0, locks_[i].held);
-    }
-
-private:
-    static constexpr int rows_a_lock = 16;
-
-    struct alignas(64) lock {  // one cache line each: threads at other rows take none from each other
-        int held = 0;
-    };
-    std::vector<lock> locks_;
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/raster/snapped_chunk.hpp
-// Chunk of a mesh's triangles in some instances, with vertices projected and snapped: as many as fit a cache.
-//
-//     snapped_chunk chunk(mesh, projections);
-//     chunk.take(first_triangle, first_instance, 1 << 16);
-//     chunk.snap(serial{});
-//     for (unsigned i = 0; i < chunk.count(); ++i) use(chunk.vertex(chunk.place_of(i), 0));
-//
-// Triangles are counted on from one instance to the next, and so are vertices.
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Memory for vertices, each written before it is read. A vector would write them twice. (<memory>, which has a class
-/// for this, includes the streams.)
-class unwritten_vertices {
-public:
-    unwritten_vertices() = default;
-    unwritten_vertices(const unwritten_vertices&) = delete;
-    unwritten_vertices& operator=(const unwritten_vertices&) = delete;
-    ~unwritten_vertices() { delete[] data_; }
-
-    /// Makes room for `count` vertices. Keeps nothing.
-    void make(std::size_t count) {
-        if (count <= count_) return;
-        delete[] data_;
-        data_ = nullptr;
-        data_ = new snapped_vertex[count];
-        count_ = count;
-    }
-    [[nodiscard]] snapped_vertex* data() const { return data_; }
-    [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
-
-private:
-    snapped_vertex* data_ = nullptr;
-    std::size_t count_ = 0;
-};
-
-struct index_range {
-    unsigned lowest = ~0u, highest = 0;
-
-    void include(const index_range& other) {
-        lowest = lesser(lowest, other.lowest), highest = greater(highest, other.highest);
-    }
-    [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
-};
-
-/// Range of the indices of triangles first <= t < last.
-template <class = on_use>
-[[nodiscard]] index_range indices_of(const triangle_view& triangles, std::size_t first, std::size_t last) {
-    index_range range;
-    on_best_isa([&](auto) UMBRAGE_INLINE {
-        triangles.stored_from(first, [&](const auto* indices, std::size_t step) UMBRAGE_INLINE {
-            unsigned low = ~0u, high = 0;
-            const auto include = [&](unsigned index) UMBRAGE_INLINE {
-                low = low < index ? low : index;
-                high = high < index ? index : high;
-            };
-            const std::size_t count = step * (last - first);
-            std::size_t i = 0;
-            if (step == 3)  // no gaps
-                for (; count - i >= block; i += block)
-                    for (std::size_t k = 0; k < block; ++k) include(indices[i + k]);
-            for (; i < count; ++i)
-                if (i % step < 3) include(indices[i]);
-            range = {low, high};
-        });
-    });
-    return range;
-}
-
-/// Instance of a chunk, and triangle of the mesh.
-struct drawn_triangle {
-    std::size_t instance, triangle;
-};
-
-template <class = on_use>
-class snapped_chunk {
-public:
-    explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}
-
-    /// Takes triangles from a given one and a given instance on. These are the rest of the mesh and as many further
-    /// instances as `most` has room for, or `most` triangles.
-    /// @param instances   from that instance on, at least one
-    /// @param indices     range of the vertex indices of these triangles
-    void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
-        first_ = first;
-        triangles_ = lesser(most, mesh_.triangles.size() - first);
-        const std::size_t corners = 3 * triangles_, range = indices.count();
-        by_corner_ = corners < range;
-        lowest_ = indices.lowest;
-        used_ = lesser(corners, range);
-        stride_ = (used_ + block - 1) / block * block;
-        const bool whole = triangles_ == mesh_.triangles.size();
-        const std::size_t room = whole ? greater(most / greater(triangles_, stride_), std::size_t(1)) : 1;
-        instances_ = instances.first(lesser(room, instances.size()));
-    }
-
-    [[nodiscard]] std::size_t instances() const { return instances_.size(); }
-    [[nodiscard]] unsigned count() const { return static_cast<unsigned>(triangles_ * instances_.size()); }
-
-    template <class ParallelFor>
-    void snap(ParallelFor&& parallel) {
-        const std::size_t blocks = stride_ / block * instances_.size();
-        vertices_.make(blocks * block);
-        constexpr std::size_t piece = 64;  // blocks that a thread takes at a time
-        parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
-            for (std::size_t i = std::size_t(begin) * piece; i < lesser(std::size_t(end) * piece, blocks); ++i) {
-                const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
-                alignas(64) glm::vec3 positions[block];
-                for (std::size_t k = 0; k < block; ++k) positions[k] = position(lesser(vertex + k, used_ - 1));
-                instances_[instance].snap(positions, vertices_.data() + i * block);
-            }
-        });
-    }
-
-    /// Instance and triangle of the chunk's i-th triangle.
-    /// @param i   below count()
-    [[nodiscard]] UMBRAGE_INLINE drawn_triangle place_of(unsigned i) const {
-        if (instances_.size() == 1) return {0, first_ + i};
-        const unsigned triangles = static_cast<unsigned>(triangles_), instance = i / triangles;
-        return {instance, first_ + (i - instance * triangles)};
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE const snapped_vertex& vertex(const drawn_triangle& at, glm::length_t corner) const {
-        const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
-                                              : std::size_t(mesh_.triangles.index(at.triangle, corner) - lowest_);
-        return vertices_[at.instance * stride_ + vertex];
-    }
-
-    /// Corner before it was snapped.
-    [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
-        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles.index(at.triangle, corner)]);
-    }
-    [[nodiscard]] const projection& projection_of(const drawn_triangle& at) const { return instances_[at.instance]; }
-
-private:
-    [[nodiscard]] glm::vec3 position(std::size_t i) const {
-        if (!by_corner_) return mesh_.positions[lowest_ + i];
-        return mesh_.positions[mesh_.triangles.index(first_ + i / 3, glm::length_t(i % 3))];
-    }
-
-    mesh_view mesh_;
-    std::span<const projection> instances_;
-    std::size_t first_ = 0, triangles_ = 0;
-    std::size_t used_ = 0, stride_ = 0;  // vertices of an instance, and the same rounded up to blocks
-    unsigned lowest_ = 0;                // index
-    bool by_corner_ = false;             // three vertices per triangle, instead of a range of the mesh's
-    unwritten_vertices vertices_;
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/raster/snapped_mesh.hpp
-// Instances of a mesh on the grid of an image, chunk by chunk: vertices projected and snapped, triangles clipped and
-// passed on in batches. Batches follow the mesh's order, or an order in which threads draw at the same time.
-//
-//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, at_near, serial{}, "rasterize");
-//     snapped.for_each_chunk(serial{}, [&] {
-//         snapped.for_each_batch([&](const triangles& batch) { ... });
-//     });
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Triangles of a mesh, once for each of some matrices, chunk by chunk.
-template <class OnUse = on_use>
-class snapped_mesh {
-public:
-    /// @param to_clip   one matrix per instance; those that are not finite draw nothing
-    /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above guard_band
-    template <class ParallelFor>
-    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::dmat4> to_clip, clip_space clip,
-                 cull_mode cull, near_plane at_near, ParallelFor&& parallel, const char* function)
-        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
-        require_drawable(size, clip, function);
-        if (mesh.triangles.empty()) return;
-        const std::size_t count = mesh.triangles.size();
-        indices_.resize((count + piece - 1) / piece);
-        in_pieces(static_cast<int>(indices_.size()), parallel, [&](int first, int last) {
-            for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] = indices_of(mesh.triangles, i * piece, lesser((i + 1) * piece, count));
-        });
-        const std::size_t highest = indices_from(0, count).highest;
-        require(highest < mesh.positions.size(), function, "mesh.triangles", "indices of positions", highest);
-        if (size.x == 0 || size.y == 0) return;
-        instances_.reserve(to_clip.size());
-        for (const glm::dmat4& matrix : to_clip)
-            if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
-    }
-    snapped_mesh(const snapped_mesh&) = delete;
-    snapped_mesh& operator=(const snapped_mesh&) = delete;
-
-    /// Calls use() for each chunk; it draws the chunk.
-    template <class ParallelFor, class Use>
-    void for_each_chunk(ParallelFor&& parallel, const Use& use) {
-        // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
-        // share vertices with others, which would be snapped once per piece.
-        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
-        for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
-            for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
-                chunk_.take(first, {instances_.data() + instance, instances_.size() - instance}, step,
-                            indices_from(first, step));
-                chunk_.snap(parallel);
-                use();
-            }
-    }
-
-    /// Passes on the chunk in the mesh's order.
-    /// @param draw   (const triangles&)
-    template <class Draw>
-    void for_each_batch(const Draw& draw) const {
-        for_each_batch_of(0, chunk_.count(), draw);
-    }
-
-    /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
-    /// @param target   see depth_target.hpp; drawing a batch must not throw
-    template <class ParallelFor, class Target>
-    void for_each_batch(ParallelFor&& parallel, const Target& target) {
-        const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
-        if (bands == 1 || is_coherent(rows)) {
-            if constexpr (is_serial<ParallelFor>) return for_each_batch(target);
-            else return for_each_batch_under_locks(parallel, target);
-        }
-        const auto draw_bands = [&](int first, int last) {
-            Target own = target;
-            for (int band = first; band < last; ++band) {
-                const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
-                own.in_band({bounds.first.y, bounds.last.y}, [&](const auto& draw) {
-                    in_batches(bounds, draw, [&](const auto& add) {
-                        lists_.for_each(band, [&](const auto& list) { add_from(list, add); });
-                    });
-                });
-            }
-        };
-        const auto read = [&](unsigned i, const auto& put) { put_into_bands(i, rows, put); };
-        lists_.begin(chunk_.count(), bands);
-        while (lists_.fill(parallel, read)) parallel(bands, draw_bands);
-    }
-
-private:
-    template <class ParallelFor>
-    static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
-    static constexpr int band_texels = 1 << 16, band_rows = 64;
-    using lists = band_lists<OnUse>;
-    static constexpr unsigned piece = lists::piece;
-    static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned handful = 1 << 10;                  // triangles that a thread draws at a time
-    static constexpr unsigned before = 1u << projection::z_near;  // bit of the near plane
-
-    /// Vertex indices of `count` triangles from the first of a piece on, or of those that remain.
-    [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
-        index_range all;
-        for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
-            all.include(indices_[i]);
-        return all;
-    }
-
-    /// True if each piece alone touches more vertices than it has corners, but several pieces together do not.
-    [[nodiscard]] bool shares_vertices() const {
-        const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
-        return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
-    }
-
-    /// Corners of a triangle, and the planes that any of them is outside of.
-    struct corners {
-        const snapped_vertex &a, &b, &c;
-        unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
-    };
-    [[nodiscard]] UMBRAGE_INLINE corners corners_of(const drawn_triangle& at) const {
-        return {chunk_.vertex(at, 0), chunk_.vertex(at, 1), chunk_.vertex(at, 2)};
-    }
-
-    /// True when triangles draw nothing if all their corners are outside of these planes. There may be no planes.
-    [[nodiscard]] bool is_out_of_sight(unsigned planes) const {
-        return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
-    }
-
-    /// Drawn parts of a triangle that crosses planes: the part behind the near plane and, if that plane clamps, the
-    /// part in front of it. There are none if the triangle is outside of another plane, or not finite.
-    /// @param use   (a, b, c, unsigned triangle), for each triangle of a part
-    template <class Use>
-    void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
-        const unsigned beyond = planes_outside(c.a) & planes_outside(c.b) & planes_outside(c.c);
-        if (is_out_of_sight(beyond) || (c.crossed & projection::nowhere)) return;
-        const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
-        const auto part = [&](near_side side) {
-            const auto [v, count] = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), c.crossed, side);
-            for (std::size_t k = 1; int(k) + 1 < count; ++k) use(v[0], v[k], v[k + 1], unsigned(at.triangle));
-        };
-        if (!beyond) part(near_side::behind);
-        if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
-    }
-
-    /// Draws in batches the triangles that for_each(add) adds by add(a, b, c, unsigned triangle).
-    template <class Draw, class ForEach>
-    void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
-        triangles batch;
-        const auto finish = [&] {
-            batch.set_up(bounds, cull_);
-            draw(batch);
-            batch.count = 0;
-        };
-        for_each([&](const auto& a, const auto& b, const auto& c, unsigned triangle) UMBRAGE_INLINE {
-            batch.add(a, b, c, triangle);
-            if (batch.full()) finish();
-        });
-        if (batch.count > 0) finish();
-    }
-
-    template <class Draw>
-    void for_each_batch_of(unsigned first, unsigned last, const Draw& draw) const {
-        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
-            for (unsigned i = first; i < last; ++i) {
-                const drawn_triangle at = chunk_.place_of(i);
-                const corners c = corners_of(at);
-                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
-                else for_each_part(at, c, add);
-            }
-        });
-    }
-
-    /// Draws by threads under locks. Each thread draws triangles that follow each other. They cover few rows, so
-    /// threads seldom wait for each other.
-    template <class ParallelFor, class Draw>
-    void for_each_batch_under_locks(ParallelFor&& parallel, const Draw& draw) const {
-        row_locks<> locks(size_.y);
-        parallel(static_cast<int>((chunk_.count() + handful - 1) / handful), [&](int first, int last) {
-            for_each_batch_of(unsigned(first) * handful, lesser(unsigned(last) * handful, chunk_.count()),
-                              [&](const triangles& batch) {
-                                  const glm::ivec2 rows = batch.covered_rows();
-                                  if (rows.x < rows.y) locks.hold(rows, [&] { draw(batch); });
-                              });
-        });
-    }
-
-    template <class Add>
-    void add_from(const typename lists::list& list, const Add& add) const {
-        for (std::size_t k = 0; k < list.whole.size(); ++k) {
-            expect(list.whole, k);
-            const drawn_triangle at = chunk_.place_of(list.whole[k]);
-            const corners c = corners_of(at);
-            add(c.a, c.b, c.c, unsigned(at.triangle));
-        }
-        for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
-    }
-
-    /// True when successive triangles are in few bands, judged by samples.
-    [[nodiscard]] bool is_coherent(int rows_a_band) const {
-        constexpr unsigned looks = 16, many = 64;
-        const unsigned step = greater(chunk_.count() / looks, many);
-        int covered = 0, allowed = 0;
-        for (unsigned first = 0; first < chunk_.count(); first += step, allowed += 2 * rows_a_band) {
-            std::int32_t lowest = guard_band * subtexels, highest = -lowest;
-            for (unsigned i = first; i < lesser(first + many, chunk_.count()); ++i) {
-                const corners c = corners_of(chunk_.place_of(i));
-                if (c.crossed != 0) continue;
-                lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
-            }
-            const glm::ivec2 rows = rows_between(lowest, highest);
-            covered += greater(rows.y - rows.x, 0);
-        }
-        return covered <= allowed;
-    }
-
-    /// Rows first <= y < last that triangles may cover.
-    [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
-        const auto between = triangles::rows_between(lowest, highest);
-        return {greater(between.x, 0), lesser(between.y, size_.y)};
-    }
-
-    /// Calls put() with a triangle of the chunk, or its parts, and the bands in which they may be visible.
-    template <class Put>
-    void put_into_bands(unsigned i, int rows_a_band, const Put& put) const {
-        const auto bands = [&](const auto& a, const auto& b, const auto& c) {
-            const glm::ivec2 rows = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-            return glm::ivec2(rows.x / rows_a_band, (greater(rows.y, 0) + rows_a_band - 1) / rows_a_band);
-        };
-        const drawn_triangle at = chunk_.place_of(i);
-        const corners c = corners_of(at);
-        if (c.crossed == 0) return put(bands(c.a, c.b, c.c), i);
-        for_each_part(at, c, [&](const auto& p, const auto& q, const auto& r, unsigned triangle) {
-            put(bands(p, q, r), typename lists::part{p, q, r, triangle});
-        });
-    }
-
-    /// Prefetches the triangles after the k-th of a list, which can be anywhere. Inlined: see prefetch_line().
-    UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
-        constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size())
-            mesh_.triangles.stored_from(chunk_.place_of(list[k + later]).triangle,
-                                        [](const auto* indices, std::size_t)
-                                            UMBRAGE_INLINE { prefetch_line(indices); });
-        if (k + soon >= list.size()) return;
-        const drawn_triangle at = chunk_.place_of(list[k + soon]);
-        for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&chunk_.vertex(at, corner));
-    }
-
-    mesh_view mesh_;
-    glm::ivec2 size_;
-    cull_mode cull_;
-    near_plane at_near_;
-    std::vector<projection> instances_;
-    snapped_chunk<OnUse> chunk_;
-    std::vector<index_range> indices_;  // per piece
-    lists lists_;
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/rasterize.hpp
-// Depth pass on the CPU: triangles into a depth image. Each sample on a shared edge is covered exactly once.
-//
-//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
-//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
-//     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
-//
-// A camera pass keeps the nearest triangle per texel, and then interpolates:
-//
-//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
-//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
-//     });
-//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
-//
-// Vertices are snapped to 1/256 texel, and edges are evaluated in integers at texel centers. Ties follow the top-left
-// rule, with top and left as in NDC for both texture origins. Depth is a plane with rounded coefficients, so that every
-// sample is computed exactly. No order of triangles or vertices, no threads and no instruction set changes a bit.
-// Contraction to FMA may only move a clipped triangle's cut by 1/256 texel.
-// Also called: software rasterizer (rasterize_depth, rasterize).
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
-
-template <class ParallelFor>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::dmat4> to_clip,
-                     clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
-    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel, "rasterize_depth");
-    if (clip.origin == texture_origin::top && !depth.empty())
-        depth = {depth.row(depth.size.y - 1), depth.size, -depth.stride};
-    snapped.for_each_chunk(parallel, [&] {
-        if (clip.direction == depth_direction::forward) snapped.for_each_batch(parallel, depth_target<true>(depth));
-        else snapped.for_each_batch(parallel, depth_target<false>(depth));
-    });
-}
-
-/// @param to_clip_of   (model) -> its matrix to clip space, in double
-template <class ToClip, class ParallelFor>
-void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
-                         const ToClip& to_clip_of, clip_space clip, cull_mode cull, ParallelFor&& parallel,
-                         near_plane at_near) {
-    std::vector<glm::dmat4> to_clip, turned;  // no instance is in both
-    to_clip.reserve(instances.size());
-    for (const glm::mat4& model : instances) {
-        const bool turns = cull != cull_mode::none && is_mirrored(model);
-        (turns ? turned : to_clip).push_back(to_clip_of(model));
-    }
-    rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
-    if (!turned.empty())
-        rasterize_depth(depth, mesh, {turned.data(), turned.size()}, clip, mirrored(cull), parallel, at_near);
-}
-
-}  // namespace detail
-
-/// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
-///
-/// @param depth          image of at most 16384 x 16384 texels. clip.origin decides which row is the first
-/// @param mesh           triangles. One with a NaN or infinite position is left out. One without area on the 1/256
-///                       texel grid covers nothing
-/// @param world_to_clip  projection * view
-/// @param clip           clip space of the light; with reversed depth, larger depths win
-/// @param cull           faces to leave out
-/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
-/// @param at_near        treatment of casters in front of the near plane
-/// @edge        empty image: nothing happens. world_to_clip not finite: nothing is drawn
-/// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above 16384
-/// @formula     the nearer of the stored depth and the plane's; in ties the later one (same bits). Nothing beyond the
-///              far plane, never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see images/raster/triangles.hpp: set_up
-template <class ParallelFor = serial>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
-                     near_plane at_near = near_plane::clips) {
-    rasterize_depth(depth, mesh, glm::dmat4(world_to_clip), clip, cull, parallel, at_near);
-}
-
-/// The same with a matrix in double, which loses nothing far from the origin.
-/// @exactness   coverage and depth B: products in double
-template <class ParallelFor = serial>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::dmat4& world_to_clip, clip_space clip,
-                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
-                     near_plane at_near = near_plane::clips) {
-    detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
-}
-
-/// Renders many instances of a mesh, whose vertices are not copied.
-///
-/// @param instances   model to world, one matrix each. An instance whose model_to_clip is not finite draws nothing
-/// @param cull        faces of the mesh to leave out, also where an instance mirrors it
-/// @exactness         the bits of one pass of the mesh under model_to_clip(world_to_clip, instance) each, in any order.
-///                    Passes of mirrored instances cull the other faces (is_mirrored)
-/// Other parameters as for the pass of a single mesh.
-template <class ParallelFor = serial>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
-                     const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
-                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
-    const auto to_clip = [&](const glm::mat4& model) { return glm::dmat4(model_to_clip(world_to_clip, model)); };
-    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
-}
-
-/// The same with a matrix in double, which loses nothing far from the origin.
-template <class ParallelFor = serial>
-void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
-                     const glm::dmat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
-                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
-    const auto to_clip = [&](const glm::mat4& model) { return world_to_clip * glm::dmat4(model); };
-    detail::rasterize_instances(depth, mesh, instances, to_clip, clip, cull, parallel, at_near);
-}
-
-/// Calls a function for each covered sample between the near and the far plane, triangle by triangle.
-///
-/// @param size    size of the image in texels, each side at most 16384
-/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); it does the depth test. For results that do not
-///                depend on the triangles' order, compare the triangles where depths tie
-/// Other parameters as for rasterize_depth.
-template <class Sample>
-void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
-               cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
-    const bool flipped = clip.origin == texture_origin::top;
-    const glm::dmat4 to_clip(world_to_clip);
-    detail::snapped_mesh snapped(size, mesh, {&to_clip, 1}, clip, cull, at_near, serial{}, "rasterize");
-    snapped.for_each_chunk(serial{}, [&] {
-        snapped.for_each_batch([&](const detail::triangles& batch) {
-            for (int i = 0; i < batch.count; ++i) {
-                const auto plane = batch.plane(i);
-                batch.for_each_row(i, [&](int y, int first, int last) {
-                    for (int x = first; x < last; ++x)
-                        if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
-                            sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
-                                   batch.id[i]);
-                });
-            }
-        });
-    });
-}
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/dual_paraboloid_pass.hpp
-// Depth pass of a dual paraboloid shadow map on the CPU.
-//
-//     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
-//
-
-namespace umbrage {
-
-/// Renders distances from the light into one of its two maps.
-///
-/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
-/// @param mesh       from tessellate: edges between its vertices are drawn as straight lines
-/// @param light      from make_dual_paraboloid_light
-/// @param map        0 or 1
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  another map; as rasterize_depth
-/// @exactness        vertices C: square roots in double. Then as rasterize_depth
-template <class ParallelFor = serial>
-void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
-                               ParallelFor&& parallel = {}) {
-    detail::require(map == 0 || map == 1, "rasterize_dual_paraboloid", "map", "0 or 1", map);
-    const glm::dvec3 position = -glm::dvec3(light.view[3]);
-    const glm::dmat4 projection(light.projection);
-    std::vector<glm::vec3> placed;
-    std::vector<bool> within;  // inside the map's square, which also contains its circle and border
-    placed.reserve(mesh.positions.size());
-    within.reserve(mesh.positions.size());
-    for (const glm::vec3& p : mesh.positions) {
-        const glm::dvec4 h = projection * dual_paraboloid_position(glm::dvec3(p) - position, double(map));
-        placed.emplace_back(glm::dvec3(h) / h.w);
-        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= h.w);
-    }
-    std::vector<glm::uvec3> drawn;
-    for (const glm::uvec3& t : mesh.triangles) {
-        bool is_drawn = false;  // false with all vertices beyond the circle: directions there form a convex cone
-        for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
-        if (is_drawn) drawn.push_back(t);
-    }
-    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
-                    std::forward<ParallelFor>(parallel));
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/blocks/codec.hpp
+// ---- umbrage/images/codec.hpp
 // Encodings over blocks of 64 depths, in loops that vectorize. Results have the bits of their own encode and decode.
 //
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
@@ -15691,493 +16338,6 @@ template <class ParallelFor = serial>
     for (int y = 0; y <= tree.last.y; ++y) std::copy_n(tree.bounds.view.row(y), bounds.size().x, bounds.view().row(y));
     const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
     return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/bounds.hpp
-// Bounds that lights are fitted to: boxes, spheres, camera frustums and slices of them, and points.
-// An intersection is the part of a scene that a camera sees.
-//
-//     umbrage::polyhedron seen = umbrage::intersection(camera, umbrage::bounding_box<float>{scene_low, scene_high});
-//
-// Corners are computed in double for float and double alike.
-//
-
-namespace umbrage {
-
-/// Box with sides along the axes of the world.
-template <real T>
-struct bounding_box {
-    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; a flat box is allowed
-};
-
-/// Sphere in world space.
-template <real T>
-struct bounding_sphere {
-    glm::vec<3, T> center{T(0)};
-    T radius = T(1);  ///< >= 0
-};
-
-namespace detail {
-
-/// Box that was not given, with its low above its high. Setup functions that need a box refuse it.
-template <real T>
-inline constexpr bounding_box<T> unset_box{glm::vec<3, T>(1), glm::vec<3, T>(-1)};
-
-/// Calls must(met, member, condition, value) for each condition of a box.
-template <real T, class Must>
-void check(const bounding_box<T>& box, Must&& must) {
-    must(all_finite(box.low), "low", "finite", box.low);
-    must(all_finite(box.high), "high", "finite", box.high);
-    must(!glm::any(glm::greaterThan(box.low, box.high)), "low", "nowhere above high",
-         glm::mat<2, 3, T>(box.low, box.high));
-}
-
-/// Reports a box that is not finite, or whose low is above its high.
-template <real T>
-void require_box(const bounding_box<T>& box, const char* function, const char* argument) {
-    check(box, member_check{function, argument});
-}
-
-/// Reports a box that was not given, or that require_box reports.
-template <real T>
-void require_given(const bounding_box<T>& box, const char* function, const char* argument) {
-    require(!glm::all(glm::greaterThan(box.low, box.high)), function, argument, "given, with low not above high",
-            "no box");
-    require_box(box, function, argument);
-}
-
-/// corners, with errors in the name of `function`.
-template <real T>
-[[nodiscard]] eight_corners corners_for(const char* function, const bounding_box<T>& box) {
-    require_box(box, function, "box");
-    const glm::dvec3 low(box.low), high(box.high);
-    eight_corners all;
-    for (std::size_t i = 0; i < 8; ++i)
-        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
-    return all;
-}
-
-}  // namespace detail
-
-/// Corners of a box. The bits of an index select the high x, y and z.
-/// @throws std::invalid_argument  bounds that are not finite; low above high
-template <real T>
-[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
-    return detail::corners_for("corners", box);
-}
-
-/// Sphere around a frustum: the smallest one whose center lies on the frustum's central line.
-///
-/// The radius depends on distances and tangents alone, so its bits do not change as the camera turns and moves.
-/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2; more terms
-///            for a shift or a half_size
-/// @throws std::invalid_argument  an invalid frustum: see its members
-template <real T>
-[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f, "sphere_around");
-    const glm::dvec2 tangents(f.tan_half_x, f.tan_half_y), size(f.half_size), shift = glm::abs(glm::dvec2(f.shift));
-    const auto n = double(f.z_near), z_far = double(f.z_far);
-    const double t = tangents.x * tangents.x + tangents.y * tangents.y;
-    const double s = glm::dot(shift, shift), leaning = glm::dot(size, tangents);
-    const glm::dvec2 at_near = size + n * tangents, at_far = size + z_far * tangents;
-    // the point equally far from near and far corners without a shift, then the shift's contribution
-    const double upright = (n + z_far) * (1.0 + t) / 2.0 + leaning, lean = s * (z_far - n);
-    const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
-                          2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
-    const double center =
-        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
-    const double beyond = z_far - center;
-    const double more =
-        beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);
-    return {glm::dvec3(f.position) + axes * glm::dvec3(glm::dvec2(f.shift) * center, center),
-            std::sqrt(beyond * beyond + z_far * z_far * t + more)};
-}
-
-namespace detail {
-
-/// Point where the line through p and q crosses a plane, by their distances from it. It starts from the nearer one, to
-/// keep its precision if the other is far away.
-[[nodiscard]] inline glm::dvec3 crossing(const glm::dvec3& p, double at_p, const glm::dvec3& q, double at_q) {
-    return glm::abs(at_q) < glm::abs(at_p) ? q + (p - q) * (at_q / (at_q - at_p))
-                                           : p + (q - p) * (at_p / (at_p - at_q));
-}
-
-/// Part of a convex polygon on the inner side of a plane.
-template <class = on_use>
-[[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
-    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
-    std::vector<glm::dvec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-        const double at_p = inside(p), at_q = inside(q);
-        if (!(at_p < 0.0)) kept.push_back(p);
-        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(crossing(p, at_p, q, at_q));
-    }
-    return kept;
-}
-
-/// Implementation of polyhedron.
-template <class = on_use>
-class convex_body {
-public:
-    struct face {
-        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;  ///< empty if the body does not reach the plane
-    };
-
-    convex_body() = default;
-
-    template <real T>
-    convex_body(const bounding_box<T>& box) {
-        const glm::dvec3 low(box.low), high(box.high);
-        add_faces(corners_for("polyhedron", box), {{{1, 0, 0, -low.x},
-                                                    {-1, 0, 0, high.x},
-                                                    {0, 1, 0, -low.y},
-                                                    {0, -1, 0, high.y},
-                                                    {0, 0, 1, -low.z},
-                                                    {0, 0, -1, high.z}}});
-    }
-
-    template <real T>
-    convex_body(const frustum<T>& f) {
-        const glm::dmat3 axes = detail::axes(f, "polyhedron");
-        const auto x = double(f.tan_half_x), y = double(f.tan_half_y);
-        const glm::dvec2 shift(f.shift), size(f.half_size);
-        const auto plane = [&](glm::dvec3 normal, double offset) {
-            const glm::dvec3 n = axes * normal;
-            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
-        };
-        add_faces(corners_for("polyhedron", f),
-                  {plane({1, 0, x - shift.x}, size.x), plane({-1, 0, x + shift.x}, size.x),
-                   plane({0, 1, y - shift.y}, size.y), plane({0, -1, y + shift.y}, size.y),
-                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
-    }
-
-    [[nodiscard]] const std::vector<face>& faces() const& { return faces_; }
-    void faces() const&& = delete;  ///< deleted for temporaries: the reference would dangle
-    [[nodiscard]] bool empty() const { return faces_.empty(); }
-
-    [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
-        convex_body body;
-        bool touch = false;
-        const auto add = [&](const convex_body& of, const convex_body& within) {
-            for (face f : of.faces_) {
-                for (const face& other : within.faces_) f.corners = clipped(f.corners, other.plane);
-                touch = touch || !f.corners.empty();
-                body.faces_.push_back(
-                    std::move(f));  // faces without corners too: rounding may remove corners of a flat body
-            }
-        };
-        add(a, b);
-        add(b, a);
-        return touch && !a.empty() && !b.empty() ? body : convex_body();
-    }
-
-private:
-    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
-        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
-        for (std::size_t i = 0; i < 6; ++i)
-            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
-    }
-
-    std::vector<face> faces_;
-};
-
-}  // namespace detail
-
-/// Convex body, given by its faces.
-using polyhedron = detail::convex_body<>;
-
-/// Intersection of two bodies, empty if they do not meet.
-template <class Use = detail::on_use>
-[[nodiscard]] polyhedron intersection(const polyhedron& a, const polyhedron& b) {
-    return detail::convex_body<Use>::common(a, b);
-}
-
-namespace detail {
-
-/// First unmet condition of the bounds that a hull was made of. The fit that takes the hull reports it.
-struct first_fault {
-    std::string member, condition, got;  ///< empty without a fault
-
-    template <class Value>
-    void operator()(bool met, std::string_view checked, std::string_view wanted, const Value& value) {
-        if (!met && condition.empty()) member = checked, condition = wanted, got = printed(value);
-    }
-};
-
-/// Implementation of hull.
-template <class Use = on_use>
-struct rounded_hull {
-    std::vector<glm::dvec3> points;
-    double radius = 0.0;  ///< radius of the ball around each point, world units
-    first_fault fault;    ///< of an invalid box or frustum, which gives no points
-
-    rounded_hull() = default;
-    template <real T>
-    rounded_hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
-    template <real T>
-    rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
-    template <real T>
-    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.center)}, radius(double(s.radius)) {}
-    template <real T>
-    rounded_hull(const bounding_box<T>& box) {
-        add_corners(box);
-    }
-    template <real T>
-    rounded_hull(const frustum<T>& f) {
-        add_corners(f);
-    }
-    rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
-    rounded_hull(const convex_body<Use>& p) {
-        for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
-    }
-
-private:
-    void add_corners(const auto& bounds) {
-        check(bounds, fault);
-        if (!fault.condition.empty()) return;
-        const eight_corners c = corners_for("hull", bounds);
-        points.assign(c.begin(), c.end());
-    }
-};
-
-}  // namespace detail
-
-/// Convex hull of points with a ball around each: the shape that a directional light is fitted to.
-/// A fit refuses the hull of an invalid box or frustum.
-using hull = detail::rounded_hull<>;
-
-}  // namespace umbrage
-
-// ---- umbrage/images/instances.hpp
-// Culling of instances against a shadow map. The map of a cascade covers a small part of the world, and most casters
-// are outside.
-//
-//     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
-//     for (const auto& c : cascades) {
-//         const glm::mat4 world_to_clip = c.light.projection * c.light.view;
-//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, world_to_clip, clip),
-//                                  world_to_clip, clip);
-//     }
-//
-// Also called: caster culling, frustum culling of casters (instances_in_map).
-//
-
-namespace umbrage {
-
-/// Bounding box of a mesh's positions.
-/// @param mesh   positions that are not finite are skipped, as the depth pass skips their triangles
-/// @edge         no position: low above high. Nothing is then drawn, and corners() refuses the box
-template <class = detail::on_use>
-[[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
-    bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
-    for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
-    return box;
-}
-
-namespace detail {
-
-/// True when a body within a box may mark a texel. Other parameters as for umbrage::may_mark.
-/// @param middle         center of the box
-/// @param half           half size of the box
-/// @param reach          dvec3 normal -> extent of the body from its center along the normal, times its length
-template <class Reach>
-[[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
-                            const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
-    require_given(clip, "may_mark");
-    if (!all_finite(to_clip)) return false;
-    if (!all_finite(middle) || !all_finite(half)) return true;
-    const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
-    const auto magnitude = [&](const glm::dvec4& row) {
-        return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
-    };
-    const double of_w = magnitude(rows[3]);
-    // The body is outside if a multiple of w plus a multiple of a row is below 0 for all of it.
-    const auto beyond = [&](double w, glm::length_t row, double sign) {
-        const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
-        const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
-        return farthest < -0x1p-20 * (of_w + magnitude(rows[row]));
-    };
-    const bool forward = clip.direction == depth_direction::forward, clips = at_near == near_plane::clips;
-    const double low = clip.range == depth_range::zero_to_one ? 0.0 : 1.0;  // z >= 0, or w + z >= 0
-    return !(beyond(1, 0, 1) || beyond(1, 0, -1) || beyond(1, 1, 1) || beyond(1, 1, -1) || beyond(1, 3, 0) ||
-             ((clips || !forward) && beyond(low, 2, 1)) || ((clips || forward) && beyond(1, 2, -1)));
-}
-
-}  // namespace detail
-
-/// True when a mesh within the bounds may mark a texel of a map.
-///
-/// False only if all of it is outside of one plane: a side, the far plane, the eye's, or a near plane that clips. A
-/// near plane that clamps keeps casters between it and the light.
-/// @param bounds    in the mesh's space
-/// @param to_clip   model_to_clip, or any matrix with which the mesh is drawn
-/// @param clip      clip space that the matrix leads to
-/// @param at_near   as for the depth pass
-/// @edge            low above high, or a radius below 0: false, nothing is there. Bounds not finite: true. to_clip not
-///                  finite: false, nothing is drawn
-/// @exactness       conservative: with a margin of 2^-20 of the sums that a shader's floats round
-template <class = detail::on_use>
-[[nodiscard]] bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                            near_plane at_near = near_plane::clips) {
-    if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
-    const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
-    const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
-    return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
-}
-template <class = detail::on_use>
-[[nodiscard]] bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                            near_plane at_near = near_plane::clips) {
-    if (bounds.radius < 0.0f) return false;
-    const auto radius = static_cast<double>(bounds.radius);
-    const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
-    return detail::may_mark(glm::dvec3(bounds.center), glm::dvec3(radius), reach, to_clip, clip, at_near);
-}
-
-/// Instances that may mark a map, in their order. The depth pass of these has the same bits as that of all.
-/// @param bounds          box or sphere around the mesh
-/// @param instances       model to world, one matrix each
-/// @param world_to_clip   projection * view
-/// Other parameters as for may_mark.
-template <class Bounds>
-[[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
-                                                      const glm::mat4& world_to_clip, clip_space clip,
-                                                      near_plane at_near = near_plane::clips) {
-    std::vector<glm::mat4> kept;
-    for (const glm::mat4& model : instances)
-        if (may_mark(bounds, model_to_clip(world_to_clip, model), clip, at_near)) kept.push_back(model);
-    return kept;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/quality.hpp
-// Quality of a light setup for a view: screen pixels covered by the longer axis of a shadow map texel. At 1 or less the
-// map resolves as much as the screen.
-//
-//     const glm::mat4 to_texels = umbrage::texture_matrix(light, map_size);
-//     float pixels = umbrage::longest_extent(umbrage::pixels_per_texel(to_texels, to_pixels, position, normal));
-//
-
-namespace umbrage {
-
-/// Extent of a texel's step on the screen, in pixels.
-///
-/// @param texture_matrix   world to texels, of the light
-/// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world            point in front of the camera and the light
-/// @param normal           surface normal there, of any length > 0
-/// @return                 columns: pixels of a step of one texel in x and in y
-/// @edge                   surface parallel to the light: not finite
-/// @formula                d(pixel) / d(texel) on the plane through the point
-template <real T>
-[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
-                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
-                                                 glm::vec<3, T> normal) {
-    const auto along = detail::across(detail::unit(normal));
-    const auto steps = [&](const glm::mat<4, 4, T>& m) {
-        return glm::mat<2, 2, T>(glm::vec<2, T>(detail::step(m, world, along[0])),
-                                 glm::vec<2, T>(detail::step(m, world, along[1])));
-    };
-    const glm::mat<2, 2, T> texels = steps(texture_matrix);
-    const T det = glm::determinant(texels);
-    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
-    return steps(to_pixels) * back;
-}
-
-/// Longer axis of the ellipse that a texel covers on the screen, in pixels.
-/// @param pixels   from pixels_per_texel
-/// @return         its largest singular value
-/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
-template <real T>
-[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
-    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares: no difference loses precision
-    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/light_choice.hpp
-// Choice of the shadow map that serves a view best: a warp where it pays, else a uniform map. The choice does not
-// flicker.
-//
-//     // one receiver in 64 x 64 pixels or so. Points that the camera saw a frame ago will do
-//     std::vector<umbrage::seen_point> seen = ...;
-//     const std::array lights{umbrage::fit_directional_light(tight), umbrage::fit_light_space_perspective(fit).light};
-//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = pixels, .map_size = map.size()}, choice.kept);
-//     draw_depths(lights[choice.kept]);
-//
-
-namespace umbrage {
-
-/// Point of a visible surface, in world units.
-struct seen_point {
-    glm::dvec3 position{0};
-    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
-};
-
-/// Settings of choose_light.
-struct choice_terms {
-    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
-    glm::ivec2 map_size{1};   ///< texels, each >= 1
-    double better = 0.1;      ///< share by which another light must be better to replace the present one, 0 .. 1
-};
-
-/// Light to use, and how well each light does.
-struct light_choice {
-    std::size_t kept = 0;     ///< index of the light to use
-    std::vector<double> p95;  ///< per light: pixels that a texel's longer axis covers at 95 of 100 points, at most.
-                              ///< The largest double if the map has fewer of them, 0 without points
-};
-
-/// Measures each light over the points. Keeps the present light unless another is better by a margin.
-///
-/// @param lights   one or more, of any kinds
-/// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
-///                 skipped
-/// @param terms    camera's matrix, size of the map, and the margin
-/// @param before   index of the present light: light_choice::kept
-/// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
-///                                is not finite
-template <real T>
-[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
-                                        const choice_terms& terms, std::size_t before = 0) {
-    constexpr auto function = "choose_light";
-    detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
-    detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
-    detail::require(terms.map_size.x >= 1 && terms.map_size.y >= 1, function, "map_size", "above 0", terms.map_size);
-    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
-    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
-    light_choice choice{before, {}};
-    for (const light_space<T>& light : lights) {
-        const glm::dmat4 to_texels =
-            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
-        std::vector<double> extents;
-        for (const seen_point& p : seen) {
-            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
-            const glm::dvec2 at = glm::dvec2(h) / h.w;
-            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
-            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
-            if (!held) extents.push_back(detail::highest<double>);
-            else if (is_finite(extent)) extents.push_back(extent);
-        }
-        choice.p95.push_back(0);
-        if (extents.empty()) continue;
-        const auto p95 = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
-        std::nth_element(extents.begin(), p95, extents.end());
-        choice.p95.back() = *p95;
-    }
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < lights.size(); ++i)
-        if (choice.p95[i] < choice.p95[best]) best = i;
-    if (choice.p95[best] < choice.p95[before] * (1 - terms.better)) choice.kept = best;
-    return choice;
 }
 
 }  // namespace umbrage
@@ -16684,97 +16844,15 @@ void visibility(image_view<const glm::u16vec4> table, const moment_table& of, im
 
 }  // namespace umbrage
 
-// ---- umbrage/images/overlay.hpp
-// Debug overlay of a shadow map in the corner of a rendered picture, with stretched contrast.
-//
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_color(s(depth));
-//     });
-//
-
-namespace umbrage {
-
-/// Mapping of low..high to 0..1. Clamps values outside, and returns 1 for NaN.
-struct contrast_stretch {
-    float low = 0.0f, high = 1.0f;
-
-    [[nodiscard]] float operator()(float v) const {
-        if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
-    }
-};
-
-/// Range of a map's depths, without the texels to which nothing was drawn.
-///
-/// @param map       depths, any values
-/// @param cleared   texels of this value are skipped, as are NaN and infinities
-/// @param outliers  share of the depths to drop at each end, 0 <= outliers < 1/2
-/// @return          the range
-/// @edge            no texel left: 0..1
-/// @throws std::invalid_argument  outliers out of range
-template <class = detail::on_use>
-[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
-    detail::require(outliers >= 0.0 && outliers < 0.5, "stretch", "outliers", "0 or more and below 1/2", outliers);
-    std::vector<float> depths;
-    for (int y = 0; y < map.size.y && !map.empty(); ++y)
-        for (int x = 0; x < map.size.x; ++x)
-            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
-    if (depths.empty()) return {};
-    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
-    const auto ranked = [&](auto at) {
-        std::nth_element(depths.begin(), at, depths.end());
-        return *at;
-    };
-    return {ranked(depths.begin() + given_up), ranked(depths.end() - 1 - given_up)};
-}
-
-/// Placement of an overlay: its size, and the row order of both images. It goes to the visible top left corner.
-struct overlay_placement {
-    glm::ivec2 size{0, 0};                                ///< in texels of the picture; 0 stands for the map's own side
-    texture_origin map_origin = texture_origin::bottom;   ///< place of row 0 of the map
-    texture_origin picture_origin = texture_origin::top;  ///< place of row 0 of the picture; at the top in image files
-};
-
-/// Draws a map into the top left corner of a picture, scaled by nearest texel as in `overlay_texel`. Cuts off the part
-/// that does not fit.
-///
-/// @param picture   picture to draw into
-/// @param map       depths, any values
-/// @param place     size of the overlay, and the row order of both images
-/// @param color     color of a map's texel, from float: a float (gray) or a vec3 (red, green, blue), in [0, 1]
-/// @throws std::invalid_argument  negative size
-template <class Color>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Color&& color) {
-    detail::require(place.size.x >= 0 && place.size.y >= 0, "overlay", "place.size", "0 or more", place.size);
-    if (map.empty()) return;
-    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, double count, double from) {
-        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
-    };
-    const auto row_from_top = [](int y, int count, texture_origin origin) {
-        return origin == texture_origin::top ? y : count - 1 - y;
-    };
-    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
-        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
-        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
-            out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
-    }
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/images/blocks/form.hpp
 // Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form states its needs of a map, and the smallest width and height that it accepts. blocks() makes its blocks
-// from a map, a filter and tables(). A form that needs texels gets the map as stored: float_texels or rg_texels. A form
-// that needs floats gets float_texels. A form clamps texels to the map's edge. visibility() filters receivers within
-// reach() of a bordered map's border again. A form may name another, by_bounds, which runs where bounds_pay(): see
-// hierarchical.hpp.
+// A form is a plain_form, or a form without_tables. It states its needs of a map, and the smallest width and height
+// that it accepts. blocks() makes its blocks from a map, a filter and tables(). A form that needs texels gets the map
+// as stored: float_texels or rg_texels. A form that needs floats gets float_texels. A form clamps texels to the map's
+// edge. visibility() filters receivers within reach() of a bordered map's border again. A form may name another,
+// by_bounds, which runs where bounds_pay(): see hierarchical.hpp.
 //
 // Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
 // finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
@@ -16815,9 +16893,15 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
+/// Base of every form: what most have alike.
+struct plain_form {
+    using by_bounds = void;                ///< form that runs where bounds_pay(); void: none
+    static constexpr bool rounds = false;  ///< true where results round, so that no product may be fused with a sum
+};
+
 /// Base of forms whose blocks use no tables.
 struct no_tables {};
-struct without_tables {
+struct without_tables : plain_form {
     template <class Filter, class ParallelFor>
     [[nodiscard]] static no_tables tables(const auto&, const Filter&, ParallelFor&&) {
         return {};
@@ -17142,6 +17226,11 @@ struct depth_receivers {
     float bias = 0.0f;              ///< in depth of the map, subtracted from each receiver's
 };
 
+/// Image of receivers in one of the three forms. plane_visibility.hpp has an overload for sloped_receivers.
+template <class T>
+concept receiver_image = std::convertible_to<const T&, image_view<const glm::vec3>> ||
+    std::same_as<T, receiver_planes> || std::same_as<T, depth_receivers>;
+
 /// Matrix from a camera's depth image to the shadow map.
 ///
 /// @param clip_to_world    inverse of the camera's projection * view
@@ -17182,6 +17271,14 @@ template <class = detail::on_use>
 }
 
 namespace detail {
+
+/// The receivers, those of an image as a view of it.
+template <receiver_image Receivers>
+[[nodiscard]] decltype(auto) viewed(const Receivers& receivers) {
+    if constexpr (std::convertible_to<const Receivers&, image_view<const glm::vec3>>)
+        return image_view<const glm::vec3>(receivers);
+    else return (receivers);
+}
 
 [[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers, const char*) {
     return receivers.size;
@@ -17893,7 +17990,7 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::disc> {
+struct every_texel_form<filters::disc> : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <class ParallelFor>
@@ -18205,7 +18302,7 @@ private:
 };
 
 template <>
-struct every_texel_form<filters::window> {
+struct every_texel_form<filters::window> : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     template <class ParallelFor>
@@ -18656,7 +18753,7 @@ private:
 };
 
 template <class Filter>
-struct soft_form {
+struct soft_form : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 1;
     /// Rotated points in 1/16 of 1/64 of a radius. With a radius of 4 texels there is nothing to divide by.
@@ -18757,7 +18854,8 @@ private:
 };
 
 /// Filters the receivers of some rows by a filter's blocks.
-template <class Receivers, class Blocks, class Edge>
+/// @tparam Rounds   true for blocks whose results round: their code is compiled without FMA
+template <bool Rounds = false, class Receivers, class Blocks, class Edge>
 void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& edge, image_view<float> out, int first,
                  int last) {
     const bool large = past_cache(out);
@@ -18799,7 +18897,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, const Edge& e
             at.step();
         }
     };
-    if constexpr (requires { Blocks::rounds; }) on_best_isa_without_fma(all_rows);
+    if constexpr (Rounds) on_best_isa_without_fma(all_rows);
     else on_best_isa(all_rows);
     if (large) finish_streaming();
 }
@@ -18878,6 +18976,7 @@ struct map_filter {
 /// A form over a map, with what its blocks read.
 template <class Form, depth_direction Direction, class Encoding, class Filter>
 struct form_over_map {
+    static constexpr bool rounds = Form::rounds;
     map_filter<Encoding, Filter> each;  ///< blocks keep references to its filter
     form_map<Encoding, reads_stored<Form, Encoding>> of;
     decltype(Form::tables(of.texels, std::declval<const Filter&>(), serial())) tables;
@@ -18953,7 +19052,7 @@ struct form_rows {
         const bool has_border = each.outside == outside_map::bordered;
         const bool blocks_err = has_border || !form_for<Receivers, Filter>::clamps;
         const map_edge edge(alone, each.filter.reach(), each.map.size, blocks_err, has_border);
-        filter_rows(receivers, over.blocks, edge, out, first, last);
+        filter_rows<Over::rounds>(receivers, over.blocks, edge, out, first, last);
     }
 };
 
@@ -18963,7 +19062,7 @@ template <class Receivers, class Form, class Encoding, class Filter, class Paral
 [[nodiscard]] row_filter<Receivers> row_filter_by(const map_filter<Encoding, Filter>& m, double count,
                                                   ParallelFor&& parallel) {
     if (!form_takes<Form>(m.map, reads_stored<Form, Encoding>, count)) return {};
-    if constexpr (requires { typename Form::by_bounds; })
+    if constexpr (!std::is_void_v<typename Form::by_bounds>)
         if (bounds_pay(width_of(m.filter), m.map.size, count))
             return row_filter_by<Receivers, typename Form::by_bounds>(m, count, parallel);
     const auto make = [&]<depth_direction Direction>() {
@@ -19029,34 +19128,19 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// Visibility of receivers from a shadow map.
 /// @param map         shadow map, texels of the encoding
 /// @param encoding    encoding of the map's texels, with the depth direction. Its edge decides ties
-/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied
+/// @param receivers   (x, y) in texels of the map, z depth with the bias already applied: an image of vec3, or planes.
+///                    Or a camera's depth image, of which receiver_at gives each texel's
 /// @param filter      one of filters::, whose is_lit is set to the encoding's direction. Or any callable
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
 /// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Visibility of receivers as a structure of arrays.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Visibility of receivers from a camera's depth image: of receiver_at for each of its texels.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
+template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                const Filter& filter, image_view<float> out, ParallelFor&& parallel = {},
+                outside_map outside = outside_map::bordered) {
+    detail::filter_image(map, encoding, detail::viewed(receivers), filter, out, parallel, outside);
 }
 
 }  // namespace umbrage
@@ -19731,23 +19815,10 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 ///                                atlas; texels or gutter out of range, or the gutter below the filter's reach; a
 ///                                filter's number out of range
 /// @exactness         the bits of the filter alone over each receiver's page
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
-}
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
-}
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
-                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
+void visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
+                const Filter& filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, detail::viewed(receivers), filter, out, parallel);
 }
 
 }  // namespace umbrage
@@ -19763,7 +19834,6 @@ namespace umbrage::detail {
 /// Blocks of a filter for receivers with planes.
 template <class Blocks>
 struct plane_blocks {
-    static constexpr bool rounds = true;  ///< products of slopes: no FMA
     struct placed : Blocks::placed {
         plane_block planes;
     };
@@ -19874,6 +19944,7 @@ concept has_plane_form = requires {
 /// Blocks of a form, for receivers with planes.
 template <class Form>
 struct on_planes : Form {
+    static constexpr bool rounds = true;  // products of slopes
     template <depth_direction Direction, class Filter, class Tables>
     [[nodiscard]] static auto blocks(const float_texels& map, const Filter& filter, const Tables& tables) {
         using of_form = decltype(Form::template blocks<Direction>(map, filter, tables));
@@ -19882,7 +19953,7 @@ struct on_planes : Form {
 };
 
 /// pcf_2x2 as a kernel of one weight: the same four texels, weights and sum.
-struct one_weight_form {
+struct one_weight_form : plain_form {
     static constexpr map_need need = map_need::floats;
     static constexpr int least = 2;
     static constexpr window_row row = make_window_row(1, {1.0f});
@@ -20399,256 +20470,16 @@ template <class Texel, class ParallelFor = serial>
 ///
 /// @param map        the filter's texels, blurred
 /// @param filter     same as for encode_moments
-/// @param receivers  (x, y) in texels of the map, z depth with the bias already applied
+/// @param receivers  as for visibility of a map of depths
 /// @param out        receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @param outside    bordered: everything outside the map is lit. clamped: the map's edge continues
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 /// @exactness        the bits of the filter's decode of fetch_bilinear; receivers outside the filter domain are lit
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                image_view<const glm::vec3> receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
-}
-
-/// Visibility of receivers as a structure of arrays.
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                const receiver_planes& receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
-}
-
-/// Visibility of the receivers of a camera's depth image: one receiver_at for each of its texels.
-template <class Prefilter, class ParallelFor = serial>
-void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter,
-                const depth_receivers& receivers, image_view<float> out, ParallelFor&& parallel = {},
-                outside_map outside = outside_map::bordered) {
-    detail::decode_image(map, filter, receivers, out, parallel, outside);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/tessellate.hpp
-// Tessellation of a mesh for maps in which straight edges are curves, as in dual paraboloid maps. Edges are cut until
-// positions and distances from the light between vertices are close enough to straight lines.
-//
-//     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
-//     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);
-//
-
-namespace umbrage {
-
-/// Mesh whose edges are short as seen from a light.
-struct tessellated_mesh {
-    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
-    std::vector<glm::uvec3> triangles;
-
-    template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
-    [[nodiscard]] View view() const {
-        return View{positions, triangles};
-    }
-};
-
-/// Settings of a tessellation.
-struct tessellation {
-    glm::vec3 position{0};               ///< position of the light, world units
-    float angle = 0.1f;                  ///< radians, > 0: largest angle of an edge as seen from the light
-    float range = 100;                   ///< range of the light, > 0. Edges entirely beyond it may have wrong distances
-    float depth_error = 1.0f / 4096.0f;  ///< error of distances between an edge's ends, over range; above 0, below 1
-};
-
-namespace detail {
-
-template <class = on_use>
-class tessellator {
-public:
-    tessellator(const mesh_view& mesh, const tessellation& to)
-        : light_(to.position),
-          range_(double(to.range)),
-          sag_(0.75 * double(to.depth_error) * range_),
-          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
-          greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
-          cut_{{}, {}} {
-        for (const glm::vec3& p : mesh.positions) add(p);
-        for (const glm::uvec3& t : mesh.triangles) cut(t);
-    }
-
-    [[nodiscard]] tessellated_mesh take() { return std::move(cut_); }
-
-private:
-    unsigned add(glm::vec3 p) {
-        cut_.positions.push_back(p);
-        vertices_.push_back({glm::length(glm::dvec3(p) - light_)});
-        return static_cast<unsigned>(cut_.positions.size() - 1);
-    }
-
-    /// Excess length of an edge: 1 minus its angle's cosine, or else its error. Zeros where it is short enough. It
-    /// depends on the edge's ends only, so both triangles at the edge decide the same.
-    [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
-        const double p = vertices_[a].distance, q = vertices_[b].distance;
-        if (detail::greater(p, q) < sag_) return {0, 0};
-        const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
-        const double cosine = glm::dot(to_a, to_b) / (p * q);
-        if (cosine < least_cosine_) return {1 - cosine, 0};
-        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
-        // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
-        const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
-        return {0, sag > sag_ ? sag : 0};
-    }
-
-    /// An edge, ordered from near to far, and the fraction of its length at which the bisector of the viewing angle
-    /// cuts it. The fraction is at most 1/2 and stays accurate for a very distant end. Swapping the ends changes
-    /// nothing.
-    struct divided_edge {
-        glm::dvec3 close, distant;
-        double share;
-
-        [[nodiscard]] glm::vec3 middle() const { return glm::vec3(glm::mix(close, distant, share)); }
-
-        /// False where rounding moves the middle by 1/8 of its way from the nearer end, or more.
-        [[nodiscard]] bool has_middle() const {
-            const glm::dvec3 way = share * (distant - close);
-            return glm::distance(glm::dvec3(middle()) - close, way) < 0.125 * glm::length(way);
-        }
-    };
-    [[nodiscard]] divided_edge edge(unsigned a, unsigned b) const {
-        const double p = vertices_[a].distance, q = vertices_[b].distance;
-        if (q < p) return edge(b, a);
-        return {glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), p / (p + q)};
-    }
-
-    /// Edge of a triangle with the largest excess, from corner 0, 1 or 2 to the next. 3 where none has any, or where
-    /// rounding moves its middle: to cut again and again would not shorten it.
-    [[nodiscard]] glm::length_t longest_edge(const glm::uvec3& t) const {
-        glm::length_t longest = 3;
-        std::pair<double, double> most{0, 0};
-        for (glm::length_t i = 0; i < 3; ++i)
-            if (const auto by = excess(t[i], t[(i + 1) % 3]); by > most) longest = i, most = by;
-        if (longest == 3) return 3;
-        return edge(t[longest], t[(longest + 1) % 3]).has_middle() ? longest : 3;
-    }
-
-    /// Cuts a triangle in two at its longest edge, until no edge is too long.
-    void cut(const glm::uvec3& whole) {
-        std::vector<glm::uvec3> left{whole};
-        while (!left.empty()) {
-            const glm::uvec3 t = left.back();
-            left.pop_back();
-            const glm::length_t longest = longest_edge(t);
-            if (longest == 3) {
-                cut_.triangles.push_back(t);
-                continue;
-            }
-            const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
-            left.push_back({a, m, c});
-            left.push_back({m, b, c});
-        }
-    }
-
-    /// Midpoint of an edge. Its newer end lists it: a cut gives a vertex few edges to older ones, but the older end may
-    /// be a fan's center, whose list would be searched from one end to the other for each cut.
-    unsigned between(unsigned a, unsigned b) {
-        if (a < b) return between(b, a);
-        for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
-            if (vertices_[m].end == b) return m;
-        const unsigned m = add(edge(a, b).middle());
-        vertices_[m].end = b;
-        vertices_[m].next = vertices_[a].middle;
-        return vertices_[a].middle = m;
-    }
-
-    static constexpr unsigned none = ~0u;
-    struct vertex {
-        double distance;         ///< distance from the light
-        unsigned middle = none;  ///< midpoint of the last cut edge from here to an older end
-        unsigned end = none;     ///< older end of the edge, for a midpoint
-        unsigned next = none;    ///< midpoint of the edge cut before it, for a midpoint
-    };
-
-    glm::dvec3 light_;
-    double range_, sag_, least_cosine_, greatest_cosine_;
-    tessellated_mesh cut_;
-    std::vector<vertex> vertices_;
-};
-
-}  // namespace detail
-
-/// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
-///
-/// A tenth of the angle makes up to a hundred times as many triangles. An angle far below paraboloid_edge_angle may
-/// make millions from a single one.
-/// @param mesh   triangles with a position that is not finite stay as they are
-/// @param to     settings
-/// @return       the same surface, with the same winding. Triangles that share an edge still do, without gaps, even if
-///               they have separate vertices of equal position
-/// @throws std::invalid_argument  angle, range or depth_error out of range; an index out of range
-/// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
-///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range. Inside a triangle, a
-///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
-///               are kept, and so are those of half a texel, angle^2 / 8, with any error. Otherwise triangles that
-///               contain the light, or are seen edge-on, would be cut forever
-/// @edge         where rounding moves the cut of a triangle's longest edge, far from the origin or with one end close
-///               to the light, the triangle stays. Beside neighbors that are cut it may leave a gap
-template <class = detail::on_use>
-[[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
-    constexpr auto function = "tessellate";
-    detail::require(detail::all_finite(to.position), function, "position", "finite", to.position);
-    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "finite and above 0", to.angle);
-    detail::require(is_finite(to.range) && to.range > 0, function, "range", "finite and above 0", to.range);
-    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
-                    to.depth_error);
-    for (const glm::uvec3& t : mesh.triangles)
-        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
-                        "mesh.triangles", "indices of positions", t);
-    return detail::tessellator<>(mesh, to).take();
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/tetrahedron_pass.hpp
-// Depth pass of a tetrahedron shadow map on the CPU.
-//
-//     umbrage::rasterize_tetrahedron(map.view(), mesh, umbrage::make_tetrahedron_light(light));
-//     umbrage::rasterize_tetrahedron(map.view(), tree, model_matrices, umbrage::make_tetrahedron_light(light));
-//
-
-namespace umbrage {
-
-/// Renders each face's depths into its triangle of the map, as tetrahedron_face_of places it, and nowhere else.
-///
-/// @param depth      light.map_size^2 texels, cleared or from an earlier pass
-/// @param instances  model to world, one matrix each
-/// @param faces      from make_tetrahedron_light, each on its own triangle
-/// @throws std::invalid_argument  as rasterize_depth; depth not square
-/// @exactness        the bits of rasterize_depth, with the product of projection and view in double
-/// Other parameters as for rasterize_depth.
-template <real T, class ParallelFor = serial>
-void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
-                           const std::array<light_space<T>, 4>& faces, cull_mode cull = cull_mode::none,
-                           ParallelFor&& parallel = {}) {
-    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth.size", "square", depth.size);
-    const auto side = static_cast<float>(depth.size.x);
-    image<float> drawn(depth.size);
-    for (int i = 0; i < 4; ++i) {
-        const light_space<T>& face = faces[static_cast<std::size_t>(i)];
-        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
-        rasterize_depth(drawn.view(), mesh, instances, glm::dmat4(face.projection) * glm::dmat4(face.view), face.clip,
-                        cull, parallel);
-        for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
-            for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
-                if (tetrahedron_face_of(glm::vec2(texel), side) == i) depth[texel] = drawn[texel];
-    }
-}
-
-/// Renders a mesh whose positions are in the world.
-/// Parameters as for the pass of instances.
-template <real T, class ParallelFor = serial>
-void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh, const std::array<light_space<T>, 4>& faces,
-                           cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
-    const glm::mat4 in_place(1);
-    rasterize_tetrahedron(depth, mesh, std::span(&in_place, 1), faces, cull, parallel);
+template <class Prefilter, receiver_image Receivers = receiver_planes, class ParallelFor = serial>
+void visibility(image_view<const typename Prefilter::texel> map, const Prefilter& filter, const Receivers& receivers,
+                image_view<float> out, ParallelFor&& parallel = {}, outside_map outside = outside_map::bordered) {
+    detail::decode_image(map, filter, detail::viewed(receivers), out, parallel, outside);
 }
 
 }  // namespace umbrage
@@ -21552,6 +21383,132 @@ template <std::size_t Count>
     auto u = make_cascade_uniforms(all, map_size, fade);
     for (std::size_t i = 0; i < Count; ++i) u.to_texels[i] = texture_matrix(cascades[i].light, map_size, origin);
     return u;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/pixels_per_texel.hpp
+// Quality of a light setup for a view: screen pixels covered by the longer axis of a shadow map texel. At 1 or less the
+// map resolves as much as the screen.
+//
+//     const glm::mat4 to_texels = umbrage::texture_matrix(light, map_size);
+//     float pixels = umbrage::longest_extent(umbrage::pixels_per_texel(to_texels, to_pixels, position, normal));
+//
+
+namespace umbrage {
+
+/// Extent of a texel's step on the screen, in pixels.
+///
+/// @param texture_matrix   world to texels, of the light
+/// @param to_pixels        world to pixels: texture_matrix of the camera
+/// @param world            point in front of the camera and the light
+/// @param normal           surface normal there, of any length > 0
+/// @return                 columns: pixels of a step of one texel in x and in y
+/// @edge                   surface parallel to the light: not finite
+/// @formula                d(pixel) / d(texel) on the plane through the point
+template <real T>
+[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
+                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
+                                                 glm::vec<3, T> normal) {
+    const auto along = detail::across(detail::unit(normal));
+    const auto steps = [&](const glm::mat<4, 4, T>& m) {
+        return glm::mat<2, 2, T>(glm::vec<2, T>(detail::step(m, world, along[0])),
+                                 glm::vec<2, T>(detail::step(m, world, along[1])));
+    };
+    const glm::mat<2, 2, T> texels = steps(texture_matrix);
+    const T det = glm::determinant(texels);
+    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
+    return steps(to_pixels) * back;
+}
+
+/// Longer axis of the ellipse that a texel covers on the screen, in pixels.
+/// @param pixels   from pixels_per_texel
+/// @return         its largest singular value
+/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
+template <real T>
+[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
+    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
+    // t +- 2 det as sums of squares: no difference loses precision
+    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/light_choice.hpp
+// Choice of the shadow map that serves a view best: a warp where it pays, else a uniform map. The choice does not
+// flicker.
+//
+//     // one receiver in 64 x 64 pixels or so. Points that the camera saw a frame ago will do
+//     std::vector<umbrage::seen_point> seen = ...;
+//     const std::array lights{umbrage::fit_directional_light(tight), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = pixels, .map_size = map.size()}, choice.kept);
+//     draw_depths(lights[choice.kept]);
+//
+
+namespace umbrage {
+
+/// Point of a visible surface, in world units.
+struct seen_point {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
+};
+
+/// Settings of choose_light.
+struct choice_terms {
+    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
+    glm::ivec2 map_size{1};   ///< texels, each >= 1
+    double better = 0.1;      ///< share by which another light must be better to replace the present one, 0 .. 1
+};
+
+/// Light to use, and how well each light does.
+struct light_choice {
+    std::size_t kept = 0;     ///< index of the light to use
+    std::vector<double> p95;  ///< per light: pixels that a texel's longer axis covers at 95 of 100 points, at most.
+                              ///< The largest double if the map has fewer of them, 0 without points
+};
+
+/// Measures each light over the points. Keeps the present light unless another is better by a margin.
+///
+/// @param lights   one or more, of any kinds
+/// @param seen     coarse grid of points over the screen; some hundred suffice. Surfaces parallel to the light are
+///                 skipped
+/// @param terms    camera's matrix, size of the map, and the margin
+/// @param before   index of the present light: light_choice::kept
+/// @throws std::invalid_argument  no lights; before out of range; map_size below 1; better out of range; a matrix that
+///                                is not finite
+template <real T>
+[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
+                                        const choice_terms& terms, std::size_t before = 0) {
+    constexpr auto function = "choose_light";
+    detail::require(!lights.empty(), function, "lights", "one light or more", lights.size());
+    detail::require(before < lights.size(), function, "before", "the index of one of the lights", before);
+    detail::require(terms.map_size.x >= 1 && terms.map_size.y >= 1, function, "map_size", "above 0", terms.map_size);
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "from 0 to 1", terms.better);
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "finite", terms.to_pixels);
+    light_choice choice{before, {}};
+    for (const light_space<T>& light : lights) {
+        const glm::dmat4 to_texels =
+            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
+        std::vector<double> extents;
+        for (const seen_point& p : seen) {
+            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
+            const glm::dvec2 at = glm::dvec2(h) / h.w;
+            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
+            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
+            if (!held) extents.push_back(detail::highest<double>);
+            else if (is_finite(extent)) extents.push_back(extent);
+        }
+        choice.p95.push_back(0);
+        if (extents.empty()) continue;
+        const auto p95 = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), p95, extents.end());
+        choice.p95.back() = *p95;
+    }
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < lights.size(); ++i)
+        if (choice.p95[i] < choice.p95[best]) best = i;
+    if (choice.p95[best] < choice.p95[before] * (1 - terms.better)) choice.kept = best;
+    return choice;
 }
 
 }  // namespace umbrage
@@ -23382,9 +23339,9 @@ struct declaration {
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/shadow/set_up.hpp
+// ---- umbrage/shadow/setup.hpp
 // Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
-// Any type that satisfies shadow_set_up works, and no list names them. See also: single_map.hpp, the shortest setup.
+// Any type that satisfies shadow_setup works, and no list names them. See also: single_map.hpp, the shortest setup.
 
 namespace umbrage {
 
@@ -23427,17 +23384,17 @@ struct map_grid {
 /// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
 /// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
 /// filters that read farther. A setup that bends straight lines specializes bends_of.
-template <class SetUp>
-concept shadow_set_up = std::copyable<SetUp> &&
-    requires(const SetUp& s, const typename SetUp::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
+template <class Setup>
+concept shadow_setup = std::copyable<Setup> &&
+    requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
     { s.clip() } -> std::same_as<clip_space>;
     { s.lights() } -> std::same_as<std::vector<light_space<double>>>;  // one light per map and depth pass
-    { SetUp::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
-    { SetUp::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
-    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename SetUp::uniforms>;
-    {std::span<const uniform_field>(SetUp::fields)};
-    {std::span<const map_place>(SetUp::places(u, terms, v, v))};  // an array of one or two
-    { SetUp::placing } -> std::convertible_to<const glsl::snippet*>;
+    { Setup::grid } -> std::convertible_to<map_grid>;                  // arrangement of the maps in one image
+    { Setup::outside } -> std::convertible_to<outside_map>;            // value of texels outside a map
+    { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename Setup::uniforms>;
+    {std::span<const uniform_field>(Setup::fields)};
+    {std::span<const map_place>(Setup::places(u, terms, v, v))};  // an array of one or two
+    { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
 /// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
@@ -23455,36 +23412,36 @@ struct bent_lines {
     const vertex_function* vertex = nullptr;  ///< nullptr where lines stay straight
 };
 /// Bent lines of a setup's maps: none, unless the setup's header specializes this.
-template <class SetUp>
+template <class Setup>
 inline constexpr bent_lines bends_of{};
 /// True for a setup whose maps bend straight lines.
-template <class SetUp>
-inline constexpr bool has_bent_lines = bends_of<SetUp>.reach > 0.0f;
+template <class Setup>
+inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 
 /// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
 /// softness for each map.
-template <class SetUp>
-inline constexpr bool has_like_maps = SetUp::grid.columns* SetUp::grid.rows == 1;
+template <class Setup>
+inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
 /// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
-struct set_up_for {
+struct setup_for {
     using type = Light;
 };
 
 namespace detail {
 
 /// Number of places that a receiver has at most.
-template <class SetUp>
-inline constexpr int most_places = std::tuple_size_v<decltype(SetUp::places(
-    std::declval<const typename SetUp::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+template <class Setup>
+inline constexpr int most_places = std::tuple_size_v<decltype(Setup::places(
+    std::declval<const typename Setup::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
 
 /// True when a setup's `uniforms` have the size of its `fields`.
-template <class SetUp>
+template <class Setup>
 consteval bool has_fields() {
     std::size_t vectors = 0;
-    for (const uniform_field& f : SetUp::fields) vectors += f.vectors();
-    return vectors * sizeof(glm::vec4) == sizeof(typename SetUp::uniforms);
+    for (const uniform_field& f : Setup::fields) vectors += f.vectors();
+    return vectors * sizeof(glm::vec4) == sizeof(typename Setup::uniforms);
 }
 
 /// First texel of a map in the image of all maps.
@@ -24148,7 +24105,7 @@ struct single_map {
 
 /// Setup of a light with one map.
 template <real T>
-struct set_up_for<light_space<T>> {
+struct setup_for<light_space<T>> {
     using type = single_map;
 };
 
@@ -24262,7 +24219,7 @@ inline constexpr bool has_like_maps<cube_maps> = true;
 
 /// Setup of a point light.
 template <real T>
-struct set_up_for<point_light<T>> {
+struct setup_for<point_light<T>> {
     using type = cube_maps;
 };
 
@@ -24582,7 +24539,7 @@ inline constexpr bent_lines bends_of<paraboloid_maps>{tessellation_reach<float>,
 
 /// Setup of a light with paraboloid maps.
 template <real T>
-struct set_up_for<dual_paraboloid_light<T>> {
+struct setup_for<dual_paraboloid_light<T>> {
     using type = paraboloid_maps;
 };
 
@@ -24674,10 +24631,19 @@ template <known_encoding Encoding>
 
 }  // namespace umbrage::glsl
 
-// ---- umbrage/shader/texel_hooks.hpp
-// Hooks for each kind of map, part 1: those that interpret depths, and those that read texels without a filter.
-// See also: hooks.hpp, which explains the words.
-//
+// ---- umbrage/shader/hooks/fetch.hpp
+// Hooks for each kind of map, of its depths and of single texels. bind() puts one of these functions in place of a
+// hook's own text, which is that of a plain map. The map fills in these words:
+//   UMBRAGE_MAP map   its parameters
+//   UMBRAGE_ORIGIN    its first texel in the texture
+//   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
+//   UMBRAGE_STORED    the depth of a `value`
+//   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
+//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
+//   UMBRAGE_BORDER    the depth outside
+//   UMBRAGE_COMPARE   a user's own comparison
+//   UMBRAGE_UV        texture coordinates for `at`
+// and words that read the texture at `at` or `uv`. See also: gather.hpp, sample.hpp.
 
 namespace umbrage::glsl::hooks {
 
@@ -24845,6 +24811,14 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 // Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
 
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/hooks/gather.hpp
+// Hooks for maps whose sampler gathers four texels at a time. See also: fetch.hpp, which explains the words.
+//
+
+namespace umbrage::glsl::hooks {
+
 inline constexpr snippet gather_compared{
     .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
 // umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
@@ -24893,24 +24867,6 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     return vec4(a, b, c, d);
 }
 )GLSL"};
-
-}  // namespace umbrage::glsl::hooks
-
-// ---- umbrage/shader/hooks.hpp
-// Hooks for each kind of map, part 2. bind() puts one of these functions in place of a hook's own text, which is that
-// of a plain map. The map fills in these words:
-//   UMBRAGE_MAP map   its parameters
-//   UMBRAGE_ORIGIN    its first texel in the texture
-//   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
-//   UMBRAGE_STORED    the depth of a `value`
-//   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
-//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
-//   UMBRAGE_BORDER    the depth outside
-//   UMBRAGE_COMPARE   a user's own comparison
-//   UMBRAGE_UV        texture coordinates for `at`
-// and words that read the texture at `at` or `uv`. See also: texel_hooks.hpp.
-
-namespace umbrage::glsl::hooks {
 
 inline constexpr snippet gathered{.name = "lit_2x2",
                                   .summary = "lit_2x2, gathered",
@@ -24990,8 +24946,15 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
-// The sampler weights texels. Coordinates stay half a texel inside, so that texels outside the map have no weight.
+}  // namespace umbrage::glsl::hooks
 
+// ---- umbrage/shader/hooks/sample.hpp
+// Hooks for maps whose sampler reads between texels, or compares. See also: fetch.hpp, which explains the words.
+//
+
+namespace umbrage::glsl::hooks {
+
+// The sampler weights texels. Coordinates stay half a texel inside, so that texels outside the map have no weight.
 inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
                                               .summary = "lit_filtered, clamped",
                                               .exactness = tier::c,
@@ -25143,6 +25106,15 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 }
 )GLSL"};
 
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/hook_choice.hpp
+// Choice of the function that a map has for each hook.
+//
+
+namespace umbrage::glsl {
+namespace hooks {
+
 /// List of all hooks, for printers and packages.
 inline constexpr const auto& all =
     list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
@@ -25152,13 +25124,9 @@ inline constexpr const auto& all =
          &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
          &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
 
-}  // namespace umbrage::glsl::hooks
+}  // namespace hooks
 
-// ---- umbrage/shader/chosen.hpp
-// Choice of the function that a map has for each hook.
-//
-
-namespace umbrage::glsl::detail {
+namespace detail {
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
@@ -25242,7 +25210,8 @@ template <class = umbrage::detail::on_use>
     return calls(s, hook::texel, hook::depth_at);
 }
 
-}  // namespace umbrage::glsl::detail
+}  // namespace detail
+}  // namespace umbrage::glsl
 
 // ---- umbrage/shader/bind.hpp
 // Snippets bound to maps, so that one shader can sample several kinds of map. Each map's functions have its own suffix.
@@ -25489,7 +25458,7 @@ template <class = umbrage::detail::on_use>
 
 }  // namespace umbrage::glsl
 
-// ---- umbrage/shadow/look.hpp
+// ---- umbrage/shadow/lookup.hpp
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
 // Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with a bias of
@@ -25600,8 +25569,8 @@ template <class Filter>
 }
 
 /// True where a shadow compares along the receiver's plane.
-template <class SetUp, class Filter>
-inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<SetUp>;
+template <class Setup, class Filter>
+inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<Setup>;
 
 /// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
 /// map's texels miss of a concave edge.
@@ -25617,27 +25586,27 @@ template <class Filter>
 }
 
 /// Bias of a receiver, in depth.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
-    if constexpr (along_plane<SetUp, Filter>)
+    if constexpr (along_plane<Setup, Filter>)
         return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
     else return kernel_bias_of<Filter>(terms, place);
 }
 
 /// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
 /// bias brings it back.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
     const comparison is_lit{direction};
     const float z = place.at.z;
     const bool beyond = is_lit.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<SetUp, Filter>(terms, place), is_lit)};
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), is_lit)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
 /// @param own        this map alone
 /// @param receiver   x and y in texels of the map, z depth with the bias already applied
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
     const glm::vec2 coord(receiver);
@@ -25645,12 +25614,12 @@ template <class SetUp, class Filter, class Encoding>
         if constexpr (prefilter<Filter>) {
             const auto decode = [&](const auto& texel) { return filter.decode(texel, receiver.z); };
             return look_up(map, coord, receiver.z, cleared_depth(encoding.direction), decode);
-        } else if constexpr (along_plane<SetUp, Filter>) {
+        } else if constexpr (along_plane<Setup, Filter>) {
             const auto along = apply_receiver_plane(decoded(map, encoding), slope, receiver, encoding.direction);
             return filtered(filter, along, coord, receiver.z, pixel);
         } else return filtered(filter, decoded(map, encoding), coord, receiver.z, pixel);
     };
-    if constexpr (SetUp::outside == outside_map::clamped) return on(clamped(own));
+    if constexpr (Setup::outside == outside_map::clamped) return on(clamped(own));
     else return on(bordered_texels<typename Encoding::texel>{own});
 }
 
@@ -25683,27 +25652,27 @@ template <class Filter>
 }
 
 /// Snippet that computes bias_of.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> && !along_plane<SetUp, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    return disc_filter<Filter> && !along_plane<Setup, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
 /// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
     std::string reach = "terms.z";
-    if constexpr (along_plane<SetUp, Filter>) reach = linear ? "1.0" : "0.5";
+    if constexpr (along_plane<Setup, Filter>) reach = linear ? "1.0" : "0.5";
     else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
     return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
            "    UMBRAGE_HIGHP float bias = umbrage_" +
-           std::string(bias_snippet<SetUp, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
+           std::string(bias_snippet<Setup, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
 /// @param terms          declaration of shadow_terms
 /// @param pixel          declaration of a pixel, for filters with a rotated disc
 /// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
                                        const glsl::linear_form& linear = {}) {
     const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
@@ -25711,10 +25680,10 @@ template <class SetUp, class Filter>
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
-    text.append(bias_text<SetUp, Filter>(linear.what != nullptr));
+    text.append(bias_text<Setup, Filter>(linear.what != nullptr));
     text.append(
         "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
-    if (along_plane<SetUp, Filter>)
+    if (along_plane<Setup, Filter>)
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
@@ -25722,15 +25691,15 @@ template <class SetUp, class Filter>
     text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
     text.append(arguments_of<Filter>()).append(");\n}\n");
     glsl::own_text look{
-        "look", std::move(text), {&bias_snippet<SetUp, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
+        "look", std::move(text), {&bias_snippet<Setup, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
 }
 
 /// Binding of a filter's map in a shader.
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] glsl::binding binding_of(const Encoding& encoding) {
-    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<SetUp, Filter>};
+    glsl::binding map{.direction = encoding.direction, .receiver_plane = along_plane<Setup, Filter>};
     if constexpr (prefilter<Filter>) return map;
     else return glsl::stored_as(encoding, std::move(map));
 }
@@ -25786,9 +25755,9 @@ inline constexpr const snippet* softness_snippets[]{&map_softness};
 namespace detail {
 
 /// Matrices of a uniform block that hold the softness of each map.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 inline constexpr int softness_matrices =
-    contact_hardening<Filter> && !has_like_maps<SetUp> ? (SetUp::grid.columns * SetUp::grid.rows + 15) / 16 : 0;
+    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 15) / 16 : 0;
 
 inline constexpr std::array<uniform_field, 4> softness_fields{
     {{"softness_0"}, {"softness_1"}, {"softness_2"}, {"softness_3"}}};
@@ -25829,12 +25798,13 @@ void require_light_size(const Filter& filter) {
     return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
 }
 
-/// per_code of each of a setup's maps, as many as its grid holds. A setup with no light has none, and one 0.
-template <shadow_set_up SetUp>
-[[nodiscard]] std::vector<float> softness_of_maps(const SetUp& set_up, glm::ivec2 map_size, float light_size) {
+/// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
+/// light has one 0.
+template <shadow_setup Setup>
+[[nodiscard]] std::vector<float> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<float> all;
-    for (const light_space<double>& light : set_up.lights())
-        if (all.size() < std::size_t(SetUp::grid.columns * SetUp::grid.rows))
+    for (const light_space<double>& light : setup.lights())
+        if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows))
             all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
     if (all.empty()) all.push_back(0.0f);
     return all;
@@ -25998,7 +25968,7 @@ struct tetrahedron_map {
 
 /// Setup of a light with the map of a tetrahedron.
 template <real T>
-struct set_up_for<tetrahedron_light<T>> {
+struct setup_for<tetrahedron_light<T>> {
     using type = tetrahedron_map;
 };
 
@@ -26219,7 +26189,7 @@ template <class Use = umbrage::detail::on_use>
 
 }  // namespace umbrage::glsl
 
-// ---- umbrage/shader/fill.hpp
+// ---- umbrage/shader/map_words.hpp
 // Text of a snippet, in any language, with the words that a map fills in.
 //
 
@@ -26950,6 +26920,24 @@ struct word {
     std::string_view glsl, hlsl, msl, wgsl;
 };
 
+/// Word that a map fills in, and the GLSL type of its value. Printers keep it, and for_map has its value for each map.
+struct map_word {
+    std::string_view word, type;
+};
+inline constexpr map_word map_words[]{
+    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
+    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
+    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
+    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
+
+/// The word that a map fills in; nullptr for other words.
+[[nodiscard]] constexpr const map_word* find_map_word(std::string_view text) {
+    for (const map_word& w : map_words)
+        if (w.word == text) return &w;
+    return nullptr;
+}
+
 // clang-format off
 inline constexpr word vocabulary[]{
     {word_kind::type, "float", "float", "float", "f32"},
@@ -27109,7 +27097,7 @@ private:
         }
         if (text == "UMBRAGE_MAP") return print_type(out, i, text);
         const std::string_view type = type_of(text);
-        if (type.empty() && !is_of_a_map(text)) unknown(language_.name, text);
+        if (type.empty() && find_map_word(text) == nullptr) unknown(language_.name, text);
         const bool column = all_[i + 1] == "[" && is_matrix(type) && language_.matrices_have_rows;
         out += column ? "transpose(" + std::string(text) + ")" : std::string(text);
         return i + 1;
@@ -27180,17 +27168,6 @@ private:
         for (const variable& v : variables_)
             if (v.name == name) return v.type;
         return {};
-    }
-    /// True for a word that a map fills in.
-    [[nodiscard]] static bool is_of_a_map(std::string_view word) {
-        static constexpr std::string_view all[]{"UMBRAGE_BORDER",     "UMBRAGE_COMPARE",      "UMBRAGE_CORNER",
-                                                "UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                                "UMBRAGE_ORIGIN",     "UMBRAGE_REFERENCE",    "UMBRAGE_SAMPLED",
-                                                "UMBRAGE_STORED",     "UMBRAGE_TEXEL",        "UMBRAGE_UV"};
-        for (std::string_view w : all)
-            if (word == w) return true;
-        return false;
     }
     [[nodiscard]] static bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
     [[nodiscard]] static bool is_vector(std::string_view type) {
@@ -27568,17 +27545,6 @@ struct value {
     return std::string(glsl::detail::find_word(type)->wgsl);
 }
 
-/// Word that a map fills in, and its GLSL type. It is printed unchanged.
-struct word_of_map {
-    std::string_view word, type;
-};
-inline constexpr word_of_map words_of_maps[]{
-    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
-    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_REFERENCE", "float"},
-    {"UMBRAGE_UV", "vec2"},         {"UMBRAGE_SAMPLED", "vec4"},      {"UMBRAGE_BORDER", "float"},
-    {"UMBRAGE_COMPARE", "float"},   {"UMBRAGE_STORED", "float"},      {"UMBRAGE_CORNER", "float"}};
-
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
 /// Reads a text from its beginning, and returns its expressions in WGSL.
@@ -27731,8 +27697,8 @@ private:
         if (next() == "(") return call(text);
         for (std::size_t i = variables.size(); i-- > 0;)
             if (variables[i].name == text) return {text, variables[i].type, primary_level};
-        for (const auto& [word, type] : words_of_maps)
-            if (word == text) return {text, std::string(type), primary_level};
+        if (const glsl::detail::map_word* w = glsl::detail::find_map_word(text))
+            return {text, std::string(w->type), primary_level};
         glsl::detail::unknown("wgsl", text);
     }
 
@@ -28453,7 +28419,7 @@ cascaded_maps(const std::array<cascade<T>, Count>&, float = 16.0f) -> cascaded_m
 
 /// Setup of an array of cascades.
 template <real T, std::size_t Count>
-struct set_up_for<std::array<cascade<T>, Count>> {
+struct setup_for<std::array<cascade<T>, Count>> {
     using type = cascaded_maps<(Count > 4 ? 2 : 1)>;
 };
 
@@ -28530,7 +28496,7 @@ struct frame_words {
     const glsl::snippet* placing = nullptr;  ///< the setup's
     int most_places = 1;
     std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
-    std::string of_set_up{};                      ///< the setup's own, as arguments
+    std::string of_setup{};                       ///< the setup's own, as arguments
     std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
     std::vector<std::string> chooses_map{};       ///< statement that chooses the map of `number`
     std::vector<const glsl::snippet*> chooses{};  ///< what the statement calls
@@ -28546,17 +28512,17 @@ struct frame_words {
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = SetUp::placing, .most_places = most_places<SetUp>};
-    for (const uniform_field& f : SetUp::fields) {
+    frame_words w{.placing = Setup::placing, .most_places = most_places<Setup>};
+    for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
-        w.of_set_up.append(f.name).append(", ");
+        w.of_setup.append(f.name).append(", ");
     }
     w.fields += soft.fields;
-    w.names = w.of_set_up + soft.names;
+    w.names = w.of_setup + soft.names;
     if (turns) w.pixel = ", UMBRAGE_HIGHP vec2 pixel", w.of_pixel = ", pixel";
-    constexpr map_grid grid = SetUp::grid;
+    constexpr map_grid grid = Setup::grid;
     if (grid.columns * grid.rows == 1) return w;
     const std::string columns = std::to_string(grid.columns) + ".0";
     if (layers) w.chooses_map = {"UMBRAGE_HIGHP float layer = number;"};
@@ -28586,7 +28552,7 @@ struct frame_result {
                        "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
                        "UMBRAGE_HIGHP vec3 normal" +
                        w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
-                       w.of_set_up +
+                       w.of_setup +
                        "terms, world, normal);\n"
                        "    UMBRAGE_HIGHP vec4 at = places[0];\n"
                        "    UMBRAGE_HIGHP vec4 slope = places[1];\n";
@@ -28659,22 +28625,22 @@ template <bool Sloped>
 }
 
 /// Filter of a shadow, ready for one of its maps.
-template <class SetUp, class Filter, class Encoding, class ParallelFor>
-[[nodiscard]] row_filter<place_receivers<along_plane<SetUp, Filter>>> make_place_filter(
+template <class Setup, class Filter, class Encoding, class ParallelFor>
+[[nodiscard]] row_filter<place_receivers<along_plane<Setup, Filter>>> make_place_filter(
     image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding, double count,
     ParallelFor&& parallel) {
     if constexpr (prefilter<Filter>)
         return [own, filter](const receiver_planes& at, image_view<float> out, int first, int last) {
             const auto rows = [&](int, const auto& use) { use(first, last); };
-            umbrage::visibility(own, filter, at, out, rows, SetUp::outside);
+            umbrage::visibility(own, filter, at, out, rows, Setup::outside);
         };
     else
-        return make_row_filter<place_receivers<along_plane<SetUp, Filter>>>(own, encoding, filter, count, parallel,
-                                                                            SetUp::outside);
+        return make_row_filter<place_receivers<along_plane<Setup, Filter>>>(own, encoding, filter, count, parallel,
+                                                                            Setup::outside);
 }
 
 /// Tile of receivers with places in several maps.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 class place_tile {
 public:
     static constexpr int side = 64;
@@ -28685,7 +28651,7 @@ public:
     }
     /// Begins a tile.
     void clear() { alone_ = true, used_ = {}; }
-    UMBRAGE_INLINE void set(glm::ivec2 p, const std::array<map_place, std::size_t(most_places<SetUp>)>& places) {
+    UMBRAGE_INLINE void set(glm::ivec2 p, const std::array<map_place, std::size_t(most_places<Setup>)>& places) {
         for (std::size_t k = 0; k < places.size(); ++k) {
             const map_place& place = places[k];
             const bool counts = place.weight > 0.0f, outside = place.at.x >= 65536.0f || place.at.x <= -65536.0f;
@@ -28716,10 +28682,10 @@ public:
     }
 
 private:
-    static constexpr bool sloped = along_plane<SetUp, Filter>;
+    static constexpr bool sloped = along_plane<Setup, Filter>;
     using planes = place_planes<sloped>;
-    static constexpr std::size_t most = std::size_t(most_places<SetUp>);
-    static constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;  ///< places outside count as one more, lit
+    static constexpr std::size_t most = std::size_t(most_places<Setup>);
+    static constexpr int maps = Setup::grid.columns * Setup::grid.rows;  ///< places outside count as one more, lit
     static_assert(maps < 127, "a tile counts up to 126 maps");
 
     /// Number of the map that holds the one place of all receivers, or -1.
@@ -28764,16 +28730,16 @@ private:
 /// @param places      (pixel) -> places of the receiver, biased
 /// @param map_size    size of one map, texels
 /// @param filter_of   (number) -> filter of a map
-template <class SetUp, class FilterOf, class Encoding, class Places, class ParallelFor>
+template <class Setup, class FilterOf, class Encoding, class Places, class ParallelFor>
 void visibility_of_places(image_view<const typename Encoding::texel> map, glm::ivec2 map_size,
                           const FilterOf& filter_of, const Encoding& encoding, const Places& places,
                           image_view<float> out, ParallelFor&& parallel) {
     using Filter = decltype(filter_of(0));
-    constexpr bool sloped = along_plane<SetUp, Filter>;
+    constexpr bool sloped = along_plane<Setup, Filter>;
     const auto ready = [&](image_view<const typename Encoding::texel> own, int number, double count) {
-        return make_place_filter<SetUp>(own, filter_of(number), encoding, count, parallel);
+        return make_place_filter<Setup>(own, filter_of(number), encoding, count, parallel);
     };
-    if constexpr (SetUp::grid.columns * SetUp::grid.rows == 1 && most_places<SetUp> == 1) {
+    if constexpr (Setup::grid.columns * Setup::grid.rows == 1 && most_places<Setup> == 1) {
         place_planes<sloped> planes(out.size);
         const auto rows = ready(map, 0, area_of(out.size));
         parallel(out.size.y, [&](int first, int last) {
@@ -28782,13 +28748,13 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             rows(receivers_of<sloped>(planes, planes.x, out.size), out, first, last);
         });
     } else {
-        constexpr int maps = SetUp::grid.columns * SetUp::grid.rows;
+        constexpr int maps = Setup::grid.columns * Setup::grid.rows;
         std::vector<row_filter<place_receivers<sloped>>> filters;
         for (int number = 0; number < maps; ++number) {
-            const auto own = map.region(first_texel(number, SetUp::grid, map_size), map_size);
+            const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
             filters.push_back(ready(own, number, area_of(out.size) / maps));
         }
-        using tile_type = place_tile<SetUp, Filter>;
+        using tile_type = place_tile<Setup, Filter>;
         parallel(out.size.y, [&](int first, int last) {
             tile_type tile;
             for (int y = first, end = 0; y < last; y = end) {
@@ -28816,15 +28782,15 @@ namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
 /// @tparam Matrices   matrices with the softness of each map, 16 a matrix
-template <shadow_set_up SetUp, int Matrices = 0>
+template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
-    typename SetUp::uniforms maps;
+    typename Setup::uniforms maps;
     std::array<glm::mat4, std::size_t(Matrices)> softness;
     shadow_terms terms;
 };
-template <shadow_set_up SetUp>
-struct shadow_uniforms<SetUp, 0> {
-    typename SetUp::uniforms maps;
+template <shadow_setup Setup>
+struct shadow_uniforms<Setup, 0> {
+    typename Setup::uniforms maps;
     shadow_terms terms;
 };
 
@@ -28852,15 +28818,15 @@ template <class Filter>
 
 /// Uniform block of a shadow.
 /// @param off   error of its map's depths
-template <shadow_set_up SetUp, class Filter>
-[[nodiscard]] auto make_shadow_uniforms(const SetUp& set_up, glm::ivec2 map_size, const Filter& filter,
+template <shadow_setup Setup, class Filter>
+[[nodiscard]] auto make_shadow_uniforms(const Setup& setup, glm::ivec2 map_size, const Filter& filter,
                                         decoding_error off, glm::dvec3 origin) {
-    constexpr int matrices = softness_matrices<SetUp, Filter>;
-    shadow_uniforms<SetUp, matrices> all{};
-    all.maps = set_up.make_uniforms(map_size, origin);
-    all.terms = make_shadow_terms(map_size, filter, off, set_up.clip(), bends_of<SetUp>);
+    constexpr int matrices = softness_matrices<Setup, Filter>;
+    shadow_uniforms<Setup, matrices> all{};
+    all.maps = setup.make_uniforms(map_size, origin);
+    all.terms = make_shadow_terms(map_size, filter, off, setup.clip(), bends_of<Setup>);
     if constexpr (contact_hardening<Filter>) {
-        const auto each = softness_of_maps(set_up, map_size, softness_of(filter).light_size);
+        const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front();
         if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
     }
@@ -28871,12 +28837,12 @@ template <shadow_set_up SetUp, class Filter>
 }
 
 /// Filter of one map, as it is by itself: contact hardening has the softness of that map.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
-                                   const shadow_uniforms<SetUp, softness_matrices<SetUp, Filter>>& uniforms,
+                                   const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
-    else if constexpr (softness_matrices<SetUp, Filter> == 0)
+    else if constexpr (softness_matrices<Setup, Filter> == 0)
         return with_per_code(filter, uniforms.terms.filter_terms.x);
     else {
         const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];
@@ -28919,21 +28885,32 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
-/// Checks that the size of all maps together is an int, and that each continues as far as the filter reaches.
-template <shadow_set_up SetUp>
-void require_maps(const SetUp& set_up, glm::ivec2 map_size, float reach) {
-    constexpr map_grid grid = SetUp::grid;
+/// True for a setup with its own depth pass, which may draw several lights into one map.
+template <class Setup>
+inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> depths, const mesh_view& mesh,
+                                              std::span<const glm::mat4> instances, const serial& parallel) {
+    s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
+};
+
+/// Checks that the grid has a map for each light, that the size of all maps together is an int, and that each continues
+/// as far as the filter reaches.
+template <shadow_setup Setup>
+void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
+    constexpr map_grid grid = Setup::grid;
     require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
             "such that all maps together have less than 2^31 texels a side", map_size);
-    if constexpr (requires { set_up.require_reach(reach); }) set_up.require_reach(reach);
+    const std::size_t lights = setup.lights().size(), maps = std::size_t(grid.columns) * std::size_t(grid.rows);
+    require(has_own_draw<Setup> || lights <= maps, "shadow", "light.lights()",
+            "as many as the setup's grid has maps, at most", lights);
+    if constexpr (requires { setup.require_reach(reach); }) setup.require_reach(reach);
 }
 
 /// Views of a setup's depth passes.
-template <shadow_set_up SetUp>
-[[nodiscard]] std::vector<depth_view> depth_views_of(const SetUp& set_up, glm::dvec3 origin) {
+template <shadow_setup Setup>
+[[nodiscard]] std::vector<depth_view> depth_views_of(const Setup& setup, glm::dvec3 origin) {
     std::vector<depth_view> all;
-    for (const light_space<double>& light : set_up.lights())
-        if constexpr (has_bent_lines<SetUp>) all.push_back(make_bent_view(light, origin));
+    for (const light_space<double>& light : setup.lights())
+        if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }
@@ -28949,20 +28926,20 @@ void set_direction(auto& encoding, depth_direction direction) {
 
 /// Shadow of a light: draws its maps, and returns the visibility of receivers.
 ///
-/// @tparam SetUp      setup of the light's maps, deduced from the light
+/// @tparam Setup      setup of the light's maps, deduced from the light
 /// @tparam Filter     filter of the lookup
 /// @tparam Encoding   encoding of depths in the map
-template <shadow_set_up SetUp, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
+template <shadow_setup Setup, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 class shadow {
     static_assert(detail::shadow_takes<Filter, Encoding>());
     static constexpr bool hardens = detail::contact_hardening<Filter>;
 
 public:
     using texel = typename Encoding::texel;
-    using uniforms_type = shadow_uniforms<SetUp, detail::softness_matrices<SetUp, Filter>>;
-    static_assert(!hardens || !has_bent_lines<SetUp>,
-                  "contact hardening compares along planes, which paraboloids bend: take another set-up, or a disc");
-    static_assert(detail::has_fields<SetUp>(), "a set-up's `fields` name its `uniforms`, in their order");
+    using uniforms_type = shadow_uniforms<Setup, detail::softness_matrices<Setup, Filter>>;
+    static_assert(!hardens || !has_bent_lines<Setup>,
+                  "contact hardening compares along planes, which paraboloids bend: take another setup, or a disc");
+    static_assert(detail::has_fields<Setup>(), "a setup's `fields` name its `uniforms`, in their order");
 
     /// @param light      a light_space, an array of cascades, a point_light, or a setup of your own
     /// @param map_size   size of one map, texels, each >= 1
@@ -28972,34 +28949,35 @@ public:
     /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
-    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps. A map_size below 1, less
-    ///                                than twice the filter's reach, too large for size(), or refused by the setup. A
-    ///                                filter's number out of range. A light so far from the origin that floats have no
-    ///                                digits left; uniforms that would be infinite or NaN in float
+    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps, or more than its grid
+    ///                                holds. A map_size below 1, less than twice the filter's reach, too large for
+    ///                                size(), or refused by the setup. A filter's number out of range. A light so far
+    ///                                from the origin that floats have no digits left; uniforms that would be infinite
+    ///                                or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
-        : set_up_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
-        detail::set_direction(encoding_, set_up_.clip().direction);
+        : setup_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
+        detail::set_direction(encoding_, setup_.clip().direction);
         if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
         else filter_.is_lit.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
-        detail::require_shadow(set_up_.clip(), map_size, filter_of(0));
-        detail::require_maps(set_up_, map_size, detail::reach_of(filter_));
-        uniforms_ = detail::make_shadow_uniforms(set_up_, map_size_, filter_, encoding_.error(), origin_);
+        detail::require_shadow(setup_.clip(), map_size, filter_of(0));
+        detail::require_maps(setup_, map_size, detail::reach_of(filter_));
+        uniforms_ = detail::make_shadow_uniforms(setup_, map_size_, filter_, encoding_.error(), origin_);
     }
 
-    [[nodiscard]] const SetUp& set_up() const { return set_up_; }
+    [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
     /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
-        return detail::filter_of_map<SetUp>(filter_, uniforms_, number);
+        return detail::filter_of_map<Setup>(filter_, uniforms_, number);
     }
     [[nodiscard]] const Encoding& encoding() const { return encoding_; }
 
     /// Size of the image or texture that holds all maps, texels.
-    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(SetUp::grid.columns, SetUp::grid.rows); }
+    [[nodiscard]] glm::ivec2 size() const { return map_size_ * glm::ivec2(Setup::grid.columns, Setup::grid.rows); }
     /// Size of one map, and of a texture array, texels.
     [[nodiscard]] glm::ivec2 map_size() const { return map_size_; }
     /// Texel of an empty map: the far plane's.
@@ -29030,12 +29008,11 @@ public:
     void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances,
               ParallelFor&& parallel = {}) const {
         detail::require_size(depths.size, size(), "shadow::draw", "depths.size", "the shadow's size()");
-        if constexpr (requires { set_up_.draw(depths, mesh, instances, origin_, parallel); })
-            set_up_.draw(depths, mesh, instances, origin_, parallel);
+        if constexpr (detail::has_own_draw<Setup>) setup_.draw(depths, mesh, instances, origin_, parallel);
         else {
             int number = 0;
-            for (const light_space<double>& of_world : set_up_.lights()) {
-                const auto own = depths.region(detail::first_texel(number++, SetUp::grid, map_size_), map_size_);
+            for (const light_space<double>& of_world : setup_.lights()) {
+                const auto own = depths.region(detail::first_texel(number++, Setup::grid, map_size_), map_size_);
                 const light_space<double> light = detail::relative_to(origin_, of_world);
                 const bool clamps = detail::has_parallel_rays(light);
                 rasterize_depth(own, mesh, instances, light.projection * light.view, light.clip, cull_mode::none,
@@ -29049,12 +29026,12 @@ public:
     }
 
     /// Views of the depth pass on a GPU, one a map: what the vertex function of bind_vertex_pass takes.
-    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(set_up_, origin_); }
+    [[nodiscard]] std::vector<depth_view> depth_views() const { return detail::depth_views_of(setup_, origin_); }
 
     /// The same shadow for another origin of positions.
     /// @throws std::invalid_argument  as the constructor
     [[nodiscard]] shadow relative_to(glm::dvec3 origin) const {
-        return shadow(set_up_, map_size_, filter_, encoding_, origin);
+        return shadow(setup_, map_size_, filter_, encoding_, origin);
     }
 
     /// Encodes drawn depths as texels of the map. Then blur a prefilter's map, one map at a time (blur.hpp).
@@ -29080,9 +29057,9 @@ public:
     [[nodiscard]] float operator()(image_view<const texel> map, glm::vec3 world, glm::vec3 normal,
                                    glm::ivec2 pixel = {}) const {
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
-        return detail::blended(SetUp::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
-            const auto own = map.region(detail::first_texel(place.number, SetUp::grid, map_size_), map_size_);
-            return detail::look<SetUp>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
+        return detail::blended(Setup::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
+            const auto own = map.region(detail::first_texel(place.number, Setup::grid, map_size_), map_size_);
+            return detail::look<Setup>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
         });
     }
 
@@ -29109,9 +29086,9 @@ public:
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
         const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;
-        for (const map_place& place : SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)) {
+        for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
-            terms.error += detail::bias_of<SetUp, Filter>(terms, place) + static_cast<float>(farther);
+            terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
             if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;
@@ -29123,10 +29100,10 @@ public:
     /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
-        const map_place place = SetUp::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
+        const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const light_space<double> light = set_up_.lights()[static_cast<std::size_t>(place.number)];
+        const light_space<double> light = setup_.lights()[static_cast<std::size_t>(place.number)];
         const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
         return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
@@ -29136,10 +29113,10 @@ public:
 
 private:
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
-        return detail::receiver_of<SetUp, Filter>(uniforms_.terms, place, encoding_.direction);
+        return detail::receiver_of<Setup, Filter>(uniforms_.terms, place, encoding_.direction);
     }
 
-    SetUp set_up_;
+    Setup setup_;
     glm::ivec2 map_size_;
     Filter filter_;
     Encoding encoding_;
@@ -29149,11 +29126,11 @@ private:
 
 template <class Light, class Filter, class Encoding = typename detail::encoding_for<Filter>::type>
 shadow(const Light&, glm::ivec2, const Filter&, const Encoding& = {}, glm::dvec3 = glm::dvec3(0))
-    -> shadow<typename set_up_for<Light>::type, Filter, Encoding>;
+    -> shadow<typename setup_for<Light>::type, Filter, Encoding>;
 
-template <shadow_set_up SetUp, class Filter, class Encoding>
+template <shadow_setup Setup, class Filter, class Encoding>
 template <class ParallelFor>
-void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
+void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                                                  image_view<const glm::vec3> normals, image_view<float> out,
                                                  ParallelFor&& parallel) const {
     constexpr auto function = "shadow::visibility";
@@ -29161,13 +29138,13 @@ void shadow<SetUp, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     const auto places = [&](glm::ivec2 p) {
-        auto all = SetUp::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
+        auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
         for (map_place& place : all)
             if (place.weight > 0.0f) place.at.z = receiver(place).z;
         return all;
     };
     const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places<SetUp>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
+    detail::visibility_of_places<Setup>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
 }
 
 }  // namespace umbrage
@@ -29234,15 +29211,15 @@ template <prefilter Prefilter>
 }
 
 /// Vertex function of a setup with a vertex_function of its own.
-template <class SetUp>
+template <class Setup>
 [[nodiscard]] own_text vertex_text_of() {
     std::string parameters, arguments;
-    for (const auto& a : bends_of<SetUp>.vertex->arguments) {
+    for (const auto& a : bends_of<Setup>.vertex->arguments) {
         const std::string type = a.components == 1 ? "float " : "vec" + std::to_string(a.components) + ' ';
         parameters.append(", UMBRAGE_HIGHP ").append(type).append(a.name);
         arguments.append(", ").append(a.name);
     }
-    const snippet& calls = *bends_of<SetUp>.vertex->calls;
+    const snippet& calls = *bends_of<Setup>.vertex->calls;
     return vertex_text(
         parameters, "    return umbrage_" + std::string(calls.name) + "(to_clip, world" + arguments + ");\n", {&calls});
 }
@@ -29266,8 +29243,8 @@ template <class SetUp>
 /// @param of      the shadow
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind_depth_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind_depth_pass(const shadow<Setup, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_depth_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "write", .source = ""}, name, {.direction = of.encoding().direction});
@@ -29289,14 +29266,14 @@ template <class SetUp, class Filter, class Encoding>
 /// @param name    letters, digits, single underscores between them
 /// @throws std::invalid_argument   an empty name, or one of other characters
 /// @exactness     B, n = 20; dual paraboloids C
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind_vertex_pass(const shadow<SetUp, Filter, Encoding>& of, std::string_view name) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind_vertex_pass(const shadow<Setup, Filter, Encoding>& of, std::string_view name) {
     umbrage::detail::require(!name.empty() && detail::is_part_of_identifier(name), "glsl::bind_vertex_pass", "name",
                              "letters, digits and single underscores between them", name);
     bound item(snippet{.name = "vertex", .source = ""}, name, {.direction = of.encoding().direction});
-    if constexpr (has_bent_lines<SetUp>) item.texts = {detail::vertex_text_of<SetUp>()};
+    if constexpr (has_bent_lines<Setup>) item.texts = {detail::vertex_text_of<Setup>()};
     else {
-        const light_space<double> light = of.set_up().lights().front();
+        const light_space<double> light = of.setup().lights().front();
         const int at_near = static_cast<int>(near_depth(light.clip));
         item.texts = {
             detail::vertex_text_of_lights(umbrage::detail::has_parallel_rays(light), std::to_string(at_near) + ".0")};
@@ -29352,13 +29329,13 @@ inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
 /// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
 /// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only separate known depths.
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] float calibration_tolerance(const Encoding& encoding) {
     if constexpr (prefilter<Filter>) return coarse_tolerance;
     else {
         const decoding_error both = encoding.error();
         float tolerance = 0x1p-18f;
-        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<SetUp>.error)) + 0x1p-19)
+        while (double(tolerance) < 2.0 * (both.below + both.above + double(bends_of<Setup>.error)) + 0x1p-19)
             tolerance *= 2.0f;
         return tolerance < coarse_tolerance ? tolerance : coarse_tolerance;
     }
@@ -29370,8 +29347,8 @@ template <class SetUp, class Filter, class Encoding>
 ///
 /// @return   image of the shadow's size(), in its encoding. The first row is the first in memory
 /// @throws std::invalid_argument   maps smaller than four times the filter's reach
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<SetUp, Filter, Encoding>& of) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<Setup, Filter, Encoding>& of) {
     const glm::ivec2 map_size = of.map_size(), size = of.size();
     const float reach = detail::reach_of(of.filter());
     detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
@@ -29380,7 +29357,7 @@ template <class SetUp, class Filter, class Encoding>
     for (glm::ivec2 p(0); p.y < size.y; ++p.y)
         for (p.x = 0; p.x < size.x; ++p.x) {
             const glm::ivec2 tile = p / map_size, in_map = p % map_size;
-            const int number = (tile.x + tile.y * SetUp::grid.columns) % 8;
+            const int number = (tile.x + tile.y * Setup::grid.columns) % 8;
             const int block = (2 * in_map.x >= map_size.x ? 1 : 0) + (2 * in_map.y >= map_size.y ? 2 : 0);
             const float distance = detail::known_distance(static_cast<float>(8 * block + number));
             depths[p] = of.encoding().direction == depth_direction::forward ? distance : 1.0f - distance;
@@ -29398,22 +29375,22 @@ template <class SetUp, class Filter, class Encoding>
 /// @return         map_reading::right if every block is read as it was stored; map_reading::empty for a cleared map
 /// @throws std::invalid_argument   a map of another size; a number that the light lacks
 /// @exactness      the reading is the shader's wherever the filter's visibilities are on the same side of 1/2
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] map_reading calibrate(const shadow<SetUp, Filter, Encoding>& of,
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] map_reading calibrate(const shadow<Setup, Filter, Encoding>& of,
                                     image_view<const typename Encoding::texel> map, int number) {
     detail::require_size(map.size, of.size(), "calibrate", "map.size", "the shadow's size()");
-    detail::require(number >= 0 && number < SetUp::grid.columns * SetUp::grid.rows, "calibrate", "number",
+    detail::require(number >= 0 && number < Setup::grid.columns * Setup::grid.rows, "calibrate", "number",
                     "one of the light's maps", number);
     const shadow_terms terms = of.uniforms().terms;
-    const auto own = map.region(detail::first_texel(number, SetUp::grid, of.map_size()), of.map_size());
+    const auto own = map.region(detail::first_texel(number, Setup::grid, of.map_size()), of.map_size());
     const comparison is_lit{of.encoding().direction};
-    const float bias = detail::bias_of<SetUp, Filter>(terms, map_place{});
+    const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<SetUp>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
+        return detail::look<Setup>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
                                    glm::vec2(0), {}) > 0.5f;
     };
-    const float tolerance = detail::calibration_tolerance<SetUp, Filter>(of.encoding());
+    const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);
     int right = 0, nearly = 0, lit = 0, dark = 0, turned = 0, flipped = 0, others = 0;
     for (int block = 0; block < 4; ++block) {
@@ -29444,29 +29421,11 @@ template <class SetUp, class Filter, class Encoding>
 
 namespace detail {
 
-/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
-/// @param terms    declarations of shadow_terms
-/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
-/// @param choice   statement that chooses the map of `number`; empty for one map
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] std::array<glsl::own_text, 2> calibration_texts(const Encoding& encoding, const std::string& terms,
-                                                              const std::string& pixel, const std::string& choice) {
-    const int parts = static_cast<int>(1.0f / calibration_tolerance<SetUp, Filter>(encoding) + 0.5f);
-    return {{{"lit_at",
-              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
-              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
-                  terms +
-                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
-                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
-                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
-                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
-              {&glsl::cleared_depth}},
-             {"reading",
-              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
-              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
-                  terms + "UMBRAGE_HIGHP float number) {\n" + choice + "    UMBRAGE_HIGHP float tolerance = 1.0 / " +
-                  std::to_string(parts) + R"GLSL(.0;
+/// GLSL version of calibrate for one map, whatever the light and the filter.
+inline constexpr std::string_view read_map_text = R"GLSL(
+// umbrage_read_map: what one map of known depths is read as, within a tolerance of depth
+UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms,
+                                     UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float tolerance) {
     UMBRAGE_HIGHP float coarse = 1.0 / 72.0;
     UMBRAGE_HIGHP float own = number - 8.0 * floor(number * 0.125) + 1.0;
     UMBRAGE_HIGHP vec4 met = vec4(0.0, 0.0, 0.0, 0.0);
@@ -29502,7 +29461,34 @@ template <class SetUp, class Filter, class Encoding>
     reading = seen.z > 3.5 ? 5.0 : reading;
     return met.x > 3.5 ? 0.0 : reading;
 }
-)GLSL"}}};
+)GLSL";
+
+/// GLSL version of calibrate: umbrage_reading, after the functions that it calls.
+/// @param terms    declarations of shadow_terms
+/// @param pixel    ", vec2(0.5, 0.5)" for filters with a rotated disc
+/// @param choice   statement that chooses the map of `number`; empty for one map
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] std::array<glsl::own_text, 3> calibration_texts(const Encoding& encoding, const std::string& terms,
+                                                              const std::string& pixel, const std::string& choice) {
+    const int parts = static_cast<int>(1.0f / calibration_tolerance<Setup, Filter>(encoding) + 0.5f);
+    return {{{"lit_at",
+              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
+                  terms +
+                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
+                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+              {&glsl::cleared_depth}},
+             {"read_map", std::string(read_map_text), {}},
+             {"reading",
+              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+                  terms + "UMBRAGE_HIGHP float number) {\n" + choice +
+                  "    return umbrage_read_map(map, terms, filter_terms, number, 1.0 / " + std::to_string(parts) +
+                  ".0);\n}\n",
+              {}}}};
 }
 
 }  // namespace detail
@@ -29527,12 +29513,12 @@ namespace umbrage {
 /// @return      RGB in [0, 1]: colors of probe_color and probe_inputs. Blended cascades blend their colors. The last
 ///              one fades to white
 /// @exactness   C, as project_coordinate; A for the color alone
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] glm::vec3 probe(const shadow<SetUp, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] glm::vec3 probe(const shadow<Setup, Filter, Encoding>& of, glm::vec3 world, glm::vec3 normal) {
     const auto uniforms = of.uniforms();
-    const auto places = SetUp::places(uniforms.maps, uniforms.terms, world, normal);
+    const auto places = Setup::places(uniforms.maps, uniforms.terms, world, normal);
     const glm::vec3 color = detail::blended(places, [&](const map_place& place) {
-        const float bias = detail::bias_of<SetUp, Filter>(uniforms.terms, place);
+        const float bias = detail::bias_of<Setup, Filter>(uniforms.terms, place);
         const auto number = static_cast<float>(place.number);
         return probe_color(place.at, uniforms.terms.map_size, bias, number, of.encoding().direction);
     });
@@ -29542,7 +29528,7 @@ template <class SetUp, class Filter, class Encoding>
 namespace detail {
 
 /// GLSL version of probe: umbrage_point_color, after the functions that it calls.
-template <class SetUp, class Filter>
+template <class Setup, class Filter>
 [[nodiscard]] std::vector<glsl::own_text> probe_texts(frame_words w) {
     w.pixel = {}, w.of_pixel = {};
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
@@ -29559,9 +29545,9 @@ template <class SetUp, class Filter>
     return {{"place_color",
              "\n// umbrage_place_color: a receiver's debug color in one map\n"
              "UMBRAGE_HIGHP vec3 umbrage_place_color(" +
-                 terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<SetUp, Filter>() +
+                 terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<Setup, Filter>() +
                  "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);\n}\n",
-             {&bias_snippet<SetUp, Filter>(), &glsl::probe_color}},
+             {&bias_snippet<Setup, Filter>(), &glsl::probe_color}},
             {"blended_color", frame_text(color, w, {}), w.needs()},
             {"point_color",
              "\n// umbrage_point_color: debug color of a point of the world, or what is wrong with it\n"
@@ -29630,12 +29616,12 @@ void require_texture(const binding& map, const Filter& filter) {
 /// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
 /// @param layers   true for maps in an array, false for an atlas
 /// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
-template <class SetUp, class Filter, class Encoding>
+template <class Setup, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
                                                  bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<SetUp, Filter>);
-    const auto words = umbrage::detail::frame_words_of<SetUp>(layers, umbrage::detail::turning<Filter>, soft);
+    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
+    const auto words = umbrage::detail::frame_words_of<Setup>(layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
             "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
@@ -29650,13 +29636,13 @@ template <class SetUp, class Filter, class Encoding>
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
     door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
     door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
-    std::vector<own_text> all{umbrage::detail::look_text<SetUp>(filter, terms, words.pixel, linear), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, linear), std::move(door)};
     if (!debug) return all;
-    for (own_text& text : umbrage::detail::probe_texts<SetUp, Filter>(words)) all.push_back(std::move(text));
+    for (own_text& text : umbrage::detail::probe_texts<Setup, Filter>(words)) all.push_back(std::move(text));
     const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
     std::string choice;
     for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
-    for (own_text& text : umbrage::detail::calibration_texts<SetUp, Filter>(encoding, terms, pixel, choice))
+    for (own_text& text : umbrage::detail::calibration_texts<Setup, Filter>(encoding, terms, pixel, choice))
         all.push_back(std::move(text));
     return all;
 }
@@ -29670,9 +29656,9 @@ template <class SetUp, class Filter, class Encoding>
 /// @param slots   bindings, and the type of the texture
 /// @throws std::invalid_argument   a name of other characters; a slot below 0; a texture type that does not hold
 ///                                 the maps; a filter that reads depths, with a comparison sampler
-template <class SetUp, class Filter, class Encoding>
-[[nodiscard]] bound bind(const shadow<SetUp, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
-    constexpr bool several = SetUp::grid.columns * SetUp::grid.rows > 1;
+template <class Setup, class Filter, class Encoding>
+[[nodiscard]] bound bind(const shadow<Setup, Filter, Encoding>& of, std::string_view name, shadow_slots slots = {}) {
+    constexpr bool several = Setup::grid.columns * Setup::grid.rows > 1;
     const texture kind = slots.map.value_or(several ? texture::atlas : texture::texture_2d);
     const bool layers = kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array;
     const bool plain = kind == texture::texture_2d || kind == texture::depth || kind == texture::shadow;
@@ -29688,10 +29674,10 @@ template <class SetUp, class Filter, class Encoding>
     slot(slots.texture, "slots.texture");
     slot(slots.sampler, "slots.sampler");
     slot(slots.set, "slots.set");
-    binding map = umbrage::detail::binding_of<SetUp, Filter>(of.encoding());
+    binding map = umbrage::detail::binding_of<Setup, Filter>(of.encoding());
     map.texture = kind;
     detail::require_texture<Filter, Encoding>(map, of.filter());
-    map.outside = SetUp::outside;
+    map.outside = Setup::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
@@ -29704,7 +29690,7 @@ template <class SetUp, class Filter, class Encoding>
                                  "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
                                  of.filter().name);
     }
-    item.texts = detail::shadow_texts<SetUp>(of.filter(), of.encoding(), layers, slots.debug, linear);
+    item.texts = detail::shadow_texts<Setup>(of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
@@ -29727,8 +29713,8 @@ template <class SetUp, class Filter, class Encoding>
              .reads_fields = false,
              .arguments = {{"number", 1}}});
     }
-    for (const uniform_field& f : SetUp::fields) declared.fields.push_back(f);
-    for (int i = 0; i < umbrage::detail::softness_matrices<SetUp, Filter>; ++i)
+    for (const uniform_field& f : Setup::fields) declared.fields.push_back(f);
+    for (int i = 0; i < umbrage::detail::softness_matrices<Setup, Filter>; ++i)
         declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);
@@ -29835,7 +29821,7 @@ private:
 
 /// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>
-struct set_up_for<std::array<warped_cascade<T>, Count>> {
+struct setup_for<std::array<warped_cascade<T>, Count>> {
     static_assert(
         Count == 0,
         "warped cascades are chosen along the camera's axis: take warped_maps(cascades, camera) as the light");

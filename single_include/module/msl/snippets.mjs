@@ -1877,7 +1877,7 @@ inline float umbrage_disc_radius(float radius) {
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1904,7 +1904,7 @@ inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1939,7 +1939,7 @@ inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1990,7 +1990,7 @@ inline float umbrage_disc32(metal::texture2d<float> map, float2 size, float2 coo
 
 export const hard = { language, name: "hard", summary: "unfiltered shadow test of the nearest texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit], filter: { reads: "comparisons", reach: 0.5, arguments: [] }, text: `
+    needs: [in_filter_domain, lit], filter: { reads: "comparisons", reach: 0.5, arguments: [], in_shadow: true }, text: `
 // umbrage_hard: shadow test without a filter. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2027,7 +2027,7 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
 
 export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2 PCF, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [] }, text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [], in_shadow: true }, text: `
 // umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2118,7 +2118,7 @@ inline float umbrage_box_scale(int radius) {
 
 export const box = { language, name: "box", summary: "lit fraction of a box of radius 0..8 (box PCF)",
     exactness: "b", operations: 290, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [box_count, box_scale], filter: { reads: "comparisons", reach: 1.5, arguments: [{ name: "radius", type: "int", value: 1 }] }, text: `
+    needs: [box_count, box_scale], filter: { reads: "comparisons", reach: 1.5, arguments: [{ name: "radius", type: "int", value: 1 }], in_shadow: true }, text: `
 // umbrage_box: box PCF, the lit fraction of a (2r+1) x (2r+1) box. Returns visibility, 1.0 = lit
 //   parameters as for umbrage_box_count
 inline float umbrage_box(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
@@ -2129,7 +2129,7 @@ inline float umbrage_box(metal::texture2d<float> map, float2 size, float2 coord,
 
 export const tent2 = { language, name: "tent2", summary: "PCF kernel 1 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [], in_shadow: true }, text: `
 // umbrage_tent2: PCF over 3 x 3 texels, weights 1 1. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2157,7 +2157,7 @@ inline float umbrage_tent2(metal::texture2d<float> map, float2 size, float2 coor
 
 export const tent3 = { language, name: "tent3", summary: "PCF kernel 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [] }, text: `
+    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [], in_shadow: true }, text: `
 // umbrage_tent3: PCF under 3 x 3 weights, 1 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2171,7 +2171,7 @@ inline float umbrage_tent3(metal::texture2d<float> map, float2 size, float2 coor
 
 export const quadratic_b_spline = { language, name: "quadratic_b_spline", summary: "PCF kernel of the quadratic B-spline, 3x3 texels",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [] }, text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1.5, arguments: [], in_shadow: true }, text: `
 // umbrage_quadratic_b_spline: PCF over 3 x 3 texels, weighted by the quadratic B-spline. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2199,7 +2199,7 @@ inline float umbrage_quadratic_b_spline(metal::texture2d<float> map, float2 size
 
 export const binomial5 = { language, name: "binomial5", summary: "PCF kernel 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
 // umbrage_binomial5: PCF under 5 x 5 weights, 1 4 6 4 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2213,7 +2213,7 @@ inline float umbrage_binomial5(metal::texture2d<float> map, float2 size, float2 
 
 export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "PCF kernel 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
 // umbrage_castano_dyadic5: PCF under 5 x 5 weights, 5 16 22 16 5, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2227,7 +2227,7 @@ inline float umbrage_castano_dyadic5(metal::texture2d<float> map, float2 size, f
 
 export const castano5 = { language, name: "castano5", summary: "PCF kernel 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [] }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
 // umbrage_castano5: PCF under 5 x 5 weights, 1 3 4 3 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2241,7 +2241,7 @@ inline float umbrage_castano5(metal::texture2d<float> map, float2 size, float2 c
 
 export const binomial7 = { language, name: "binomial7", summary: "PCF kernel 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
 // umbrage_binomial7: PCF under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2255,7 +2255,7 @@ inline float umbrage_binomial7(metal::texture2d<float> map, float2 size, float2 
 
 export const tent7 = { language, name: "tent7", summary: "PCF kernel 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
 // umbrage_tent7: PCF under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2269,7 +2269,7 @@ inline float umbrage_tent7(metal::texture2d<float> map, float2 size, float2 coor
 
 export const castano7 = { language, name: "castano7", summary: "PCF kernel 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [] }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
 // umbrage_castano7: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2809,7 +2809,7 @@ inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2832,7 +2832,7 @@ inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2855,7 +2855,7 @@ inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3070,7 +3070,7 @@ inline float umbrage_hardened_kernel32(float blocked, float ratio) {
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3094,7 +3094,7 @@ inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3118,7 +3118,7 @@ inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }] }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3663,7 +3663,7 @@ inline float4 umbrage_write(float depth) {
 
 export const vsm = { language, name: "vsm", summary: "visibility from a blurred variance shadow map (VSM)",
     exactness: "c", operations: 165, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }], format: "RG32F", cleared: [1, 1, 0, 0], cleared_reversed: [1, 1, 0, 0], write: write_vsm }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_vsm], filter: { reads: "moments", reach: 1, arguments: [{ name: "min_variance", type: "float", value: 1e-06 }], in_shadow: true, format: "RG32F", cleared: [1, 1, 0, 0], cleared_reversed: [1, 1, 0, 0], write: write_vsm }, text: `
 // umbrage_vsm: visibility from a blurred map of encode_vsm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. min_variance: 0.0 or more
@@ -3687,7 +3687,7 @@ inline float4 umbrage_write(float depth, float4 filter_terms) {
 
 export const esm = { language, name: "esm", summary: "visibility from a blurred exponential shadow map (ESM)",
     exactness: "b", operations: 56, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }], format: "R32F", cleared: [1099511627776, 0, 0, 0], cleared_reversed: [1099511627776, 0, 0, 0], write: write_esm }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_esm], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }], in_shadow: true, format: "R32F", cleared: [1099511627776, 0, 0, 0], cleared_reversed: [1099511627776, 0, 0, 0], write: write_esm }, text: `
 // umbrage_esm: visibility from a blurred map of encode_esm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponent: same as for the texels
@@ -3711,7 +3711,7 @@ inline float4 umbrage_write(float depth, float4 filter_terms) {
 
 export const evsm2 = { language, name: "evsm2", summary: "visibility from a blurred EVSM of two components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }], format: "RG32F", cleared: [1099511627776, 1.2089258e+24, 0, 0], cleared_reversed: [1099511627776, 1.2089258e+24, 0, 0], write: write_evsm2 }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm2], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponent", type: "float", value: 40 }, { name: "deviation", type: "float", value: 0.0055451775 }], in_shadow: true, format: "RG32F", cleared: [1099511627776, 1.2089258e+24, 0, 0], cleared_reversed: [1099511627776, 1.2089258e+24, 0, 0], write: write_evsm2 }, text: `
 // umbrage_evsm2: visibility from a blurred map of encode_evsm2's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponent, deviation: as for decode_evsm2
@@ -3736,7 +3736,7 @@ inline float4 umbrage_write(float depth, float4 filter_terms) {
 
 export const evsm4 = { language, name: "evsm4", summary: "visibility from a blurred EVSM of four components",
     exactness: "c", operations: 267, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }], format: "RGBA32F", cleared: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], cleared_reversed: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], write: write_evsm4 }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_evsm4], filter: { reads: "moments", reach: 1, arguments: [{ name: "exponents", type: "vec2", value: [40, 8] }, { name: "deviations", type: "vec2", value: [0.0055451775, 0.0011090355] }], in_shadow: true, format: "RGBA32F", cleared: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], cleared_reversed: [1099511627776, 1.2089258e+24, -0.00390625, 1.5258789e-05], write: write_evsm4 }, text: `
 // umbrage_evsm4: visibility from a blurred map of encode_evsm4's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. exponents, deviations: as for decode_evsm4
@@ -3761,7 +3761,7 @@ inline float4 umbrage_write(float depth) {
 
 export const msm = { language, name: "msm", summary: "visibility from a blurred moment shadow map (MSM)",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], in_shadow: true, format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm }, text: `
 // umbrage_msm: visibility from a blurred map of encode_msm's texels, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
@@ -3785,7 +3785,7 @@ inline float4 umbrage_write(float depth) {
 
 export const msm_unorm16 = { language, name: "msm_unorm16", summary: "visibility from a blurred MSM of optimized moments",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }], format: "RGBA16", cleared: [0, 0, 0.98112524, 1], cleared_reversed: [0, 0, 0.98112524, 1], write: write_msm_unorm16 }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm, from_optimized_moments], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [6e-05, 0.628] }], in_shadow: true, format: "RGBA16", cleared: [0, 0, 0.98112524, 1], cleared_reversed: [0, 0, 0.98112524, 1], write: write_msm_unorm16 }, text: `
 // umbrage_msm_unorm16: visibility from a blurred map of optimized moments, 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm
@@ -3809,7 +3809,7 @@ inline float4 umbrage_write(float depth) {
 
 export const msm_hausdorff = { language, name: "msm_hausdorff", summary: "visibility from a blurred MSM, for depths on [-1, 1]",
     exactness: "c", operations: 0, within: 0.015625, as_written: true, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm_hausdorff }, text: `
+    needs: [in_filter_domain, map_covers, fetch_bilinear, decode_msm_hausdorff], filter: { reads: "moments", reach: 1, arguments: [{ name: "bias", type: "vec2", value: [3e-06, 0.375] }], in_shadow: true, format: "RGBA32F", cleared: [1, 1, 1, 1], cleared_reversed: [1, 1, 1, 1], write: write_msm_hausdorff }, text: `
 // umbrage_msm_hausdorff: visibility from a blurred map of encode_msm's texels, for depths on [-1, 1]. 1.0 = lit
 //   map, size, coord: prefiltered map, its size, and the receiver in texels. (0.5, 0.5) is the center of the first
 //   texel receiver: depth in [0, 1], bias applied. bias: as for decode_msm

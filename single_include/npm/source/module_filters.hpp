@@ -17,7 +17,7 @@
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/shadow/depth_pass.hpp>
-#include <umbrage/shadow/look.hpp>
+#include <umbrage/shadow/lookup.hpp>
 
 #include "module_words.hpp"
 
