@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text as rectangles, for pictures and for OpenGL.
+// Text as rectangles, for the studies' sheets and for OpenGL.
 #pragma once
 
 #include <string>
