@@ -21,7 +21,6 @@
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/floor_divide.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>

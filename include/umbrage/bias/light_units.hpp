@@ -30,7 +30,6 @@
 
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -55,8 +54,7 @@ template <real T>
     detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
                     "free of a warp, its x and y without a part in w", p,
                     "A warp's units differ from point to point: see light_units_at.");
-    const T edge =
-        detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const T edge = (glm::max)(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;

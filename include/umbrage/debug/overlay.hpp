@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -21,7 +22,6 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/unorm.hpp>
 #include <umbrage/debug/overlay_texel.hpp>
@@ -89,10 +89,10 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;
     };
-    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
+    for (int y = 0; y < (glm::min)(size.y, picture.size.y); ++y) {
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
+        for (int x = 0; x < (glm::min)(size.x, picture.size.x); ++x)
             out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }

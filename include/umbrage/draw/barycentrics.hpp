@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -21,7 +22,6 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/draw/raster/projection.hpp>
@@ -73,7 +73,7 @@ private:
         const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
         detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
         const glm::uvec3 t = mesh.triangles[triangle];
-        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
+        detail::require((glm::max)((glm::max)(t.x, t.y), t.z) < mesh.positions.size(), function, "mesh.triangles",
                         "indices of positions", t);
         for (glm::length_t i = 0; i < 3; ++i)
             vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);

@@ -27,7 +27,6 @@
 
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
@@ -41,7 +40,7 @@ template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
     for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
+        if (detail::all_finite(p)) box.low = (glm::min)(box.low, p), box.high = (glm::max)(box.high, p);
     return box;
 }
 

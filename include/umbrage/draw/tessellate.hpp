@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -52,7 +52,7 @@ public:
         : light_(to.position),
           range_(double(to.range)),
           sag_(0.75 * double(to.depth_error) * range_),
-          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
+          least_cosine_(std::cos((glm::min)(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
         for (const glm::vec3& p : mesh.positions) add(p);
@@ -72,11 +72,11 @@ private:
     /// depends on the edge's ends only, so both triangles at the edge decide the same.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
-        if (detail::greater(p, q) < sag_) return {0, 0};
+        if ((glm::max)(p, q) < sag_) return {0, 0};
         const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
-        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
+        if (cosine > greatest_cosine_ || (glm::min)(p, q) * cosine > range_) return {0, 0};
         // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
@@ -184,8 +184,8 @@ template <class = detail::on_use>
     detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
                     to.depth_error);
     for (const glm::uvec3& t : mesh.triangles)
-        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
-                        "mesh.triangles", "indices of positions", t);
+        detail::require((glm::max)((glm::max)(t.x, t.y), t.z) < mesh.positions.size(), function, "mesh.triangles",
+                        "indices of positions", t);
     return detail::tessellator<>(mesh, to).take();
 }
 

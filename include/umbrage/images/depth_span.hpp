@@ -20,7 +20,6 @@
 
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/depth/conversions.hpp>
@@ -90,8 +89,8 @@ template <real T>
     const auto distance = [&](T depth) {
         return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
     };
-    return {detail::greater(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
-            detail::lesser(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+    return {(glm::max)(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            (glm::min)(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -18,7 +19,6 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/images/summed_area.hpp>
@@ -48,8 +48,7 @@ template <class ParallelFor = serial>
     detail::require(!map.empty(), function, "map.size", "above 0", map.size);
     detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n =
-        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
+    const std::int64_t n = (glm::min)(side, std::int64_t(map.size.x)) * (glm::min)(side, std::int64_t(map.size.y));
     detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
                     "Sums in a larger box may reach 2^32.");
 

@@ -19,11 +19,11 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/compare.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/images/summed_area.hpp>
+#include <umbrage/simd/min_max.hpp>
 
 namespace umbrage {
 

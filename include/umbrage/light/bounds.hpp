@@ -26,7 +26,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/frustum.hpp>
 
 namespace umbrage {
@@ -112,7 +111,7 @@ template <real T>
     const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
                           2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
     const double center =
-        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
+        (glm::min)(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
     const double beyond = z_far - center;
     const double more =
         beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);

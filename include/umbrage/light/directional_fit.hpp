@@ -16,8 +16,9 @@
 #include <cmath>
 #include <optional>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
@@ -47,7 +48,7 @@ struct light_box {
 /// Box around a box: one texel wider, of square texels on a fixed grid. Its depths go in steps of its longer side.
 [[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
     const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
-    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
+    const double half_texel = (glm::max)(halves.x, halves.y), side = 2.0 * half_texel * (glm::max)(n.x, n.y);
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
     return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
@@ -80,10 +81,10 @@ template <real T>
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {
         const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
-        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
+        box.z_near = (glm::min)(box.z_near, casters.low.z), box.z_far = (glm::max)(box.z_far, casters.high.z);
     } else if (fit.casters) {
         const auto swept = sweep(points, around);
-        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+        box.z_near = (glm::min)(box.z_near, nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = snapped(box, fit.snap_texels);
 

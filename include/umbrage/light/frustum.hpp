@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -27,7 +28,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {
@@ -75,7 +75,7 @@ void check(const frustum<T>& f, Must&& must) {
          "from -2^20 to 2^20", f.shift);
     must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
     must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
-    must(greater(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
+    must((glm::max)(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
     must(all_finite(f.position), "position", "finite", f.position);
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);
@@ -117,7 +117,7 @@ template <real T>
 [[nodiscard]] frustum<double> of_one_eye(const frustum<T>& camera, const char* function) {
     frustum<double> f = in_double(camera);
     if (!is_perspective(f)) return f;
-    const double back = greater(f.half_size.x / f.tan_half_x, f.half_size.y / f.tan_half_y);
+    const double back = (glm::max)(f.half_size.x / f.tan_half_x, f.half_size.y / f.tan_half_y);
     f.position -= axes(camera, function, "camera") * glm::dvec3(f.shift, 1.0) * back;
     f.z_near += back, f.z_far += back, f.half_size = glm::dvec2(0);
     return f;
@@ -190,8 +190,9 @@ void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm:
                     w(camera.z_near) >= -0x1p-20 * w(camera.z_far),
                 function, argument, "such that its four edges run ahead", projection,
                 "Is clip that of the camera, and the view's z the head's?");
-        bounds.low = lesser(bounds.low, at), bounds.high = greater(bounds.high, at);
-        bounds.low_slope = lesser(bounds.low_slope, slope), bounds.high_slope = greater(bounds.high_slope, slope);
+        bounds.low = (glm::min)(bounds.low, at), bounds.high = (glm::max)(bounds.high, at);
+        bounds.low_slope = (glm::min)(bounds.low_slope, slope),
+        bounds.high_slope = (glm::max)(bounds.high_slope, slope);
     }
 }
 
@@ -217,8 +218,7 @@ template <real T = float>
     const glm::dmat4 view(camera.view);
     const glm::dmat3 turn(view), turned = glm::transpose(turn), whole = turn * turned;
     double askew = 0.0;
-    for (glm::length_t i = 0; i < 9; ++i)
-        askew = detail::greater(askew, glm::abs(whole[i / 3][i % 3] - (i % 4 ? 0 : 1)));
+    for (glm::length_t i = 0; i < 9; ++i) askew = (glm::max)(askew, glm::abs(whole[i / 3][i % 3] - (i % 4 ? 0 : 1)));
     detail::require(detail::all_finite(view) && askew < 1e-3, function, "view", "a rotation and a translation",
                     camera.view);
     detail::view_bounds b;
@@ -227,7 +227,7 @@ template <real T = float>
 
     const glm::dvec3 ahead = camera.clip.hand == handedness::right ? -turned[2] : turned[2];
     const double side = glm::dot(glm::cross(ahead, turned[1]), turned[0]) < 0.0 ? -1.0 : 1.0;
-    const glm::dvec2 half = detail::greater((b.high - b.low) * 0.5, glm::dvec2(0)), middle = (b.high + b.low) * 0.5;
+    const glm::dvec2 half = (glm::max)((b.high - b.low) * 0.5, glm::dvec2(0)), middle = (b.high + b.low) * 0.5;
     const glm::dvec2 tangents = (b.high_slope - b.low_slope) * 0.5, shift = (b.high_slope + b.low_slope) * 0.5;
     const frustum<T> f{glm::vec<3, T>(turned * (glm::dvec3(middle, 0.0) - glm::dvec3(view[3]))),
                        glm::vec<3, T>(ahead),

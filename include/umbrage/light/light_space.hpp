@@ -17,6 +17,7 @@
 #include <string>
 #include <type_traits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -24,7 +25,6 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 
 namespace umbrage {
@@ -58,7 +58,7 @@ template <real T>
 /// Unit vector. It is scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = greater(greater(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    const T scale = (glm::max)((glm::max)(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 

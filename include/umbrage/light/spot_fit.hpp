@@ -15,9 +15,10 @@
 #include <numbers>
 #include <optional>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
@@ -102,27 +103,27 @@ template <real T = float>
 
     const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
+    const glm::dvec3 size = (glm::max)(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};
     detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
                     "near enough to the light for finite distances", size);
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
-    const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
+    const double share = double(fit.margin), margin = share * (glm::max)(high.x - low.x, high.y - low.y);
     double z_near = closest;
     if (fit.casters)
-        z_near = detail::lesser(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
-    z_near = detail::greater(z_near * (1.0 - share), closest);
+        z_near = (glm::min)(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = (glm::max)(z_near * (1.0 - share), closest);
     const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
-    const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
-                     last = detail::lesser(glm::dvec2(high) + margin, glm::dvec2(edge));
+    const glm::dvec2 first = (glm::max)(glm::dvec2(low) - margin, glm::dvec2(-edge)),
+                     last = (glm::min)(glm::dvec2(high) + margin, glm::dvec2(edge));
     const glm::dvec2 half = (last - first) * 0.5;
     if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
     const double rounding =
         double(std::numeric_limits<T>::epsilon()) * (high.z + glm::length(glm::dvec3(fit.position)));
-    detail::require(detail::greater(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
+    detail::require((glm::max)(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
                     "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");

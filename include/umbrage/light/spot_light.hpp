@@ -12,8 +12,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {
@@ -46,7 +47,7 @@ template <real T = float>
                     "large enough for a finite cotangent", angle);
     detail::require(is_finite(light.aspect) && light.aspect > T(0), function, "aspect", "finite and above 0",
                     light.aspect);
-    const T wide = extent * detail::greater(light.aspect, T(1)), high = extent / detail::lesser(light.aspect, T(1));
+    const T wide = extent * (glm::max)(light.aspect, T(1)), high = extent / (glm::min)(light.aspect, T(1));
     const bool fits = detail::is_normal(T(1) / wide) && detail::is_normal(T(1) / high);
     detail::require(fits, function, "aspect", "such that the tangents of the map's sides are finite", light.aspect);
     const light_space<T> space{

@@ -11,13 +11,13 @@
 #include <optional>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 
@@ -75,7 +75,7 @@ struct extent {
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
-    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
+    for (const glm::dvec3& p : points) e.low = (glm::min)(e.low, p), e.high = (glm::max)(e.high, p);
     return e;
 }
 
@@ -145,7 +145,7 @@ template <class = on_use>
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = (glm::max)(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
@@ -160,7 +160,7 @@ template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     const auto [low, high] = extent_of(seen);
     // casters that touch a side count as inside, however the side was rounded
-    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
+    const double around = (glm::max)(outwards, 0x1p-32 * (glm::max)(high.x - low.x, high.y - low.y));
     std::vector<glm::dvec3> corners;
     corners.reserve(4 * seen.size());
     for (const glm::dvec3& p : seen)
@@ -176,7 +176,7 @@ template <class = on_use>
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
+        for (const glm::dvec3& p : polygon) least = (glm::min)(least, p.z);
     }
     return least;
 }

@@ -9,9 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/hook_choice.hpp>
 #include <umbrage/shader/map_words.hpp>
@@ -73,9 +74,9 @@ public:
     [[nodiscard]] snippet worst() && {
         snippet all{.name = {}, .source = ""};
         for_each([&](const snippet& s, const bound&, const std::string&) {
-            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
-            all.operations = umbrage::detail::greater(all.operations, s.operations);
-            all.within = umbrage::detail::greater(all.within, s.within);
+            if (all.exactness < s.exactness) all.exactness = s.exactness;
+            all.operations = (glm::max)(all.operations, s.operations);
+            all.within = (glm::max)(all.within, s.within);
             all.as_written = all.as_written || s.as_written;
         });
         return all;

@@ -9,9 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/hook_choice.hpp>
 
@@ -62,7 +63,7 @@ template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
     if (!map.parameters.empty()) return map.parameters;
     std::string all(words.parameters);
-    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
+    if (map.gather) all.insert((glm::min)(all.find(','), all.size()), words.sampler);
     return all;
 }
 
@@ -109,8 +110,7 @@ template <class = umbrage::detail::on_use>
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     std::string ordinary(words.arguments);
-    if (map.gather)
-        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
+    if (map.gather) ordinary.insert((glm::min)(ordinary.find(','), ordinary.size()), words.sampler_argument);
     const std::string parameters = parameters_of(map, words);
     const std::string arguments = one_of(map.arguments, ordinary);
     umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",

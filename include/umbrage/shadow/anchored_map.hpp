@@ -14,6 +14,7 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -22,7 +23,6 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -125,13 +125,13 @@ inline void require_digits(double away, double extent) {
         double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
         for (int i = 0; i < 4; ++i) {
             const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
-            wide = greater(wide, glm::length(p) / glm::dot(rows[3], p));
+            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
             for (const double end : {0.0, 1.0})
-                farthest = greater(farthest, glm::length(corner_of(back, map_size, i, end)));
+                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
         }
         require_digits(away, farthest);
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
-                greater(glm::length(rows[0]), glm::length(rows[1])), 0.0};
+                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
     // Largest sum of a row over the map's box, in w; and what does not grow with w: the anchor's share, and offsets.
     // Under parallel rays w is 1, and offsets round with the texels and the depth themselves.
@@ -141,18 +141,18 @@ inline void require_digits(double away, double extent) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
         const double w = glm::dot(rows[3], p) + m[3][3];
         for (glm::length_t r = 0; r < 4; ++r)
-            sums[r] = greater(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
-        farthest = greater(farthest, 2.0 * glm::length(p));
+            sums[r] = (glm::max)(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
+        farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
     for (glm::length_t r = 0; r < 4; ++r)
         fixed[r] = one_rounding * (2.0 * magnitudes(rows[r], anchor) + (parallel ? 0.0 : 6.0 * std::abs(m[3][r])));
-    if (parallel) return {0.0, 1.0, greater(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
+    if (parallel) return {0.0, 1.0, (glm::max)(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
     const auto texels = [&](const double* of) {
-        return greater(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
+        return (glm::max)(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
     };
     const auto depth = [](const double* of) { return of[2] + of[3]; };
-    return {1.0, greater(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
+    return {1.0, (glm::max)(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
 }
 
 /// Uniforms of a map for a given anchor.
@@ -174,8 +174,8 @@ inline void require_digits(double away, double extent) {
 /// @param m   from a face's axes to texels
 [[nodiscard]] inline anchored_map anchored_axes(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& light) {
     const glm::dmat4 back = glm::inverse(m);
-    require_digits(glm::length(light), greater(glm::length(corner_of(back, map_size, 0, 0.0)),
-                                               glm::length(corner_of(back, map_size, 0, 1.0))));
+    require_digits(glm::length(light), (glm::max)(glm::length(corner_of(back, map_size, 0, 0.0)),
+                                                  glm::length(corner_of(back, map_size, 0, 1.0))));
     anchored_map out = anchored_at(glm::vec3(0), m, map_size);
     out.anchor = glm::vec4(glm::vec3(light), out.anchor.w);
     out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));

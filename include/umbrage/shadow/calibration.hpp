@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -81,7 +82,7 @@ template <class Setup, class Filter, class Encoding>
 [[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<Setup, Filter, Encoding>& of) {
     const glm::ivec2 map_size = of.map_size(), size = of.size();
     const float reach = detail::reach_of(of.filter());
-    detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
+    detail::require(4.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "calibration_map",
                     "of.map_size()", "four times the filter's reach or more", map_size);
     image<float> depths(size);
     for (glm::ivec2 p(0); p.y < size.y; ++p.y)

@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -15,7 +16,6 @@
 
 #include <umbrage/bias/slope.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -38,7 +38,7 @@ namespace umbrage {
     const float y = glm::abs(coordinate.y - half_size.y) - (half_size.y - reach);
     const bool between = !is_nan(coordinate.z) && coordinate.z >= 0.0f && coordinate.z <= 1.0f;
     const bool near_map = !is_nan(x + y) && x + y < 65536.0f;
-    return between && near_map ? detail::greater(x, y) : 65536.0f;
+    return between && near_map ? (glm::max)(x, y) : 65536.0f;
 }
 
 /// Places in a cascade and in the next one, whose weight grows towards the border of the map.
@@ -74,7 +74,7 @@ namespace umbrage {
     }
     if (!(edges.y <= 0.0f)) return both;
     const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
-    both[1] = place(number + 1, there, next_scale, detail::lesser(leaves, held));
+    both[1] = place(number + 1, there, next_scale, (glm::min)(leaves, held));
     return both;
 }
 
@@ -103,7 +103,7 @@ namespace umbrage {
         if (edge <= 0.0f) break;
     }
     const glm::vec4 found = i < 4 ? glm::vec4(at, float(i)) : glm::vec4(65536.0f, 65536.0f, 0.0f, 4.0f);
-    const glm::length_t last = 3, here = detail::lesser(i, last), next = detail::lesser(i + 1, last);
+    const glm::length_t last = 3, here = (glm::min)(i, last), next = (glm::min)(i + 1, last);
     const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
     const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
     return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
@@ -120,7 +120,7 @@ namespace umbrage {
         across(shadow_coordinate(rotation, normal));
     const glm::vec4 found =
         cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
-    const float number = detail::lesser(found.w, blending.y), next = detail::lesser(number + 1.0f, blending.y);
+    const float number = (glm::min)(found.w, blending.y), next = (glm::min)(number + 1.0f, blending.y);
     const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next);
     const glm::vec3 there = cascade_coordinate(light, next_scale, cascade_column_8(offsets, farther_offsets, next));
     const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),

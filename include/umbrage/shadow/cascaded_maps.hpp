@@ -14,9 +14,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
@@ -123,7 +124,7 @@ struct cascaded_maps {
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
             const glm::vec4 error(detail::rounding_of(detail::moved_to(in_texels(c), anchor), map_size, anchor));
             u.set(i, {glm::vec3(c.scale), error.z}, glm::vec4(glm::dvec4(offset, 0.0)));
-            u.blending.z = detail::greater(u.blending.z, error.w + float(6.0 * detail::one_rounding));
+            u.blending.z = (glm::max)(u.blending.z, error.w + float(6.0 * detail::one_rounding));
         }
         return u;
     }

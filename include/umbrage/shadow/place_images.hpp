@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/images/blocks/row_filter.hpp>
 #include <umbrage/images/plane_visibility.hpp>
 #include <umbrage/images/prefilter.hpp>
@@ -195,9 +195,10 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             for (int y = first, end = 0; y < last; y = end) {
                 // Rotations of discs repeat every 16 rows, so tiles begin at multiples of 16.
                 const int before = y % 16;
-                end = lesser(last, y - before + tile_type::side);
+                end = (glm::min)(last, y - before + tile_type::side);
                 for (int x = 0; x < out.size.x; x += tile_type::side) {
-                    const glm::ivec2 from(x, y - before), size(lesser(tile_type::side, out.size.x - x), end - from.y);
+                    const glm::ivec2 from(x, y - before),
+                        size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
                     tile.clear();
                     for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
                         for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));

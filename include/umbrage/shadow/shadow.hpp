@@ -21,6 +21,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -28,7 +29,6 @@
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/rasterize.hpp>
@@ -58,7 +58,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
-    require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
+    require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
@@ -267,7 +267,7 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
-            if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
+            if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;
     }

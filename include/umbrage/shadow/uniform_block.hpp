@@ -8,12 +8,12 @@
 #include <cstring>
 #include <span>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/shadow/lookup.hpp>
 #include <umbrage/shadow/setup.hpp>
@@ -48,7 +48,7 @@ inline void require_finite_uniforms(std::span<const float> uniforms) {
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              clip_space clip, bent_lines bends) {
-    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float size = static_cast<float>((glm::max)(map_size.x, map_size.y));
     const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
     const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
     // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.

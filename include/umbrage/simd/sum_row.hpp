@@ -13,10 +13,10 @@
 #include <vector>
 
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

@@ -15,9 +15,9 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/draw/raster/projection.hpp>
+#include <umbrage/simd/min_max.hpp>
 
 namespace umbrage::detail {
 

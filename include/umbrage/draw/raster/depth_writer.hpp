@@ -12,7 +12,6 @@
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/core/image.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/draw/raster/depth_rounding.hpp>
 #include <umbrage/draw/raster/small_triangles.hpp>
@@ -21,6 +20,7 @@
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

@@ -16,9 +16,9 @@
 #include <cstdint>
 
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/draw/raster/triangles.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

@@ -17,11 +17,11 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/draw/raster/projection.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

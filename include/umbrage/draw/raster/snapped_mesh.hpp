@@ -22,7 +22,6 @@
 
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/draw/raster/band_lists.hpp>
@@ -32,6 +31,7 @@
 #include <umbrage/draw/raster/triangles.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

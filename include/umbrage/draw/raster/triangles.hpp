@@ -19,11 +19,11 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/draw/mesh.hpp>
 #include <umbrage/draw/raster/projection.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/min_max.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH

@@ -17,7 +17,8 @@
 #include <string_view>
 #include <tuple>
 
-#include <umbrage/core/lesser.hpp>
+#include <glm/common.hpp>
+
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
 
@@ -62,8 +63,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     const T z = distance_code(receiver, is_lit), search_radius = penumbra(z, softness);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
-    const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(search_radius, T(1)));
+    const T mean = floor_divide(found.y, (glm::max)(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), (glm::max)(search_radius, T(1)));
     return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 

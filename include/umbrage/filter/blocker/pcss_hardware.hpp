@@ -23,7 +23,8 @@
 
 #include <string>
 
-#include <umbrage/core/lesser.hpp>
+#include <glm/common.hpp>
+
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
 
@@ -86,7 +87,7 @@ template <real T, class Compare = less_equal>
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
     const T min_radius = softness.y * T(0.0625);
-    return radius > min_radius ? detail::lesser(radius, softness.z * T(0.0625)) : min_radius;
+    return radius > min_radius ? (glm::min)(radius, softness.z * T(0.0625)) : min_radius;
 }
 
 /// Visibility of a receiver under a light that has a size, in floats.

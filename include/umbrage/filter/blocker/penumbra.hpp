@@ -27,7 +27,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/floor_divide.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/numbers.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
@@ -146,7 +145,7 @@ template <real T, class Compare = less_equal>
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
     const T radius = std::floor(apart * softness.x);
-    return detail::lesser(detail::greater(radius, softness.y), softness.z);
+    return (glm::min)((glm::max)(radius, softness.y), softness.z);
 }
 
 /// Count and distance code of one texel, if it is nearer to the light than the receiver.
@@ -174,7 +173,7 @@ template <real T, class Fetch, class Compare = less_equal>
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
                                       glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const T rho = is_nan(radius) ? T(0) : detail::limited(radius, T(-4095), T(4095));
+    const T rho = is_nan(radius) ? T(0) : (glm::clamp)(radius, T(-4095), T(4095));
     const glm::vec<2, T> turn = detail::bounded_rotation(rotation);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)

@@ -13,7 +13,8 @@
 
 #include <string>
 
-#include <umbrage/core/lesser.hpp>
+#include <glm/common.hpp>
+
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 
@@ -22,7 +23,7 @@ namespace umbrage {
 /// Radius of a disc in texels, as the hardware versions take it: clamped to [0, 255.9375], 0 for NaN.
 template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
-    return radius > T(0) ? detail::lesser(radius, T(max_disc_radius)) : T(0);
+    return radius > T(0) ? (glm::min)(radius, T(max_disc_radius)) : T(0);
 }
 
 /// Position of a point of a disc, in texels.

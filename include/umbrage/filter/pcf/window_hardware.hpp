@@ -14,7 +14,8 @@
 
 #include <string>
 
-#include <umbrage/core/lesser.hpp>
+#include <glm/common.hpp>
+
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
 
@@ -54,7 +55,7 @@ template <real T, class Fetch, class Compare = less_equal>
     for (int j = 0; j <= row.size; ++j)
         for (int i = 0; i <= row.size; ++i)
             sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-    return detail::lesser(sum / (whole * whole), T(1));  // weights round
+    return (glm::min)(sum / (whole * whole), T(1));  // weights round
 }
 
 namespace glsl {

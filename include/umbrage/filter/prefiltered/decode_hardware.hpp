@@ -15,7 +15,6 @@
 
 #include <glm/common.hpp>
 
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
 
@@ -61,7 +60,7 @@ template <real T>
 [[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount,
                                               T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
+    const T variance = (glm::max)(held.y * held.y * T(0.25), min_variance);
     return chebyshev_hardware(variance, to_forward_depth(receiver, cleared) - held.x, amount);
 }
 
@@ -86,7 +85,7 @@ template <real T>
     if (!detail::is_depth(receiver)) return T(0);
     const T w = exponential_warp(to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent),
             least = deviation * w;
-    return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
+    return chebyshev_hardware((glm::max)(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
 /// Visibility from a mean of encode_evsm4's texels, with light bleeding reduced.
@@ -101,9 +100,9 @@ template <real T>
     const T d = to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
     const T w = exponential_warp(d, exponents.x), n = T(0) - exponential_warp(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
-    const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
-    const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
-    return detail::lesser(a, b);
+    const T a = chebyshev_hardware((glm::max)(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware((glm::max)(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return (glm::min)(a, b);
 }
 
 namespace glsl {

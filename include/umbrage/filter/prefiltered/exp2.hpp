@@ -13,8 +13,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <glm/common.hpp>
+
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 
@@ -85,7 +86,7 @@ template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
     const T n = std::floor(x * T(0x1p-11)),
-            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across the maximum
+            f = (glm::max)(x - n * T(2048), T(0));  // no sum is regrouped across the maximum
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);

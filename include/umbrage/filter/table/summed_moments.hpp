@@ -15,7 +15,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 #include <umbrage/filter/prefiltered/msm.hpp>
 
@@ -69,9 +68,8 @@ template <real T, class Fetch>
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
-    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
-    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
-                     end = detail::lesser(texel + reach + 1, map);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>((glm::clamp)(radius, T(0), T(32767)));
+    const glm::ivec2 first = (glm::max)(texel - reach, glm::ivec2(0)), end = (glm::min)(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
     return decode_msm(from_optimized_moments(turned), receiver, bias, cleared);
 }

@@ -18,7 +18,6 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/floor_divide.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/texel_space.hpp>
 
 namespace umbrage {
@@ -43,9 +42,9 @@ template <real T, class Fetch>
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
     // Nothing below is negative. The maxima keep compilers from regrouping sums across them.
-    const T low_1 = detail::greater(part.x - carry_1 * T(65536), T(0)),
-            low_2 = detail::greater(part.z - carry_2 * T(65536), T(0));
-    const T high_1 = detail::greater(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
+    const T low_1 = (glm::max)(part.x - carry_1 * T(65536), T(0)),
+            low_2 = (glm::max)(part.z - carry_2 * T(65536), T(0));
+    const T high_1 = (glm::max)(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
     const T sum = high_1 * T(65536) + low_1;
     const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
@@ -82,9 +81,8 @@ template <real T, class Fetch, class Compare = less_equal>
                                 Compare is_lit = {}, outside_map outside = outside_map::bordered) {
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
-    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
-    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
-                     end = detail::lesser(texel + reach + 1, size);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>((glm::clamp)(radius, T(0), T(32767)));
+    const glm::ivec2 first = (glm::max)(texel - reach, glm::ivec2(0)), end = (glm::min)(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);
     const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
     const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);

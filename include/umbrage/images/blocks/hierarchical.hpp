@@ -15,7 +15,6 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/parallel.hpp>
 #include <umbrage/images/blocks/box.hpp>
 #include <umbrage/images/blocks/box_bounds.hpp>
@@ -23,6 +22,7 @@
 #include <umbrage/images/blocks/form_map.hpp>
 #include <umbrage/images/blocks/map_tile.hpp>
 #include <umbrage/images/blocks/window.hpp>
+#include <umbrage/simd/min_max.hpp>
 
 namespace umbrage::detail {
 

@@ -22,11 +22,11 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -65,7 +65,7 @@ template <class = on_use>
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
     if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+    return static_cast<int>((glm::clamp)(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
 }
 
 /// Adds a page to a list, unless it is already the last one there.
@@ -238,7 +238,7 @@ private:
         std::vector<page> pages = wanted(target_);
         while (pages.size() > slots()) pages = wanted(target_ *= step);
         while (target_ > budget_.target) {
-            const double finer = detail::greater(target_ / step, budget_.target);
+            const double finer = (glm::max)(target_ / step, budget_.target);
             std::vector<page> more = wanted(finer);
             if (more.size() * 8 > slots() * 7) break;
             target_ = finer;

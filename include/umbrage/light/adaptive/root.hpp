@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <umbrage/core/check.hpp>
@@ -61,8 +62,9 @@ template <real T = float>
                               root.clip};
     const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
-    const auto farthest = detail::greater(glm::abs(root.center), glm::abs(root.scene.low), glm::abs(root.scene.high));
-    const T rounding = std::numeric_limits<T>::epsilon() * detail::greater(farthest.x, farthest.y, farthest.z);
+    const auto farthest =
+        (glm::max)(glm::abs(root.center), (glm::max)(glm::abs(root.scene.low), glm::abs(root.scene.high)));
+    const T rounding = std::numeric_limits<T>::epsilon() * (glm::max)((glm::max)(farthest.x, farthest.y), farthest.z);
     detail::require(root.side > T(16) * rounding, function, "side", "large enough for the digits of center and scene",
                     root.side);
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);

@@ -14,7 +14,6 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/core/texel_space.hpp>
@@ -60,7 +59,7 @@ template <real T>
         const T beyond = glm::abs(c - h) - (h - reach);
         return cascade_weight(beyond * per_texel + T(1));
     };
-    return detail::greater(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
+    return (glm::max)(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
 /// Blend of two cascades' visibilities.

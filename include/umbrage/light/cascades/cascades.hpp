@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <span>
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <umbrage/core/check.hpp>
@@ -165,7 +166,7 @@ template <std::size_t Count, real T>
                                              .clip = fit.clip},
                                             function, sides, depths);
         const glm::dmat4& p = lights[i].projection;
-        side = detail::greater(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
+        side = (glm::max)(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
     }
     const detail::scene_depths seen(fit.scene, lights[0], side, function);
     for (light_space<double>& light : lights) light = seen.of(light);

@@ -18,7 +18,6 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -35,7 +34,7 @@ public:
     scene_depths(const bounding_box<T>& scene, const light_space<double>& light, glm::dvec2 side, const char* function)
         : low_(scene.low), high_(scene.high), frame_(light_frame(light.view, light.clip.hand)) {
         const extent box = extent_of(seen(glm::dmat4(frame_), hull(scene).points));
-        const glm::dvec2 across = lesser(glm::dvec2(box.high - box.low), side);
+        const glm::dvec2 across = (glm::min)(glm::dvec2(box.high - box.low), side);
         nearest_ = box.low.z;
         double longest = box.high.z - box.low.z;
         for (glm::length_t i = 0; i < 3; ++i) {

@@ -14,7 +14,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
@@ -50,7 +49,7 @@ template <real T>
             "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
     if (!fit.casters) return v;
     double edge = 1.0;
-    for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    for (const glm::dvec3& p : receivers) edge = (glm::max)(edge, (glm::max)(glm::abs(p.x), glm::abs(p.y)) / p.z);
     require(edge <= 0x1p16, function, "receivers", "within a slope of 2^16 of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);

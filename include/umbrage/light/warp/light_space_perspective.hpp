@@ -26,7 +26,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 
@@ -59,8 +58,8 @@ template <real T>
     v.length = high.y - low.y;
     v.camera_y = own.y;
     v.closest = highest<double>;
-    for (const glm::dvec3& p : receivers) v.closest = lesser(v.closest, glm::dot(p - eye, view));
-    v.closest = greater(v.closest, double(fit.camera.z_near));
+    for (const glm::dvec3& p : receivers) v.closest = (glm::min)(v.closest, glm::dot(p - eye, view));
+    v.closest = (glm::max)(v.closest, double(fit.camera.z_near));
     return v;
 }
 
@@ -74,7 +73,7 @@ template <real T>
 /// @return   infinite if camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    const double least = detail::greater(n, least_distance(v));
+    const double least = (glm::max)(n, least_distance(v));
     return v.sine > 0.0 && least > 0.0 ? least : detail::highest<double>;
 }
 
@@ -86,7 +85,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double bend = share_of_warp(v.sine) / detail::greater(n, least_distance(v));
+    const double bend = share_of_warp(v.sine) / (glm::max)(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);

@@ -32,7 +32,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/warp/light_position.hpp>
@@ -64,11 +63,11 @@ namespace detail {
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
-        least = lesser(least, z), greatest = greater(greatest, z);
+        least = (glm::min)(least, z), greatest = (glm::max)(greatest, z);
     }
-    slide = detail::lesser(slide, 0x1p20 * greater(glm::abs(least), glm::abs(greatest)));
-    const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
-    const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
+    slide = (glm::min)(slide, 0x1p20 * (glm::max)(glm::abs(least), glm::abs(greatest)));
+    const double back = slide - (glm::min)(least, 0.0), z_near = least + back;
+    const double z_far = (glm::max)(greatest + back, z_near * (1.0 + 0x1p-8));
     require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
             "near enough to the camera and the origin for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
@@ -90,7 +89,7 @@ template <class = on_use>
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
-        a.low = lesser(a.low, angle), a.high = greater(a.high, angle);
+        a.low = (glm::min)(a.low, angle), a.high = (glm::max)(a.high, angle);
     }
     return a;
 }
@@ -141,7 +140,7 @@ template <class = on_use>
     const angles seen = angles_of(ahead);
     if (!seen.all_ahead) return {rays, std::numbers::pi};
     const glm::dvec2 opening = seen.high - seen.low;
-    return {rays, greater(opening.x, opening.y)};
+    return {rays, (glm::max)(opening.x, opening.y)};
 }
 
 /// Fraction of the fallback map at this opening angle: none up to 120 degrees, all of it from 150 degrees on.
@@ -158,11 +157,11 @@ template <class = on_use>
     double least = highest<double>;
     for (const glm::dvec3& p : corners_of(receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        box.low = lesser(box.low, glm::dvec3(h) / h.w), box.high = greater(box.high, glm::dvec3(h) / h.w);
-        least = lesser(least, h.w);
+        box.low = (glm::min)(box.low, glm::dvec3(h) / h.w), box.high = (glm::max)(box.high, glm::dvec3(h) / h.w);
+        least = (glm::min)(least, h.w);
     }
     const glm::dvec3 size = box.high - box.low;
-    glm::dvec3 scale = 2.0 / greater(size, glm::dvec3(0x1p-8 * greater(size.x, size.y, size.z)));
+    glm::dvec3 scale = 2.0 / (glm::max)(size, glm::dvec3(0x1p-8 * (glm::max)((glm::max)(size.x, size.y), size.z)));
     if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
     glm::dmat4 placed(1.0);
     for (glm::length_t i = 0; i < 3; ++i)

@@ -25,7 +25,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
@@ -87,7 +86,7 @@ template <real T>
     double least = highest<double>, greatest = 0.0;
     for (const glm::dvec3& p : seen) {
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
-        least = lesser(least, w), greatest = greater(greatest, w);
+        least = (glm::min)(least, w), greatest = (glm::max)(greatest, w);
     }
     const double above = shrinks ? glm::dot(ground, glm::dvec4(eye.position, 1.0))
                                  : glm::dot(glm::dvec3(ground), camera * glm::dvec3(eye.shift, 1.0));
@@ -102,8 +101,8 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, lesser(0.0, swept.x)), glm::dvec3(edge, edge, greater(0.0, swept.y))};
-    const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
+    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)), glm::dvec3(edge, edge, (glm::max)(0.0, swept.y))};
+    const double deep = (glm::max)(double(fit.margin), 0x1p-8) * (glm::max)(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",

@@ -14,7 +14,6 @@
 #include <glm/common.hpp>
 
 #include <umbrage/core/check.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 
@@ -42,8 +41,7 @@ template <real T = float>
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
-    const double f = detail::greater(v.camera_y + double(focus) * v.sine - v.first.y, 0.0),
-                 rest = 1.6 * v.length - 2.0 * f;
+    const double f = (glm::max)(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);
     return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }

@@ -37,7 +37,6 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
-#include <umbrage/core/lesser.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -116,7 +115,7 @@ template <class = on_use>
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
             if (!(h.w > 0.0)) return {-highest<double>, highest<double>};
-            least = lesser(least, h.z / h.w), greatest = greater(greatest, h.z / h.w);
+            least = (glm::min)(least, h.z / h.w), greatest = (glm::max)(greatest, h.z / h.w);
         }
     }
     return {least, greatest};
@@ -132,7 +131,7 @@ template <real T>
     };
     const glm::mat<4, 4, T> m = light.projection * light.view;
     const glm::mat<4, 4, T> roundings = magnitudes(light.projection) * magnitudes(light.view);
-    const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
+    const T lowest = (glm::min)(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
     for (const glm::dvec3& p : points) {
         const glm::vec<4, T> point(glm::vec<3, T>(p), T(1)), h = m * point;
         const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * (roundings * glm::abs(point));
@@ -186,15 +185,15 @@ template <real T>
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         in_map.push_back(glm::dvec3(h) / h.w);
-        least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
+        least_w = (glm::min)(least_w, h.w), greatest_w = (glm::max)(greatest_w, h.w);
     }
     extent box = extent_of(in_map);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge-on need some margin too
-    const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    const glm::dvec2 around = double(fit.margin) * (glm::max)(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map; its other half behind w = 0 does not count
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, greater(around.x, around.y)));
-    box.low.z = lesser(box.low.z, swept.x);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, (glm::max)(around.x, around.y)));
+    box.low.z = (glm::min)(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     const auto light = laid(to_map, box, least_w, greatest_w, fit, function);

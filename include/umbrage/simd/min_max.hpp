@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// std::min, std::max and std::clamp by value, for scalars and for vectors element by element.
-// No platform header defines these names as macros.
+// Minimum, maximum and clamp of scalars by value, always inline: loops that call them become vectors on every path.
+// No platform header defines these names as macros. Elsewhere there are GLM's.
 //
-//     detail::lesser(glm::vec2(1, 4), glm::vec2(2, 3));  // (1, 3)
+//     detail::lesser(3, 1, 2);  // 1
 //
 #pragma once
 
@@ -18,21 +18,6 @@ template <class T>
 template <class T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
     return a < b ? b : a;
-}
-
-template <class V>
-concept has_elements = requires {
-    V::length();
-};
-template <has_elements V>
-[[nodiscard]] UMBRAGE_INLINE constexpr V lesser(V a, V b) {
-    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = lesser(a[i], b[i]);
-    return a;
-}
-template <has_elements V>
-[[nodiscard]] UMBRAGE_INLINE constexpr V greater(V a, V b) {
-    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = greater(a[i], b[i]);
-    return a;
 }
 
 template <class T, class... More>
