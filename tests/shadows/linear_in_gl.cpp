@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadows by a comparison sampler that filters linearly: each setup, in both directions of depth, under each filter that
-// has such a form. Whatever a sampler's weights are, a receiver is lit where all texels that it may read show its own
-// plane, and dark where all show the table above it.
+// Shadows by a comparison sampler that filters linearly: each setup, in both directions of depth, under each filter
+// that has such a form. Whatever a sampler's weights are, a receiver is lit where all texels that it may read show its
+// own plane, and dark where all show the table above it.
 #include <cstdio>
 #include <exception>
 #include <string>
