@@ -1628,54 +1628,6 @@ inline constexpr const snippet* acne_free_snippets[]{&acne_free_bias, &acne_free
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/core/lesser.hpp
-// std::min, std::max and std::clamp by value, for scalars and for vectors element by element.
-// No platform header defines these names as macros.
-//
-//     detail::lesser(glm::vec2(1, 4), glm::vec2(2, 3));  // (1, 3)
-//
-
-namespace umbrage::detail {
-
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
-    return b < a ? b : a;
-}
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
-    return a < b ? b : a;
-}
-
-template <class V>
-concept has_elements = requires {
-    V::length();
-};
-template <has_elements V>
-[[nodiscard]] UMBRAGE_INLINE constexpr V lesser(V a, V b) {
-    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = lesser(a[i], b[i]);
-    return a;
-}
-template <has_elements V>
-[[nodiscard]] UMBRAGE_INLINE constexpr V greater(V a, V b) {
-    for (decltype(V::length()) i = 0; i < V::length(); ++i) a[i] = greater(a[i], b[i]);
-    return a;
-}
-
-template <class T, class... More>
-[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
-    return lesser(lesser(a, b), more...);
-}
-template <class T, class... More>
-[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b, More... more) {
-    return greater(greater(a, b), more...);
-}
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
-    return v < low ? low : (high < v ? high : v);
-}
-
-}  // namespace umbrage::detail
-
 // ---- umbrage/light/light_space.hpp
 // Light space: a light's view and projection matrices, and the clip space they follow. Every setup function returns
 // finite matrices with a finite product, or reports the argument at fault.
@@ -1718,7 +1670,7 @@ template <real T>
 /// Unit vector. It is scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = greater(greater(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    const T scale = (glm::max)((glm::max)(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
@@ -2852,8 +2804,7 @@ template <real T>
     detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
                     "free of a warp, its x and y without a part in w", p,
                     "A warp's units differ from point to point: see light_units_at.");
-    const T edge =
-        detail::greater(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const T edge = (glm::max)(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
@@ -5861,7 +5812,7 @@ template <real T, class Compare = less_equal>
 template <real T>
 [[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
     const T radius = std::floor(apart * softness.x);
-    return detail::lesser(detail::greater(radius, softness.y), softness.z);
+    return (glm::min)((glm::max)(radius, softness.y), softness.z);
 }
 
 /// Count and distance code of one texel, if it is nearer to the light than the receiver.
@@ -5889,7 +5840,7 @@ template <real T, class Fetch, class Compare = less_equal>
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
                                       glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const T rho = is_nan(radius) ? T(0) : detail::limited(radius, T(-4095), T(4095));
+    const T rho = is_nan(radius) ? T(0) : (glm::clamp)(radius, T(-4095), T(4095));
     const glm::vec<2, T> turn = detail::bounded_rotation(rotation);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
@@ -6040,8 +5991,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
     const T z = distance_code(receiver, is_lit), search_radius = penumbra(z, softness);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
-    const T mean = floor_divide(found.y, detail::greater(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), detail::greater(search_radius, T(1)));
+    const T mean = floor_divide(found.y, (glm::max)(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), (glm::max)(search_radius, T(1)));
     return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 
@@ -6588,7 +6539,7 @@ namespace umbrage {
 /// Radius of a disc in texels, as the hardware versions take it: clamped to [0, 255.9375], 0 for NaN.
 template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
-    return radius > T(0) ? detail::lesser(radius, T(max_disc_radius)) : T(0);
+    return radius > T(0) ? (glm::min)(radius, T(max_disc_radius)) : T(0);
 }
 
 /// Position of a point of a disc, in texels.
@@ -6777,7 +6728,7 @@ template <real T, class Compare = less_equal>
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
     const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
     const T min_radius = softness.y * T(0.0625);
-    return radius > min_radius ? detail::lesser(radius, softness.z * T(0.0625)) : min_radius;
+    return radius > min_radius ? (glm::min)(radius, softness.z * T(0.0625)) : min_radius;
 }
 
 /// Visibility of a receiver under a light that has a size, in floats.
@@ -7634,7 +7585,7 @@ template <real T, class Fetch, class Compare = less_equal>
     for (int j = 0; j <= row.size; ++j)
         for (int i = 0; i <= row.size; ++i)
             sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-    return detail::lesser(sum / (whole * whole), T(1));  // weights round
+    return (glm::min)(sum / (whole * whole), T(1));  // weights round
 }
 
 namespace glsl {
@@ -8230,7 +8181,7 @@ template <real T>
 [[nodiscard]] T exp2_steps(T y) {
     const T x = std::floor(detail::clamp_exponent(y) * T(2048));
     const T n = std::floor(x * T(0x1p-11)),
-            f = detail::greater(x - n * T(2048), T(0));  // no sum is regrouped across the maximum
+            f = (glm::max)(x - n * T(2048), T(0));  // no sum is regrouped across the maximum
     const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
     const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
     return m * T(0x1p-11) * power_of_two(n);
@@ -9036,7 +8987,7 @@ template <real T>
 [[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount,
                                               T cleared = T(1)) {
     if (!detail::is_depth(receiver)) return T(0);
-    const T variance = detail::greater(held.y * held.y * T(0.25), min_variance);
+    const T variance = (glm::max)(held.y * held.y * T(0.25), min_variance);
     return chebyshev_hardware(variance, to_forward_depth(receiver, cleared) - held.x, amount);
 }
 
@@ -9061,7 +9012,7 @@ template <real T>
     if (!detail::is_depth(receiver)) return T(0);
     const T w = exponential_warp(to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared), exponent),
             least = deviation * w;
-    return chebyshev_hardware(detail::greater(m.y - m.x * m.x, least * least), w - m.x, amount);
+    return chebyshev_hardware((glm::max)(m.y - m.x * m.x, least * least), w - m.x, amount);
 }
 
 /// Visibility from a mean of encode_evsm4's texels, with light bleeding reduced.
@@ -9076,9 +9027,9 @@ template <real T>
     const T d = to_forward_depth(glm::clamp(receiver, T(0), T(1)), cleared);
     const T w = exponential_warp(d, exponents.x), n = T(0) - exponential_warp(d, T(0) - exponents.y);
     const T least_w = deviations.x * w, least_n = deviations.y * n;
-    const T a = chebyshev_hardware(detail::greater(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
-    const T b = chebyshev_hardware(detail::greater(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
-    return detail::lesser(a, b);
+    const T a = chebyshev_hardware((glm::max)(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware((glm::max)(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return (glm::min)(a, b);
 }
 
 namespace glsl {
@@ -10088,9 +10039,8 @@ template <real T, class Fetch>
     const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(map), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
-    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
-    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
-                     end = detail::lesser(texel + reach + 1, map);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>((glm::clamp)(radius, T(0), T(32767)));
+    const glm::ivec2 first = (glm::max)(texel - reach, glm::ivec2(0)), end = (glm::min)(texel + reach + 1, map);
     const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
     return decode_msm(from_optimized_moments(turned), receiver, bias, cleared);
 }
@@ -10198,9 +10148,9 @@ template <real T, class Fetch>
     const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
     const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
     // Nothing below is negative. The maxima keep compilers from regrouping sums across them.
-    const T low_1 = detail::greater(part.x - carry_1 * T(65536), T(0)),
-            low_2 = detail::greater(part.z - carry_2 * T(65536), T(0));
-    const T high_1 = detail::greater(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
+    const T low_1 = (glm::max)(part.x - carry_1 * T(65536), T(0)),
+            low_2 = (glm::max)(part.z - carry_2 * T(65536), T(0));
+    const T high_1 = (glm::max)(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));
     const T sum = high_1 * T(65536) + low_1;
     const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
@@ -10237,9 +10187,8 @@ template <real T, class Fetch, class Compare = less_equal>
                                 Compare is_lit = {}, outside_map outside = outside_map::bordered) {
     if (!in_filter_domain(coord, receiver, is_lit) || !map_covers(glm::vec<2, T>(size), coord, outside)) return T(1);
     const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
-    const int reach = is_nan(radius) ? 0 : static_cast<int>(detail::limited(radius, T(0), T(32767)));
-    const glm::ivec2 first = detail::greater(texel - reach, glm::ivec2(0)),
-                     end = detail::lesser(texel + reach + 1, size);
+    const int reach = is_nan(radius) ? 0 : static_cast<int>((glm::clamp)(radius, T(0), T(32767)));
+    const glm::ivec2 first = (glm::max)(texel - reach, glm::ivec2(0)), end = (glm::min)(texel + reach + 1, size);
     const glm::vec<4, T> m = box_moments<T>(table, first, end);
     const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
     const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);
@@ -10506,7 +10455,7 @@ template <real T>
         const T beyond = glm::abs(c - h) - (h - reach);
         return cascade_weight(beyond * per_texel + T(1));
     };
-    return detail::greater(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
+    return (glm::max)(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
 /// Blend of two cascades' visibilities.
@@ -11084,7 +11033,7 @@ void check(const frustum<T>& f, Must&& must) {
          "from -2^20 to 2^20", f.shift);
     must(f.z_near >= T(0), "z_near", "0 or more", f.z_near);
     must(is_finite(f.z_far) && f.z_near < f.z_far, "z_far", "finite and above z_near", f.z_far);
-    must(greater(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
+    must((glm::max)(f.half_size.x, f.half_size.y) <= widest * f.z_far, "half_size", "at most 2^20 z_far", f.half_size);
     must(all_finite(f.position), "position", "finite", f.position);
     must(all_finite(f.direction), "direction", "finite", f.direction);
     must(all_finite(f.up), "up", "finite", f.up);
@@ -11126,7 +11075,7 @@ template <real T>
 [[nodiscard]] frustum<double> of_one_eye(const frustum<T>& camera, const char* function) {
     frustum<double> f = in_double(camera);
     if (!is_perspective(f)) return f;
-    const double back = greater(f.half_size.x / f.tan_half_x, f.half_size.y / f.tan_half_y);
+    const double back = (glm::max)(f.half_size.x / f.tan_half_x, f.half_size.y / f.tan_half_y);
     f.position -= axes(camera, function, "camera") * glm::dvec3(f.shift, 1.0) * back;
     f.z_near += back, f.z_far += back, f.half_size = glm::dvec2(0);
     return f;
@@ -11199,8 +11148,9 @@ void add_edges(view_bounds& bounds, const camera_matrices<T>& camera, const glm:
                     w(camera.z_near) >= -0x1p-20 * w(camera.z_far),
                 function, argument, "such that its four edges run ahead", projection,
                 "Is clip that of the camera, and the view's z the head's?");
-        bounds.low = lesser(bounds.low, at), bounds.high = greater(bounds.high, at);
-        bounds.low_slope = lesser(bounds.low_slope, slope), bounds.high_slope = greater(bounds.high_slope, slope);
+        bounds.low = (glm::min)(bounds.low, at), bounds.high = (glm::max)(bounds.high, at);
+        bounds.low_slope = (glm::min)(bounds.low_slope, slope),
+        bounds.high_slope = (glm::max)(bounds.high_slope, slope);
     }
 }
 
@@ -11226,8 +11176,7 @@ template <real T = float>
     const glm::dmat4 view(camera.view);
     const glm::dmat3 turn(view), turned = glm::transpose(turn), whole = turn * turned;
     double askew = 0.0;
-    for (glm::length_t i = 0; i < 9; ++i)
-        askew = detail::greater(askew, glm::abs(whole[i / 3][i % 3] - (i % 4 ? 0 : 1)));
+    for (glm::length_t i = 0; i < 9; ++i) askew = (glm::max)(askew, glm::abs(whole[i / 3][i % 3] - (i % 4 ? 0 : 1)));
     detail::require(detail::all_finite(view) && askew < 1e-3, function, "view", "a rotation and a translation",
                     camera.view);
     detail::view_bounds b;
@@ -11236,7 +11185,7 @@ template <real T = float>
 
     const glm::dvec3 ahead = camera.clip.hand == handedness::right ? -turned[2] : turned[2];
     const double side = glm::dot(glm::cross(ahead, turned[1]), turned[0]) < 0.0 ? -1.0 : 1.0;
-    const glm::dvec2 half = detail::greater((b.high - b.low) * 0.5, glm::dvec2(0)), middle = (b.high + b.low) * 0.5;
+    const glm::dvec2 half = (glm::max)((b.high - b.low) * 0.5, glm::dvec2(0)), middle = (b.high + b.low) * 0.5;
     const glm::dvec2 tangents = (b.high_slope - b.low_slope) * 0.5, shift = (b.high_slope + b.low_slope) * 0.5;
     const frustum<T> f{glm::vec<3, T>(turned * (glm::dvec3(middle, 0.0) - glm::dvec3(view[3]))),
                        glm::vec<3, T>(ahead),
@@ -12039,7 +11988,7 @@ template <real T = float>
                     "large enough for a finite cotangent", angle);
     detail::require(is_finite(light.aspect) && light.aspect > T(0), function, "aspect", "finite and above 0",
                     light.aspect);
-    const T wide = extent * detail::greater(light.aspect, T(1)), high = extent / detail::lesser(light.aspect, T(1));
+    const T wide = extent * (glm::max)(light.aspect, T(1)), high = extent / (glm::min)(light.aspect, T(1));
     const bool fits = detail::is_normal(T(1) / wide) && detail::is_normal(T(1) / high);
     detail::require(fits, function, "aspect", "such that the tangents of the map's sides are finite", light.aspect);
     const light_space<T> space{
@@ -12137,10 +12086,10 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;
     };
-    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
+    for (int y = 0; y < (glm::min)(size.y, picture.size.y); ++y) {
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
+        for (int x = 0; x < (glm::min)(size.x, picture.size.x); ++x)
             out[x] = store_unorm(glm::vec3(color(depths[nearest(x, size.x, map.size.x)])));
     }
 }
@@ -12816,7 +12765,7 @@ private:
         const detail::projection project(glm::dmat4(world_to_clip), clip, size, function);
         detail::require(triangle < mesh.triangles.size(), function, "triangle", "an index of mesh.triangles", triangle);
         const glm::uvec3 t = mesh.triangles[triangle];
-        detail::require(detail::greater(t.x, t.y, t.z) < mesh.positions.size(), function, "mesh.triangles",
+        detail::require((glm::max)((glm::max)(t.x, t.y), t.z) < mesh.positions.size(), function, "mesh.triangles",
                         "indices of positions", t);
         for (glm::length_t i = 0; i < 3; ++i)
             vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[t[i]]);
@@ -12839,6 +12788,39 @@ private:
 
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/min_max.hpp
+// Minimum, maximum and clamp of scalars by value, always inline: loops that call them become vectors on every path.
+// No platform header defines these names as macros. Elsewhere there are GLM's.
+//
+//     detail::lesser(3, 1, 2);  // 1
+//
+
+namespace umbrage::detail {
+
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b) {
+    return b < a ? b : a;
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b) {
+    return a < b ? b : a;
+}
+
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T lesser(T a, T b, More... more) {
+    return lesser(lesser(a, b), more...);
+}
+template <class T, class... More>
+[[nodiscard]] UMBRAGE_INLINE constexpr T greater(T a, T b, More... more) {
+    return greater(greater(a, b), more...);
+}
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T limited(T v, T low, T high) {
+    return v < low ? low : (high < v ? high : v);
+}
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/draw/raster/triangles.hpp
 // Batches of 64 triangles on the vertex grid: winding, edges and depth planes, in loops that vectorize.
@@ -15024,7 +15006,7 @@ template <real T>
     const double turned = lean * (z_far + n) + 2.0 * (glm::dot(shift, at_far) * z_far + glm::dot(shift, at_near) * n) -
                           2.0 * upright * (lean + glm::dot(shift, at_far + at_near));
     const double center =
-        detail::lesser(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
+        (glm::min)(z_far, upright + turned / (2.0 * (z_far - n + lean + glm::dot(shift, at_far + at_near))));
     const double beyond = z_far - center;
     const double more =
         beyond * (s * beyond + 2.0 * glm::dot(shift, at_far)) + 2.0 * z_far * leaning + glm::dot(size, size);
@@ -15213,7 +15195,7 @@ template <class = detail::on_use>
 [[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(detail::highest<float>), glm::vec3(-detail::highest<float>)};
     for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = detail::lesser(box.low, p), box.high = detail::greater(box.high, p);
+        if (detail::all_finite(p)) box.low = (glm::min)(box.low, p), box.high = (glm::max)(box.high, p);
     return box;
 }
 
@@ -15331,7 +15313,7 @@ public:
         : light_(to.position),
           range_(double(to.range)),
           sag_(0.75 * double(to.depth_error) * range_),
-          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
+          least_cosine_(std::cos((glm::min)(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
         for (const glm::vec3& p : mesh.positions) add(p);
@@ -15351,11 +15333,11 @@ private:
     /// depends on the edge's ends only, so both triangles at the edge decide the same.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
-        if (detail::greater(p, q) < sag_) return {0, 0};
+        if ((glm::max)(p, q) < sag_) return {0, 0};
         const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
-        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
+        if (cosine > greatest_cosine_ || (glm::min)(p, q) * cosine > range_) return {0, 0};
         // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
@@ -15463,8 +15445,8 @@ template <class = detail::on_use>
     detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "above 0 and below 1",
                     to.depth_error);
     for (const glm::uvec3& t : mesh.triangles)
-        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
-                        "mesh.triangles", "indices of positions", t);
+        detail::require((glm::max)((glm::max)(t.x, t.y), t.z) < mesh.positions.size(), function, "mesh.triangles",
+                        "indices of positions", t);
     return detail::tessellator<>(mesh, to).take();
 }
 
@@ -15866,8 +15848,8 @@ template <real T>
     const auto distance = [&](T depth) {
         return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
     };
-    return {detail::greater(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
-            detail::lesser(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+    return {(glm::max)(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            (glm::min)(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage
@@ -16782,8 +16764,7 @@ template <class ParallelFor = serial>
     detail::require(!map.empty(), function, "map.size", "above 0", map.size);
     detail::require(of.radius >= 0 && of.radius <= 32767, function, "radius", "from 0 to 32767", of.radius);
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n =
-        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
+    const std::int64_t n = (glm::min)(side, std::int64_t(map.size.x)) * (glm::min)(side, std::int64_t(map.size.y));
     detail::require(n <= 65537, function, "radius", "small enough for a box of 65537 texels", of.radius,
                     "Sums in a larger box may reach 2^32.");
 
@@ -19193,7 +19174,7 @@ template <class = on_use>
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
     if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+    return static_cast<int>((glm::clamp)(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
 }
 
 /// Adds a page to a list, unless it is already the last one there.
@@ -19366,7 +19347,7 @@ private:
         std::vector<page> pages = wanted(target_);
         while (pages.size() > slots()) pages = wanted(target_ *= step);
         while (target_ > budget_.target) {
-            const double finer = detail::greater(target_ / step, budget_.target);
+            const double finer = (glm::max)(target_ / step, budget_.target);
             std::vector<page> more = wanted(finer);
             if (more.size() * 8 > slots() * 7) break;
             target_ = finer;
@@ -19481,7 +19462,7 @@ struct extent {
 template <class = on_use>
 [[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
-    for (const glm::dvec3& p : points) e.low = lesser(e.low, p), e.high = greater(e.high, p);
+    for (const glm::dvec3& p : points) e.low = (glm::min)(e.low, p), e.high = (glm::max)(e.high, p);
     return e;
 }
 
@@ -19551,7 +19532,7 @@ template <class = on_use>
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = greater(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = (glm::max)(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
         if (glm::length(inwards) <= longest * 0x1p-32) continue;
@@ -19566,7 +19547,7 @@ template <class = on_use>
 [[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     const auto [low, high] = extent_of(seen);
     // casters that touch a side count as inside, however the side was rounded
-    const double around = detail::greater(outwards, 0x1p-32 * detail::greater(high.x - low.x, high.y - low.y));
+    const double around = (glm::max)(outwards, 0x1p-32 * (glm::max)(high.x - low.x, high.y - low.y));
     std::vector<glm::dvec3> corners;
     corners.reserve(4 * seen.size());
     for (const glm::dvec3& p : seen)
@@ -19582,7 +19563,7 @@ template <class = on_use>
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = lesser(least, p.z);
+        for (const glm::dvec3& p : polygon) least = (glm::min)(least, p.z);
     }
     return least;
 }
@@ -19639,8 +19620,9 @@ template <real T = float>
                               root.clip};
     const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
     const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
-    const auto farthest = detail::greater(glm::abs(root.center), glm::abs(root.scene.low), glm::abs(root.scene.high));
-    const T rounding = std::numeric_limits<T>::epsilon() * detail::greater(farthest.x, farthest.y, farthest.z);
+    const auto farthest =
+        (glm::max)(glm::abs(root.center), (glm::max)(glm::abs(root.scene.low), glm::abs(root.scene.high)));
+    const T rounding = std::numeric_limits<T>::epsilon() * (glm::max)((glm::max)(farthest.x, farthest.y), farthest.z);
     detail::require(root.side > T(16) * rounding, function, "side", "large enough for the digits of center and scene",
                     root.side);
     const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.center), 1)), half(double(root.side) / 2);
@@ -20611,7 +20593,7 @@ public:
     scene_depths(const bounding_box<T>& scene, const light_space<double>& light, glm::dvec2 side, const char* function)
         : low_(scene.low), high_(scene.high), frame_(light_frame(light.view, light.clip.hand)) {
         const extent box = extent_of(seen(glm::dmat4(frame_), hull(scene).points));
-        const glm::dvec2 across = lesser(glm::dvec2(box.high - box.low), side);
+        const glm::dvec2 across = (glm::min)(glm::dvec2(box.high - box.low), side);
         nearest_ = box.low.z;
         double longest = box.high.z - box.low.z;
         for (glm::length_t i = 0; i < 3; ++i) {
@@ -20700,7 +20682,7 @@ struct light_box {
 /// Box around a box: one texel wider, of square texels on a fixed grid. Its depths go in steps of its longer side.
 [[nodiscard]] inline light_box snapped(const light_box& box, glm::ivec2 texels) {
     const glm::dvec2 n(texels), halves = box.half / (n - 1.0);
-    const double half_texel = greater(halves.x, halves.y), side = 2.0 * half_texel * greater(n.x, n.y);
+    const double half_texel = (glm::max)(halves.x, halves.y), side = 2.0 * half_texel * (glm::max)(n.x, n.y);
     const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
     const double z_near = std::floor(box.z_near / side) * side;
     return {half_texel * n, first * (2.0 / n) + 1.0, z_near,
@@ -20733,10 +20715,10 @@ template <real T>
     light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
     if (fit.casters && snaps) {
         const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
-        box.z_near = detail::lesser(box.z_near, casters.low.z), box.z_far = detail::greater(box.z_far, casters.high.z);
+        box.z_near = (glm::min)(box.z_near, casters.low.z), box.z_far = (glm::max)(box.z_far, casters.high.z);
     } else if (fit.casters) {
         const auto swept = sweep(points, around);
-        box.z_near = detail::lesser(box.z_near, nearest(frame, *fit.casters, swept) - margin);
+        box.z_near = (glm::min)(box.z_near, nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = snapped(box, fit.snap_texels);
 
@@ -20927,7 +20909,7 @@ template <std::size_t Count, real T>
                                              .clip = fit.clip},
                                             function, sides, depths);
         const glm::dmat4& p = lights[i].projection;
-        side = detail::greater(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
+        side = (glm::max)(side, glm::dvec2(2.0 / p[0][0], 2.0 / p[1][1]));
     }
     const detail::scene_depths seen(fit.scene, lights[0], side, function);
     for (light_space<double>& light : lights) light = seen.of(light);
@@ -21165,7 +21147,7 @@ template <class = on_use>
         for (const glm::dvec3& p : polygon) {
             const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
             if (!(h.w > 0.0)) return {-highest<double>, highest<double>};
-            least = lesser(least, h.z / h.w), greatest = greater(greatest, h.z / h.w);
+            least = (glm::min)(least, h.z / h.w), greatest = (glm::max)(greatest, h.z / h.w);
         }
     }
     return {least, greatest};
@@ -21181,7 +21163,7 @@ template <real T>
     };
     const glm::mat<4, 4, T> m = light.projection * light.view;
     const glm::mat<4, 4, T> roundings = magnitudes(light.projection) * magnitudes(light.view);
-    const T lowest = lesser(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
+    const T lowest = (glm::min)(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
     for (const glm::dvec3& p : points) {
         const glm::vec<4, T> point(glm::vec<3, T>(p), T(1)), h = m * point;
         const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * (roundings * glm::abs(point));
@@ -21235,15 +21217,15 @@ template <real T>
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
         if (!(h.w > 0.0 && all_finite(h))) return {};
         in_map.push_back(glm::dvec3(h) / h.w);
-        least_w = lesser(least_w, h.w), greatest_w = greater(greatest_w, h.w);
+        least_w = (glm::min)(least_w, h.w), greatest_w = (glm::max)(greatest_w, h.w);
     }
     extent box = extent_of(in_map);
     const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge-on need some margin too
-    const glm::dvec2 around = double(fit.margin) * greater(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    const glm::dvec2 around = double(fit.margin) * (glm::max)(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
     // the hull's cone over the map; its other half behind w = 0 does not count
-    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, greater(around.x, around.y)));
-    box.low.z = lesser(box.low.z, swept.x);
+    const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, (glm::max)(around.x, around.y)));
+    box.low.z = (glm::min)(box.low.z, swept.x);
     const double deep = double(fit.margin) * glm::length(box.high - box.low);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
@@ -21603,27 +21585,27 @@ template <real T = float>
 
     const auto before = detail::seen(frame, detail::corners_of(lit));
     const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = detail::greater(glm::abs(around.low), glm::abs(around.high));
+    const glm::dvec3 size = (glm::max)(glm::abs(around.low), glm::abs(around.high));
     if (!(around.high.z > closest)) return {};
     detail::require(is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function, "receivers",
                     "near enough to the light for finite distances", size);
     const auto receivers = detail::tangents(before, edge, closest);
     if (receivers.empty()) return {};
     auto [low, high] = detail::extent_of(receivers);
-    const double share = double(fit.margin), margin = share * detail::greater(high.x - low.x, high.y - low.y);
+    const double share = double(fit.margin), margin = share * (glm::max)(high.x - low.x, high.y - low.y);
     double z_near = closest;
     if (fit.casters)
-        z_near = detail::lesser(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
-    z_near = detail::greater(z_near * (1.0 - share), closest);
+        z_near = (glm::min)(low.z, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = (glm::max)(z_near * (1.0 - share), closest);
     const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : detail::highest<double>;
-    const glm::dvec2 first = detail::greater(glm::dvec2(low) - margin, glm::dvec2(-edge)),
-                     last = detail::lesser(glm::dvec2(high) + margin, glm::dvec2(edge));
+    const glm::dvec2 first = (glm::max)(glm::dvec2(low) - margin, glm::dvec2(-edge)),
+                     last = (glm::min)(glm::dvec2(high) + margin, glm::dvec2(edge));
     const glm::dvec2 half = (last - first) * 0.5;
     if (!(half.x > 0.0 && half.y > 0.0 && z_near < z_far)) return {};
 
     const double rounding =
         double(std::numeric_limits<T>::epsilon()) * (high.z + glm::length(glm::dvec3(fit.position)));
-    detail::require(detail::greater(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
+    detail::require((glm::max)(half.x, half.y) * high.z > 16.0 * rounding, function, "position",
                     "near enough to the receivers and the origin for its digits", fit.position);
     glm::dmat4 projection =
         detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function, "z_near and receivers");
@@ -21676,7 +21658,7 @@ template <real T>
             "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
     if (!fit.casters) return v;
     double edge = 1.0;
-    for (const glm::dvec3& p : receivers) edge = greater(edge, greater(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    for (const glm::dvec3& p : receivers) edge = (glm::max)(edge, (glm::max)(glm::abs(p.x), glm::abs(p.y)) / p.z);
     require(edge <= 0x1p16, function, "receivers", "within a slope of 2^16 of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
     v.casters = intersection(all, *fit.casters);
@@ -21760,8 +21742,8 @@ template <real T>
     v.length = high.y - low.y;
     v.camera_y = own.y;
     v.closest = highest<double>;
-    for (const glm::dvec3& p : receivers) v.closest = lesser(v.closest, glm::dot(p - eye, view));
-    v.closest = greater(v.closest, double(fit.camera.z_near));
+    for (const glm::dvec3& p : receivers) v.closest = (glm::min)(v.closest, glm::dot(p - eye, view));
+    v.closest = (glm::max)(v.closest, double(fit.camera.z_near));
     return v;
 }
 
@@ -21775,7 +21757,7 @@ template <real T>
 /// @return   infinite if camera and light look one way, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    const double least = detail::greater(n, least_distance(v));
+    const double least = (glm::max)(n, least_distance(v));
     return v.sine > 0.0 && least > 0.0 ? least : detail::highest<double>;
 }
 
@@ -21787,7 +21769,7 @@ template <real T>
 /// @formula   (x, y, z) / (1 + y / n) about `first`
 template <class = on_use>
 [[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
-    const double bend = share_of_warp(v.sine) / detail::greater(n, least_distance(v));
+    const double bend = share_of_warp(v.sine) / (glm::max)(n, least_distance(v));
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
@@ -21889,11 +21871,11 @@ namespace detail {
     double least = highest<double>, greatest = -least;
     for (const glm::dvec3& p : points) {
         const double z = glm::dot(p - eye, ahead);
-        least = lesser(least, z), greatest = greater(greatest, z);
+        least = (glm::min)(least, z), greatest = (glm::max)(greatest, z);
     }
-    slide = detail::lesser(slide, 0x1p20 * greater(glm::abs(least), glm::abs(greatest)));
-    const double back = slide - detail::lesser(least, 0.0), z_near = least + back;
-    const double z_far = detail::greater(greatest + back, z_near * (1.0 + 0x1p-8));
+    slide = (glm::min)(slide, 0x1p20 * (glm::max)(glm::abs(least), glm::abs(greatest)));
+    const double back = slide - (glm::min)(least, 0.0), z_near = least + back;
+    const double z_far = (glm::max)(greatest + back, z_near * (1.0 + 0x1p-8));
     require(z_near > 0.0 && is_finite(1024.0 * z_far), function, "receivers",
             "near enough to the camera and the origin for finite distances", glm::dvec2(z_near, z_far));
     const glm::dmat4 view =
@@ -21915,7 +21897,7 @@ template <class = on_use>
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {.all_ahead = false};
         const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
-        a.low = lesser(a.low, angle), a.high = greater(a.high, angle);
+        a.low = (glm::min)(a.low, angle), a.high = (glm::max)(a.high, angle);
     }
     return a;
 }
@@ -21966,7 +21948,7 @@ template <class = on_use>
     const angles seen = angles_of(ahead);
     if (!seen.all_ahead) return {rays, std::numbers::pi};
     const glm::dvec2 opening = seen.high - seen.low;
-    return {rays, greater(opening.x, opening.y)};
+    return {rays, (glm::max)(opening.x, opening.y)};
 }
 
 /// Fraction of the fallback map at this opening angle: none up to 120 degrees, all of it from 150 degrees on.
@@ -21983,11 +21965,11 @@ template <class = on_use>
     double least = highest<double>;
     for (const glm::dvec3& p : corners_of(receivers)) {
         const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        box.low = lesser(box.low, glm::dvec3(h) / h.w), box.high = greater(box.high, glm::dvec3(h) / h.w);
-        least = lesser(least, h.w);
+        box.low = (glm::min)(box.low, glm::dvec3(h) / h.w), box.high = (glm::max)(box.high, glm::dvec3(h) / h.w);
+        least = (glm::min)(least, h.w);
     }
     const glm::dvec3 size = box.high - box.low;
-    glm::dvec3 scale = 2.0 / greater(size, glm::dvec3(0x1p-8 * greater(size.x, size.y, size.z)));
+    glm::dvec3 scale = 2.0 / (glm::max)(size, glm::dvec3(0x1p-8 * (glm::max)((glm::max)(size.x, size.y), size.z)));
     if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
     glm::dmat4 placed(1.0);
     for (glm::length_t i = 0; i < 3; ++i)
@@ -22158,7 +22140,7 @@ template <real T>
     double least = highest<double>, greatest = 0.0;
     for (const glm::dvec3& p : seen) {
         const double w = (to_map * glm::dvec4(p, 1.0)).w;
-        least = lesser(least, w), greatest = greater(greatest, w);
+        least = (glm::min)(least, w), greatest = (glm::max)(greatest, w);
     }
     const double above = shrinks ? glm::dot(ground, glm::dvec4(eye.position, 1.0))
                                  : glm::dot(glm::dvec3(ground), camera * glm::dvec3(eye.shift, 1.0));
@@ -22173,8 +22155,8 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, lesser(0.0, swept.x)), glm::dvec3(edge, edge, greater(0.0, swept.y))};
-    const double deep = greater(double(fit.margin), 0x1p-8) * greater(box.high.z - box.low.z, 1.0);
+    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)), glm::dvec3(edge, edge, (glm::max)(0.0, swept.y))};
+    const double deep = (glm::max)(double(fit.margin), 0x1p-8) * (glm::max)(box.high.z - box.low.z, 1.0);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
@@ -22263,8 +22245,7 @@ template <real T = float>
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
-    const double f = detail::greater(v.camera_y + double(focus) * v.sine - v.first.y, 0.0),
-                 rest = 1.6 * v.length - 2.0 * f;
+    const double f = (glm::max)(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);
     return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }
@@ -23572,13 +23553,13 @@ inline void require_digits(double away, double extent) {
         double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
         for (int i = 0; i < 4; ++i) {
             const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
-            wide = greater(wide, glm::length(p) / glm::dot(rows[3], p));
+            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
             for (const double end : {0.0, 1.0})
-                farthest = greater(farthest, glm::length(corner_of(back, map_size, i, end)));
+                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
         }
         require_digits(away, farthest);
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
-                greater(glm::length(rows[0]), glm::length(rows[1])), 0.0};
+                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
     // Largest sum of a row over the map's box, in w; and what does not grow with w: the anchor's share, and offsets.
     // Under parallel rays w is 1, and offsets round with the texels and the depth themselves.
@@ -23588,18 +23569,18 @@ inline void require_digits(double away, double extent) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
         const double w = glm::dot(rows[3], p) + m[3][3];
         for (glm::length_t r = 0; r < 4; ++r)
-            sums[r] = greater(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
-        farthest = greater(farthest, 2.0 * glm::length(p));
+            sums[r] = (glm::max)(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
+        farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
     for (glm::length_t r = 0; r < 4; ++r)
         fixed[r] = one_rounding * (2.0 * magnitudes(rows[r], anchor) + (parallel ? 0.0 : 6.0 * std::abs(m[3][r])));
-    if (parallel) return {0.0, 1.0, greater(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
+    if (parallel) return {0.0, 1.0, (glm::max)(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
     const auto texels = [&](const double* of) {
-        return greater(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
+        return (glm::max)(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
     };
     const auto depth = [](const double* of) { return of[2] + of[3]; };
-    return {1.0, greater(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
+    return {1.0, (glm::max)(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
 }
 
 /// Uniforms of a map for a given anchor.
@@ -23621,8 +23602,8 @@ inline void require_digits(double away, double extent) {
 /// @param m   from a face's axes to texels
 [[nodiscard]] inline anchored_map anchored_axes(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& light) {
     const glm::dmat4 back = glm::inverse(m);
-    require_digits(glm::length(light), greater(glm::length(corner_of(back, map_size, 0, 0.0)),
-                                               glm::length(corner_of(back, map_size, 0, 1.0))));
+    require_digits(glm::length(light), (glm::max)(glm::length(corner_of(back, map_size, 0, 0.0)),
+                                                  glm::length(corner_of(back, map_size, 0, 1.0))));
     anchored_map out = anchored_at(glm::vec3(0), m, map_size);
     out.anchor = glm::vec4(glm::vec3(light), out.anchor.w);
     out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));
@@ -23789,7 +23770,7 @@ namespace umbrage {
     const float y = glm::abs(coordinate.y - half_size.y) - (half_size.y - reach);
     const bool between = !is_nan(coordinate.z) && coordinate.z >= 0.0f && coordinate.z <= 1.0f;
     const bool near_map = !is_nan(x + y) && x + y < 65536.0f;
-    return between && near_map ? detail::greater(x, y) : 65536.0f;
+    return between && near_map ? (glm::max)(x, y) : 65536.0f;
 }
 
 /// Places in a cascade and in the next one, whose weight grows towards the border of the map.
@@ -23825,7 +23806,7 @@ namespace umbrage {
     }
     if (!(edges.y <= 0.0f)) return both;
     const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
-    both[1] = place(number + 1, there, next_scale, detail::lesser(leaves, held));
+    both[1] = place(number + 1, there, next_scale, (glm::min)(leaves, held));
     return both;
 }
 
@@ -23854,7 +23835,7 @@ namespace umbrage {
         if (edge <= 0.0f) break;
     }
     const glm::vec4 found = i < 4 ? glm::vec4(at, float(i)) : glm::vec4(65536.0f, 65536.0f, 0.0f, 4.0f);
-    const glm::length_t last = 3, here = detail::lesser(i, last), next = detail::lesser(i + 1, last);
+    const glm::length_t last = 3, here = (glm::min)(i, last), next = (glm::min)(i + 1, last);
     const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
     const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
     return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
@@ -23871,7 +23852,7 @@ namespace umbrage {
         across(shadow_coordinate(rotation, normal));
     const glm::vec4 found =
         cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
-    const float number = detail::lesser(found.w, blending.y), next = detail::lesser(number + 1.0f, blending.y);
+    const float number = (glm::min)(found.w, blending.y), next = (glm::min)(number + 1.0f, blending.y);
     const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next);
     const glm::vec3 there = cascade_coordinate(light, next_scale, cascade_column_8(offsets, farther_offsets, next));
     const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),
@@ -26240,7 +26221,7 @@ template <class = umbrage::detail::on_use>
 [[nodiscard]] std::string parameters_of(const binding& map, const texture_words& words) {
     if (!map.parameters.empty()) return map.parameters;
     std::string all(words.parameters);
-    if (map.gather) all.insert(umbrage::detail::lesser(all.find(','), all.size()), words.sampler);
+    if (map.gather) all.insert((glm::min)(all.find(','), all.size()), words.sampler);
     return all;
 }
 
@@ -26287,8 +26268,7 @@ template <class = umbrage::detail::on_use>
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     std::string ordinary(words.arguments);
-    if (map.gather)
-        ordinary.insert(umbrage::detail::lesser(ordinary.find(','), ordinary.size()), words.sampler_argument);
+    if (map.gather) ordinary.insert((glm::min)(ordinary.find(','), ordinary.size()), words.sampler_argument);
     const std::string parameters = parameters_of(map, words);
     const std::string arguments = one_of(map.arguments, ordinary);
     umbrage::detail::require(members(parameters).size() == members(arguments).size(), "glsl::bind", "map.arguments",
@@ -26424,9 +26404,9 @@ public:
     [[nodiscard]] snippet worst() && {
         snippet all{.name = {}, .source = ""};
         for_each([&](const snippet& s, const bound&, const std::string&) {
-            all.exactness = umbrage::detail::greater(all.exactness, s.exactness);
-            all.operations = umbrage::detail::greater(all.operations, s.operations);
-            all.within = umbrage::detail::greater(all.within, s.within);
+            if (all.exactness < s.exactness) all.exactness = s.exactness;
+            all.operations = (glm::max)(all.operations, s.operations);
+            all.within = (glm::max)(all.within, s.within);
             all.as_written = all.as_written || s.as_written;
         });
         return all;
@@ -28394,7 +28374,7 @@ struct cascaded_maps {
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
             const glm::vec4 error(detail::rounding_of(detail::moved_to(in_texels(c), anchor), map_size, anchor));
             u.set(i, {glm::vec3(c.scale), error.z}, glm::vec4(glm::dvec4(offset, 0.0)));
-            u.blending.z = detail::greater(u.blending.z, error.w + float(6.0 * detail::one_rounding));
+            u.blending.z = (glm::max)(u.blending.z, error.w + float(6.0 * detail::one_rounding));
         }
         return u;
     }
@@ -28760,9 +28740,10 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             for (int y = first, end = 0; y < last; y = end) {
                 // Rotations of discs repeat every 16 rows, so tiles begin at multiples of 16.
                 const int before = y % 16;
-                end = lesser(last, y - before + tile_type::side);
+                end = (glm::min)(last, y - before + tile_type::side);
                 for (int x = 0; x < out.size.x; x += tile_type::side) {
-                    const glm::ivec2 from(x, y - before), size(lesser(tile_type::side, out.size.x - x), end - from.y);
+                    const glm::ivec2 from(x, y - before),
+                        size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
                     tile.clear();
                     for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
                         for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
@@ -28807,7 +28788,7 @@ inline void require_finite_uniforms(std::span<const float> uniforms) {
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              clip_space clip, bent_lines bends) {
-    const float size = static_cast<float>(greater(map_size.x, map_size.y));
+    const float size = static_cast<float>((glm::max)(map_size.x, map_size.y));
     const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
     const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
     // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.
@@ -28880,7 +28861,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
-    require(2.0f * reach <= static_cast<float>(lesser(map_size.x, map_size.y)), "shadow", "map_size",
+    require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
             "twice the filter's reach or more", map_size,
             "The filter reaches " + printed(reach) + " texels to each side.");
 }
@@ -29089,7 +29070,7 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
-            if (place.weight > 0.0f) distance = detail::greater(distance, detail::kernel_bias_of<Filter>(terms, place));
+            if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;
     }
@@ -29351,7 +29332,7 @@ template <class Setup, class Filter, class Encoding>
 [[nodiscard]] image<typename Encoding::texel> calibration_map(const shadow<Setup, Filter, Encoding>& of) {
     const glm::ivec2 map_size = of.map_size(), size = of.size();
     const float reach = detail::reach_of(of.filter());
-    detail::require(4.0f * reach <= static_cast<float>(detail::lesser(map_size.x, map_size.y)), "calibration_map",
+    detail::require(4.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "calibration_map",
                     "of.map_size()", "four times the filter's reach or more", map_size);
     image<float> depths(size);
     for (glm::ivec2 p(0); p.y < size.y; ++p.y)
