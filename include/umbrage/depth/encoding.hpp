@@ -57,8 +57,8 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { e.cleared() } -> std::same_as<typename Encoding::texel>;  // texel of an empty map: decodes to the far plane
 };
 
-/// Encoding with a choice of the depth that a code decodes to: lower_edge, center or upper_edge. It has `decode_sampled`
-/// too, the reader's snippet in C++.
+/// Encoding with a choice of the depth that a code decodes to: lower_edge, center or upper_edge. It has
+/// `decode_sampled` too, the reader's snippet in C++.
 template <class Encoding>
 concept has_edge = requires(Encoding e) {
     { e.edge } -> std::convertible_to<float>;

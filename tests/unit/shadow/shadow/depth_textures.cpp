@@ -11,7 +11,7 @@
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/shadow/in_shader.hpp>
 
-#include "scene.hpp"
+#include "../scene.hpp"
 
 using namespace umbrage;
 

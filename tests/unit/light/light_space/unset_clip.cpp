@@ -11,8 +11,8 @@
 #include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/pancake.hpp>
 
-#include "clip_spaces.hpp"
-#include "setups.hpp"
+#include "../clip_spaces.hpp"
+#include "../setups.hpp"
 
 using namespace umbrage;
 

@@ -1,1 +1,0 @@
-#include <umbrage/umbrage.hpp>
