@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -16,8 +17,7 @@ using namespace umbrage;
 
 namespace {
 
-template <class Call>
-std::string message_of(const Call& call) {
+std::string message_of(const std::function<void()>& call) {
     try {
         call();
     } catch (const std::invalid_argument& error) { return error.what(); }
@@ -25,8 +25,8 @@ std::string message_of(const Call& call) {
 }
 
 /// The function of the message is `function`, the argument `argument`, and there are a condition and a value.
-template <class Call>
-void says(const std::string& function, const std::string& argument, const std::string& got, const Call& call) {
+void says(const std::string& function, const std::string& argument, const std::string& got,
+          const std::function<void()>& call) {
     const std::string message = message_of(call), begin = "umbrage::" + function + ": " + argument + " must be ";
     CAPTURE(begin);
     CAPTURE(message);
