@@ -1,86 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/depth/r16.hpp>
 #include <umbrage/shadow/calibration.hpp>
 
+#include "readings.hpp"
 #include "scene.hpp"
 
 using namespace umbrage;
 
-namespace {
-
-template <class Shadow>
-constexpr int maps_of = std::remove_cvref_t<decltype(std::declval<Shadow>().setup())>::grid
-                            .columns* std::remove_cvref_t<decltype(std::declval<Shadow>().setup())>::grid.rows;
-
-/// Each map upside down.
-template <class Texel>
-image<Texel> flipped_rows(const image<Texel>& map, glm::ivec2 map_size) {
-    image<Texel> out = map;
-    for (int y = 0; y < map.size().y; ++y) {
-        const int row = y % map_size.y;
-        std::copy_n(map.view().row(y - row + map_size.y - 1 - row), map.size().x, out.view().row(y));
-    }
-    return out;
-}
-
-/// The first map's content in all of them.
-template <class Texel>
-image<Texel> first_everywhere(const image<Texel>& map, glm::ivec2 map_size) {
-    image<Texel> out = map;
-    for (int y = 0; y < map.size().y; ++y)
-        for (int x = 0; x < map.size().x; x += map_size.x)
-            std::copy_n(map.view().row(y % map_size.y), map_size.x, out.view().row(y) + x);
-    return out;
-}
-
-template <class Filter, class Encoding>
-void all_readings(clip_space clip, const Filter& filter, const Encoding& encoding) {
-    shadow_scene::for_each_shadow(clip, filter, encoding, [&](const auto& s) {
-        const auto known = calibration_map(s);
-        CAPTURE(known.size().x);
-        CAPTURE(filter.snippet->name);
-        const int last = maps_of<decltype(s)> - 1;
-        for (int number = 0; number <= last; ++number) CHECK(calibrate(s, known, number) == map_reading::right);
-        CHECK(calibrate(s, flipped_rows(known, s.map_size()), last) == map_reading::upside_down);
-        auto other = known;
-        std::fill(other.texels().begin(), other.texels().end(), s.cleared());
-        CHECK(calibrate(s, other, last) == map_reading::empty);
-        const auto shared = first_everywhere(known, s.map_size());
-        CHECK(calibrate(s, shared, 0) == map_reading::right);
-        if (last > 0) CHECK(calibrate(s, shared, last) == map_reading::another_map);
-    });
-}
-
-clip_space reversed_clip() {
-    clip_space clip = cpu_clip_space;
-    clip.direction = depth_direction::reversed;
-    return clip;
-}
-
-}  // namespace
-
 TEST_CASE("calibration: right, upside down, empty and another map, for each setup") {
-    all_readings(cpu_clip_space, filters::pcf_2x2{}, depth32f{});
-    all_readings(reversed_clip(), filters::tent<3>, rg<11>{});
-    all_readings(cpu_clip_space, filters::disc{}, r16{});
-    all_readings(reversed_clip(), shadow_scene::sized(filters::pcss{}), depth32f{});
+    shadow_scene::all_readings(shadow_scene::reversed_clip(), filters::tent<3>,
+                               rg<11>{});  // other filters: proof/readings
 }
 
 TEST_CASE("calibration: prefiltered maps") {
     const auto known_and_flipped = [](const auto& filter) {
-        for (const clip_space clip : {cpu_clip_space, reversed_clip()}) {
+        for (const clip_space clip : {cpu_clip_space, shadow_scene::reversed_clip()}) {
             const shadow s(shadow_scene::spot(clip), {64, 64}, filter);
             CAPTURE(filter.name);
             CHECK(calibrate(s, calibration_map(s), 0) == map_reading::right);
-            CHECK(calibrate(s, flipped_rows(calibration_map(s), s.map_size()), 0) == map_reading::upside_down);
+            CHECK(calibrate(s, shadow_scene::flipped_rows(calibration_map(s), s.map_size()), 0) ==
+                  map_reading::upside_down);
         }
     };
     known_and_flipped(prefilters::vsm{});

@@ -20,7 +20,7 @@ constexpr glm::vec3 up_there(0, 1, 0), out_of_map(1, 1, 1), behind_light(0, 0, 0
 }  // namespace
 
 TEST_CASE("probe: lit and shadowed points of the scene are texels, in every setup") {
-    shadow_scene::for_each_shadow(cpu_clip_space, filters::pcf_2x2{}, rg<11>{}, [](const auto& s) {
+    shadow_scene::for_each_shadow(cpu_clip_space, filters::tent<3>, rg<11>{}, [](const auto& s) {
         std::set<std::tuple<float, float, float>> colors;
         for (float x = -1.0f; x < 1.0f; x += 0.05f) {
             const glm::vec3 c = probe(s, {x, 0, 0.3f}, up_there);
