@@ -1,5 +1,5 @@
 // Texts of a shadow: the same frame for all, with what a kind of light, a filter and a map state of themselves. They are
-// those of C++'s frame.hpp, look.hpp, probe.hpp, calibration.hpp and depth_pass.hpp, in the words of a language.
+// those of C++'s frame.hpp, lookup.hpp, probe.hpp, calibration.hpp and depth_pass.hpp, in the words of a language.
 
 const world = [['vec3', 'world'], ['vec3', 'normal']], terms = [['vec4', 'terms'], ['vec4', 'filter_terms']];
 const width = { int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4 };
