@@ -66,7 +66,7 @@ export async function make_context({ out, node_modules, work, museum }) {
             return build;
         },
 
-        /// Bundles a TypeScript file of this folder with what it imports, the npm package included.
+        /// Bundles a script, by its path from this folder, with what it imports, the npm package included.
         async bundle(entry, path) {
             await load('esbuild').build({
                 entryPoints: [{ in: join(root, 'examples/site', entry), out: basename(path, '.js') }],

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Opens a page of a host in Chromium and hands what it drew to C++:
-//     node drive.mjs PAGE PACKAGE TWIN NODE_MODULES FOLDER
+//     node drive.mjs NAME[#webgl] PACKAGE TWIN NODE_MODULES FOLDER
 //
-// The page sets window.done, a promise of {pictures: {name: data URL}, floats: {name: base64}, said: {name: text}}. All of
+// NAME_page.mjs exports done, a promise of {pictures: {name: data URL}, floats: {name: base64}, said: {name: text}}. All of
 // it goes to FOLDER. Exit status 1 when a receiver differs, or something was not said as expected; 77 without the host.
 import { execFileSync } from 'node:child_process';
 import { createReadStream, existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
@@ -25,10 +25,17 @@ for (const needed of ['playwright-core', wants.host])
 const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
 
 const roots = { '/modules/': node_modules, '/package/': umbrage, '/': here };
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript' };
+const types = { '.js': 'text/javascript', '.mjs': 'text/javascript' };
+const three = '/modules/three/build/three', imports = page_name.startsWith('three_webgpu')
+    ? { three: `${three}.webgpu.js`, 'three/webgpu': `${three}.webgpu.js`, 'three/tsl': `${three}.tsl.js` }
+    : { three: `${three}.module.js`, playcanvas: '/modules/playcanvas/build/playcanvas.mjs',
+        '@babylonjs/core': '/modules/@babylonjs/core/index.js', '@babylonjs/core/': '/modules/@babylonjs/core/' };
+const html = `<script type="importmap">${JSON.stringify({ imports })}</script>
+<script type="module">window.done = import('/${page_name.split('#')[0]}_page.mjs').then(page => page.done);</script>\n`;
 const server = createServer((request, answer) => {
     const url = decodeURI(request.url.split('?')[0]), root = Object.keys(roots).find(r => url.startsWith(r));
     const file = join(roots[root], url.slice(root.length));
+    if (url === '/') return answer.writeHead(200, { 'content-type': 'text/html' }).end(html);
     if (url === '/favicon.ico') return answer.writeHead(204).end();
     if (!existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
     answer.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' });
@@ -43,7 +50,7 @@ const complaints = [];
 page.on('console', m => { if (m.type() === 'error') complaints.push(m.text().slice(0, 2000)); });
 page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
 page.on('pageerror', e => complaints.push(String(e?.stack ?? e).slice(0, 2000)));
-await page.goto(`http://127.0.0.1:${server.address().port}/${page_name}`);
+await page.goto(`http://127.0.0.1:${server.address().port}/#${page_name.split('#')[1] ?? ''}`);
 const limit = new Promise((_, stop) => {
     setTimeout(() => stop(new Error(`${page_name} has not finished in 15 minutes`)), 900_000);
 });

@@ -45,10 +45,10 @@ const changes_webgpu = { ...changes, said: { ...changes.said, still: 'true', wor
     + "one map: a spot, a directional light or a SunLight; got a point light. It keeps three.js' own filter in place of castano_dyadic5." } };
 
 export const expected = {
-    'three_changes.html': { ...changes, flags: webgl },
-    'three_webgpu_changes.html': { ...changes_webgpu, flags: webgpu },
-    'three_webgpu_changes.html#webgl': { ...changes_webgpu, flags: webgl },
-    'three.html': {
+    three_changes: { ...changes, flags: webgl },
+    three_webgpu_changes: { ...changes_webgpu, flags: webgpu },
+    'three_webgpu_changes#webgl': { ...changes_webgpu, flags: webgl },
+    three: {
         host: 'three',
         flags: webgl,
         filters: [...three_filters, 'castano_dyadic5.reversed', 'pcss16.reversed', 'castano_dyadic5.reversed_spot',
@@ -70,13 +70,13 @@ export const expected = {
             old: 'THREE must be r182 or later; got 176',
         },
     },
-    'three_fit.html': { ...fits, flags: webgl },
-    'three_webgpu_fit.html': { ...fits, flags: webgpu },
-    'three_webgpu_fit.html#webgl': { ...fits, flags: webgl },
-    'babylon.html': { ...babylon, flags: webgpu },
-    'babylon.html#webgl': { ...babylon, flags: webgl },
-    'playcanvas.html': { ...playcanvas, flags: webgpu },
-    'playcanvas.html#webgl': {
+    three_fit: { ...fits, flags: webgl },
+    three_webgpu_fit: { ...fits, flags: webgpu },
+    'three_webgpu_fit#webgl': { ...fits, flags: webgl },
+    babylon: { ...babylon, flags: webgpu },
+    'babylon#webgl': { ...babylon, flags: webgl },
+    playcanvas: { ...playcanvas, flags: webgpu },
+    'playcanvas#webgl': {
         ...playcanvas, flags: webgl,
         filters: [...playcanvas.filters, 'castano_dyadic5.clustered', 'castano_dyadic5.clustered_point', 'castano_dyadic5.spot'],
         said: {
@@ -90,6 +90,6 @@ export const expected = {
             'pcss16.own_pcss.point.kept': 'true',
         },
     },
-    'three_webgpu.html': { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
-    'three_webgpu.html#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },
+    three_webgpu: { ...three_webgpu, flags: webgpu, said: { ...three_webgpu.said, backend: 'webgpu' } },
+    'three_webgpu#webgl': { ...three_webgpu, flags: webgl, said: { ...three_webgpu.said, backend: 'webgl' } },
 };

@@ -50,8 +50,9 @@ const properties = {
 };
 
 export async function pages(context) {
-    for (const file of ['app', ...Object.keys(languages)])
-        await context.bundle(`snippets/${file}.ts`, `snippets/${file}.js`);
+    await context.bundle('snippets/app.ts', 'snippets/app.js');
+    for (const language of Object.keys(languages))  // the npm package's texts, loaded when a language is chosen
+        await context.bundle(`../../single_include/${language === 'glsl' ? 'umbrage' : language}.mjs`, `snippets/${language}.js`);
     const path = 'snippets/index.html';
     return [
         {

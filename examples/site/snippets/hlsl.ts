@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-//
-// The npm package's texts in this language, loaded when it is chosen.
-export { bind, encodings, exactness, snippets, text } from 'umbrage/hlsl';
