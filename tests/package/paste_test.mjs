@@ -124,7 +124,7 @@ for (const { name, filter } of Object.values(hlsl.snippets)) {
 // Metal as C++: all functions, twice, and a function of a user's shader that calls one.
 if (clang && existsSync(clang)) {
     ++compiled;
-    const lent = join(root, 'tests/parity'), path = join(folder, 'metal.cpp');
+    const lent = join(root, 'tests/parity/backends'), path = join(folder, 'metal.cpp');
     writeFileSync(join(folder, 'umbrage.metal'), headers.metal.text.replaceAll('value.xyzw', 'value')  // GLM has no swizzles
         .replace(/\bvalue\.xy\b/g, 'float2(value.x, value.y)'));
     writeFileSync(path, '#include "umbrage.metal"\n#include "umbrage.metal"\nfloat4 lit(metal::texture2d<float> map, float4 at, float2 size) {\n'
