@@ -161,9 +161,10 @@ TEST_CASE("anchored_map: no tile darkens itself, at any distance from the origin
 
 TEST_CASE("anchored_map: near the origin rounding is a few units of the last place, and reversed depth's is its own") {
     const int tiles = rounds(400);
-    for (const char* kind : {"spot", "cube"}) CHECK(try_tiles(kind, cpu_clip_space, 0.05, 0, tiles).bound < 12);
+    // at 16 near planes and more: the bound grows towards the near plane
+    for (const char* kind : {"spot", "cube"}) CHECK(try_tiles(kind, cpu_clip_space, 0.03, 0, tiles).bound < 10);
     for (const char* kind : {"directional", "cascades"})
-        CHECK(try_tiles(kind, cpu_clip_space, 0.05, 0, tiles).bound < 16);
+        CHECK(try_tiles(kind, cpu_clip_space, 0.05, 0, tiles).bound < 14.5);
     clip_space reversed = cpu_clip_space;
     reversed.direction = depth_direction::reversed;
     for (const double z_near : {0.1, 1e-3, 1e-4})
