@@ -99,7 +99,7 @@ int main() try {
     const shadow soft(shadow_scene::fitted(clip), {200, 300}, shadow_scene::sized(filters::pcss{}));
     const shadow smooth(shadow_scene::fitted(clip), {200, 300}, prefilters::vsm{});
     const shadow sampled(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
-    const receivers of;
+    const receivers of(target_size);
     bool good = true;
     const auto check = [&](bool holds) { good = good && holds; };
     for (const version v : {version::v330, version::v100}) {

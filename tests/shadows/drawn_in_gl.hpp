@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -19,6 +18,8 @@
 #include <vector>
 
 #include <umbrage/umbrage.hpp>
+
+#include "receivers.hpp"
 
 namespace shadows_in_gl {
 
@@ -36,20 +37,6 @@ struct texture_data {
     const void* texels = nullptr;
     GLenum compares = 0;  ///< the sampler's function
     GLint filter = GL_NEAREST;
-};
-
-/// The receivers' places and normals.
-struct receivers {
-    image<glm::vec4> points{target_size}, normals{target_size};
-
-    receivers() {
-        std::mt19937 random(11);
-        std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);
-        for (glm::vec4& p : points.texels()) p = {anywhere(random), random() % 4 == 0 ? 2 : 0, anywhere(random), 1};
-        for (glm::vec4& n : normals.texels())
-            n = random() % 2 == 0 ? glm::vec4(0, 1, 0, 0) : glm::vec4(tilt(random), 2, tilt(random), 0);
-        for (int i = 0; i < 40; ++i) normals[{i, 3}] = glm::vec4(0);
-    }
 };
 
 using shadow_twin = std::function<float(glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel)>;

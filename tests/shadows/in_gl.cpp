@@ -124,7 +124,7 @@ int main(int argc, char** argv) try {
     const shadow fitted(shadow_scene::fitted(clip), {200, 300}, filters::tent<3>);
     const auto fitted_map = shadow_scene::drawn(fitted);
 
-    const receivers of;
+    const receivers of(target_size);
     bool good = true;
     for (const version v : {version::v330, version::v450, version::v100}) {
         const bool old = v == version::v100;

@@ -108,7 +108,7 @@ int main() try {
     const viewer::headless context(false);
     // softpipe compares with a filtered depth, it does not filter comparisons
     if (std::string_view(reinterpret_cast<const char*>(glGetString(GL_RENDERER))).find("softpipe") == 0) return 77;
-    receivers of;
+    receivers of(target_size);
     for (glm::vec4& n : of.normals.texels()) n = glm::vec4(shadow_scene::up, 0);
     for (std::size_t i = 0; i < of.points.texels().size(); i += 3)  // more of them below the table
         of.points.texels()[i] *= glm::vec4(0.1f, 0, 0.1f, 1);

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,23 +16,14 @@
 #include "../unit/shadow/own_filter.hpp"
 #include "../unit/shadow/own_setup.hpp"
 #include "../unit/shadow/scene.hpp"
+#include "receivers.hpp"
 
 namespace {
 
 using namespace umbrage;
+using shadows_in_gl::receivers;
 
 constexpr glm::ivec2 target(64, 64);
-
-struct receivers {
-    image<glm::vec4> points{target}, normals{target};
-
-    receivers() {
-        std::mt19937 random(11);
-        std::uniform_real_distribution<float> anywhere(-12, 12), tilt(-1, 1);
-        for (glm::vec4& p : points.texels()) p = {anywhere(random), random() % 4 == 0 ? 2 : 0, anywhere(random), 1};
-        for (glm::vec4& n : normals.texels()) n = {tilt(random), 2, tilt(random), 0};
-    }
-};
 
 std::string numbers(std::span<const float> all) {
     std::string out;
@@ -76,7 +66,7 @@ std::string written(std::string_view what, const auto& s, const receivers& of) {
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
     const clip_space clip = opengl_clip_space;
-    const receivers of;
+    const receivers of(target);
     std::ofstream file(argv[1], std::ios::binary);
     file << "{\"size\":[" << target.x << ',' << target.y << "],\"points\":" << numbers(of.points)
          << ",\"normals\":" << numbers(of.normals) << ",\"shadows\":["
