@@ -638,10 +638,6 @@ struct less_equal {
     [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
-    template <real T>
-    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
-        return depth - by;
-    }
 };
 
 /// Lit if the receiver is no farther than the stored occluder, for reversed Z: the near plane is 1.
@@ -653,10 +649,6 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
-    }
-    template <real T>
-    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
-        return depth + by;
     }
 };
 
@@ -682,11 +674,6 @@ struct comparison {
     [[nodiscard]] constexpr bool beyond_far_plane(T receiver) const {
         return direction == depth_direction::forward ? less_equal::beyond_far_plane(receiver)
                                                      : greater_equal::beyond_far_plane(receiver);
-    }
-    template <real T>
-    [[nodiscard]] constexpr T towards_light(T depth, T by) const {
-        return direction == depth_direction::forward ? less_equal::towards_light(depth, by)
-                                                     : greater_equal::towards_light(depth, by);
     }
 };
 
@@ -823,7 +810,7 @@ inline constexpr const snippet* compare_snippets[]{&beyond_far_plane, &within_fa
 // ---- umbrage/bias/constant.hpp
 // Constant depth bias: a receiver moved towards the light. All depth biases end in this step.
 //
-//     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias for reversed depth
+//     float receiver = umbrage::biased(p.z, bias, filter.direction);  // p.z - bias, or p.z + bias for reversed depth
 //
 // Also called: shadow bias, depth bias, epsilon (biased).
 // See also: acne_free.hpp for the size of the bias; rasterizer.hpp to bias the casters instead.
@@ -844,17 +831,17 @@ template <real T>
 ///
 /// @param receiver   receiver depth
 /// @param bias       depth units: above 0 towards the light, below 0 away from it
-/// @param is_lit     gives the direction of depth: less_equal, greater_equal, comparison{encoding.direction}, or the
-///                   is_lit of a filter
+/// @param direction  direction of depth: that of the clip space
 /// @return           receiver depth for the filter's comparison
 /// @edge             NaN receiver: NaN, in shadow. Bias NaN, or of magnitude 2^64 or more: not applied
 /// @formula          receiver - bias; receiver + bias for reversed depth
 /// @exactness        B, n = 1: one sum
-template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
+template <real T>
+[[nodiscard]] constexpr T biased(T receiver, T bias, depth_direction direction = depth_direction::forward) {
     constexpr T beyond(0x1p64);
     const bool some = !is_nan(bias) && bias < beyond && bias > -beyond;
-    return is_lit.towards_light(receiver, some ? bias : T(0));
+    const T by = some ? bias : T(0);
+    return direction == depth_direction::forward ? receiver - by : receiver + by;
 }
 
 namespace glsl {
@@ -1408,11 +1395,11 @@ template <with_numbers Filter>
 // ---- umbrage/filter/filter.hpp
 // Concepts of a shadow filter: a callable that computes visibility from a map's texels.
 //
-//     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
+//     umbrage::filters::box filter{.radius = 2, .direction = light.clip.direction};
 //     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
-// Functions over images take any such callable. They set its is_lit to the depth direction of the map's encoding.
-// Set is_lit yourself only when you call the filter with your own fetch, as above.
+// Functions over images take any such callable. They set its direction to that of the map's encoding.
+// Set it yourself only when you call the filter with your own fetch, as above.
 // See also: filters.hpp, the list of this library's filters.
 
 namespace umbrage {
@@ -1439,14 +1426,14 @@ concept filter = std::copy_constructible<Filter> &&
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
-/// Filter with a name, a snippet, its numbers, a reach and a comparison, as all of this library's filters have.
+/// Filter with a name, a snippet, its numbers, a reach and a direction of depth, as all of this library's filters have.
 template <class Filter>
-concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
+concept known_filter = filter<Filter> && requires(const Filter& f) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // C++ version and snippet return the same result
     {Filter::numbers(f)};                                        // those that its snippet takes: numbers.hpp
     { f.reach() } -> std::same_as<float>;  // filter radius: distance to the farthest texel center, along an axis
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // comparison, with the direction of depth
+    { f.direction } -> std::convertible_to<depth_direction>;
 };
 
 namespace detail {
@@ -1475,7 +1462,7 @@ void require_filter(std::string_view function, const Filter& filter) {
 //     umbrage::filters::box filter{.radius = 2};
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // depth per texel
 //     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
-//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
+//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.direction));
 //
 // The reach is the filter radius in texels. A filter compares a receiver with texel centers up to its reach away in x
 // and y. There a plane of slope (a, b) may be nearer to the light by reach (|a| + |b|). The stored depth may be nearer
@@ -5647,7 +5634,7 @@ namespace filters {
 struct disc {
     int points = 16;  ///< 8, 16 or 32. check refuses others; alone they count as 32
     float radius_texels = 2.0f;
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
     std::string_view name = snippet->name;
 
@@ -5670,9 +5657,11 @@ struct disc {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, is_lit);
-        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, is_lit);
-        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        if (points == 8)
+            return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
+        if (points == 16)
+            return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
+        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -6073,7 +6062,7 @@ namespace filters {
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
     penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
 
@@ -6087,7 +6076,7 @@ struct dpcf {
         detail::require_softness(function, softness);
     }
     /// Disc of the largest radius.
-    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, direction}; }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -6095,9 +6084,9 @@ struct dpcf {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, is_lit);
-        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, is_lit);
-        return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -6207,7 +6196,7 @@ namespace filters {
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
     penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
 
@@ -6221,7 +6210,7 @@ struct pcss {
         detail::require_softness(function, softness);
     }
     /// Disc of the largest radius.
-    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, direction}; }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -6229,9 +6218,9 @@ struct pcss {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, is_lit);
-        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, is_lit);
-        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -6378,13 +6367,13 @@ struct pcf_2x2 {
     static constexpr std::string_view name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
 
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
+        return umbrage::pcf_2x2(fetch, coord, receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -6395,7 +6384,7 @@ struct pcf_2x2_dx_sdk {
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
     float epsilon = 0.0f;  ///< depth in [0, 1], added to each stored depth
-    less_equal is_lit{};   ///< forward depth only; the epsilon is added to the stored depth
+    static constexpr depth_direction direction = depth_direction::forward;  ///< always: the epsilon is added
 
     static constexpr auto numbers(auto& f) { return std::tie(f.epsilon); }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
@@ -7044,7 +7033,7 @@ struct box {
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< in texels; clamped to 0..8
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr auto numbers(auto& f) { return std::tie(f.radius); }
     [[nodiscard]] constexpr float reach() const {
@@ -7052,7 +7041,7 @@ struct box {
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+        return umbrage::box(fetch, coord, receiver, radius, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -7135,7 +7124,7 @@ struct four_tap {
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< from the receiver to each tap, in texels
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr auto numbers(auto& f) { return std::tie(f.offsets); }
     [[nodiscard]] constexpr float reach() const {
@@ -7148,7 +7137,7 @@ struct four_tap {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
-                                 receiver, is_lit);
+                                 receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -7286,13 +7275,13 @@ struct hard {
     static constexpr std::string_view name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 0.5f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver, is_lit);
+        return umbrage::hard(fetch, coord, receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -7901,7 +7890,7 @@ namespace filters {
 /// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
 struct window {
     window_row row = tent_row<3>;
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     std::string_view name = "window";
     const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
 
@@ -7916,7 +7905,7 @@ struct window {
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::window(fetch, coord, receiver, row, is_lit);
+        return umbrage::window(fetch, coord, receiver, row, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -18900,16 +18889,16 @@ void filter_each(const Receivers& receivers, image_view<float> out, int first, i
 template <class Encoding, class Filter>
 [[nodiscard]] depth_direction direction_of(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { encoding.direction; }) return encoding.direction;
-    else if constexpr (requires { filter.is_lit.direction; }) return filter.is_lit.direction;
+    else if constexpr (requires { filter.direction; }) return filter.direction;
     else return depth_direction::forward;
 }
 
-/// Filter that compares in the direction of the map's depth. A callable without is_lit is returned unchanged.
+/// Filter that compares in the direction of the map's depth. A callable without a direction is returned unchanged.
 template <class Filter>
 [[nodiscard]] decltype(auto) in_direction(const Filter& filter, [[maybe_unused]] depth_direction direction) {
-    if constexpr (requires(Filter own) { own.is_lit.direction = direction; }) {
+    if constexpr (requires(Filter own) { own.direction = direction; }) {
         Filter own = filter;
-        own.is_lit.direction = direction;
+        own.direction = direction;
         return own;
     } else return filter;
 }
@@ -25463,7 +25452,7 @@ namespace detail {
 /// direction of depth.
 template <class Filter>
 concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
-    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
+    std::same_as<decltype(Filter::direction), depth_direction> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
 };
 
@@ -25529,8 +25518,8 @@ consteval bool shadow_takes() {
         "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
         "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
     static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
-                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
-                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
+                  "a shadow's filter has `name`, `snippet`, `float reach() const` and a depth_direction "
+                  "`direction`, or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
     static_assert(shadow_encoding<Encoding, Filter>,
                   "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
     return true;
@@ -25578,10 +25567,9 @@ template <class Setup, class Filter>
 /// bias brings it back.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
-    const comparison is_lit{direction};
     const float z = place.at.z;
-    const bool beyond = is_lit.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), is_lit)};
+    const bool beyond = comparison{direction}.beyond_far_plane(z);
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), direction)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
@@ -28940,8 +28928,7 @@ public:
            glm::dvec3 origin = glm::dvec3(0))
         : setup_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
         detail::set_direction(encoding_, setup_.clip().direction);
-        if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
-        else filter_.is_lit.direction = encoding_.direction;
+        filter_.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
         detail::require_shadow(setup_.clip(), map_size, filter_of(0));
         detail::require_maps(setup_, map_size, detail::reach_of(filter_));
@@ -29364,12 +29351,12 @@ template <class Setup, class Filter, class Encoding>
                     "one of the light's maps", number);
     const shadow_terms terms = of.uniforms().terms;
     const auto own = map.region(detail::first_texel(number, Setup::grid, of.map_size()), of.map_size());
-    const comparison is_lit{of.encoding().direction};
+    const depth_direction direction = of.encoding().direction;
     const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
-        const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<Setup>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
-                                   glm::vec2(0), {}) > 0.5f;
+        const float depth = direction == depth_direction::forward ? distance : 1.0f - distance;
+        return detail::look<Setup>(own, of.filter_of(0), of.encoding(),
+                                   glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);

@@ -77,7 +77,7 @@ const bench::registration rows([] {
         const glm::vec3 way = world - glm::vec3(lamp.anchor);
         const map_place place = anchored_place(lamp.to_texels, lamp.planes, lamp.anchor, lamp.rounding, way, normal);
         const float bias = acne_free_bias(place.slope, reach, error + place.rounding);
-        return glm::vec3(place.at.x, place.at.y, biased(place.at.z, bias, comparison{}));
+        return glm::vec3(place.at.x, place.at.y, biased(place.at.z, bias));
     };
     bench::add({.work = "shadow, spot, tent 3, whole image 1920 x 1080",
                 .peer = "the parts by hand",
@@ -135,7 +135,7 @@ const bench::registration rows([] {
         const glm::vec2 slope = cascade_slope(across, scale);
         const float rounding = (glm::abs(slope.x) + glm::abs(slope.y)) * scale.w + u.maps.blending.z;
         const auto own = maps->view().region(cascade_tile(int(number), map_size), map_size);
-        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error + rounding), comparison{});
+        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error + rounding));
         return tent(decoded(bordered(own), depth32f{}), glm::vec2(at), depth);
     };
     bench::add(

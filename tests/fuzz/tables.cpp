@@ -125,11 +125,11 @@ void bounds(fuzz::input& in, image_view<const float> map) {
 
 void early_exit(fuzz::input& in, image_view<const float> map) {
     const auto direction = in.chance(2) ? depth_direction::forward : depth_direction::reversed;
-    const filters::box filter{.radius = in.within(0, 6), .is_lit = {direction}};
+    const filters::box filter{.radius = in.within(0, 6), .direction = direction};
     const auto [ends, place] = make_filter_bounds(map, filter.reach(), direction, fuzz::pieces(in));
     const auto receivers = receivers_in(in, map.size);
     for (const glm::vec3& r : receivers.texels()) {
-        const float lit = bounds_lit(clamped(ends), glm::vec2(r), r.z, place, filter.is_lit);
+        const float lit = bounds_lit(clamped(ends), glm::vec2(r), r.z, place, comparison{filter.direction});
         if (lit < 0) continue;
         const float whole = filter(bordered(map, cleared_depth(direction)), glm::vec2(r), r.z);
         fuzz::must(lit == whole, "an early exit gives the filter's visibility");

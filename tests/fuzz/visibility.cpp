@@ -164,7 +164,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             one_of([](const auto& use) { for_each_encoding(use); },
                    [&](auto encoding) {
                        encoding = {.direction = direction};
-                       by_points(in, depths, receivers, encoding, filters::hard{.is_lit = {direction}});
+                       by_points(in, depths, receivers, encoding, filters::hard{.direction = direction});
                    });
             break;
         case 1: fuzz::answered([&] { by_planes(in, depths, receivers, floats); }); break;
@@ -173,7 +173,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             one_of([](const auto& use) { filters::soft::for_each(use); },
                    [&](const auto& of_list) {
                        auto filter = varied(in, of_list);
-                       filter.is_lit.direction = direction;
+                       filter.direction = direction;
                        along_planes(in, depths, receivers, floats, filter);
                    });
             break;
@@ -181,8 +181,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             one_of([](const auto& use) { filters::all::for_each(use), filters::soft::for_each(use); },
                    [&](const auto& of_list) {
                        auto filter = varied(in, of_list);
-                       if constexpr (requires { filter.is_lit.direction = direction; })
-                           filter.is_lit.direction = direction;
+                       if constexpr (requires { filter.direction = direction; }) filter.direction = direction;
                        else if (direction == depth_direction::reversed) return;  // compares forward depth alone
                        by_points(in, depths, receivers, floats, filter);
                    });

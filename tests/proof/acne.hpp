@@ -38,18 +38,18 @@ struct any_filter {
     std::string_view name;
     float reach;
     bool turned;  ///< by the pixel, otherwise in each place among 4 x 4
-    umbrage::comparison is_lit;
+    umbrage::depth_direction direction;
     std::function<void(const umbrage::image<float>&, const umbrage::image<glm::vec3>&, umbrage::image<float>&)>
         visibility;
 
     template <class Filter>
-    any_filter(const Filter& filter, umbrage::depth_direction direction)
+    any_filter(const Filter& filter, umbrage::depth_direction toward)
         : name(filter.name),
           reach(filter.reach()),
           turned(requires { filter.points; }),
-          is_lit{direction},
+          direction(toward),
           visibility([=](auto& map, auto& seen, auto& lit) {
-              umbrage::visibility(map, umbrage::depth32f{direction}, seen, filter, lit);
+              umbrage::visibility(map, umbrage::depth32f{toward}, seen, filter, lit);
           }) {}
 };
 
@@ -96,7 +96,7 @@ struct plane {
         umbrage::image<float> map(depth.size()), lit(receivers.size());
         std::ranges::transform(depth.texels(), map.texels().begin(), encoding.stored);
         umbrage::image<glm::vec3> seen = receivers;
-        for (glm::vec3& r : seen.texels()) r.z = umbrage::biased(r.z, bias, filter.is_lit);
+        for (glm::vec3& r : seen.texels()) r.z = umbrage::biased(r.z, bias, filter.direction);
         filter.visibility(map, seen, lit);
         return static_cast<int>(std::ranges::count_if(lit.texels(), [](float v) { return v < 1.0f; }));
     }
@@ -167,7 +167,7 @@ template <class Use>
 void for_each_percentage_closer(Use&& use) {
     umbrage::for_each_filter([&]<class Filter>(Filter filter) {
         for (auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
-            if constexpr (requires { filter.is_lit = umbrage::comparison{direction}; }) filter.is_lit = {direction};
+            if constexpr (requires { filter.direction = direction; }) filter.direction = direction;
             else if (direction == umbrage::depth_direction::reversed) continue;
             if constexpr (std::is_same_v<Filter, umbrage::filters::box>)
                 for (int radius = 0; radius <= umbrage::max_box_radius; ++radius) {

@@ -40,7 +40,7 @@ public:
     template <class Filter>
     [[nodiscard]] verdicts compare(Filter filter, int points, std::array<int, 16>& at_level) {
         using namespace umbrage;
-        filter.is_lit = {clip_.direction};
+        filter.direction = clip_.direction;
         const depth32f encoding{.direction = clip_.direction};
         const auto table = [&](glm::ivec2 cell) { return table_[cell]; };
         verdicts found;
@@ -65,7 +65,7 @@ public:
             ++at_level[std::size_t(level)];
             ++(*is_lit ? found.lit : found.shadowed);
             const auto map = atlas_.view().region(glm::ivec2(at.z, at.w), glm::ivec2(size_.pitch()));
-            const float seen = filter(clamped(map), glm::vec2(at), biased(in_root.z, bias, filter.is_lit));
+            const float seen = filter(clamped(map), glm::vec2(at), biased(in_root.z, bias, filter.direction));
             found.wrong += seen != (*is_lit ? 1.0f : 0.0f);
         }
         return found;

@@ -201,7 +201,7 @@ template <class Maps, class Filter>
     clip.direction = n & 2 ? depth_direction::reversed : depth_direction::forward;
     clip.origin = n & 4 ? texture_origin::top : texture_origin::bottom;
     clip.hand = n & 8 ? handedness::left : handedness::right;
-    filter.is_lit = {clip.direction};
+    filter.direction = clip.direction;
     std::mt19937 random(static_cast<std::uint32_t>(n));
     const surroundings scene(random);
     const double reach = filter.reach();
@@ -232,8 +232,8 @@ template <class Maps, class Filter>
         if (!is_told) continue;
         const placed_point at = maps.place(p);
         ++(is_lit ? found.lit : found.shadowed);
-        found.wrong +=
-            filter(clamped(at.map), at.texel, biased(at.depth, float(margin), filter.is_lit)) != (is_lit ? 1.0f : 0.0f);
+        found.wrong += filter(clamped(at.map), at.texel, biased(at.depth, float(margin), filter.direction)) !=
+                       (is_lit ? 1.0f : 0.0f);
     }
     return found;
 }

@@ -75,7 +75,7 @@ public:
     template <class Filter>
     [[nodiscard]] verdicts compare(Filter filter, int points) {
         using namespace umbrage;
-        filter.is_lit = {clip_.direction};
+        filter.direction = clip_.direction;
         image<float> map({map_size, map_size}, cleared_depth(clip_));
         rasterize_depth(map, {positions_, triangles_}, light_.projection * light_.view, clip_, cull_mode::none,
                         serial{}, kind_.at_near);
@@ -104,7 +104,8 @@ public:
             const std::optional<bool> is_lit = told_by_rays(p, own, std::max(bias, by_shadow), filter.reach());
             if (!is_lit) continue;
             ++(*is_lit ? found.lit : found.shadowed);
-            found.wrong += filter(fetch, glm::vec2(at), biased(at.z, bias, filter.is_lit)) != (*is_lit ? 1.0f : 0.0f);
+            found.wrong +=
+                filter(fetch, glm::vec2(at), biased(at.z, bias, filter.direction)) != (*is_lit ? 1.0f : 0.0f);
             found.by_shadow += joined(map, p, normal(own)) != (*is_lit ? 1.0f : 0.0f);
         }
         return found;

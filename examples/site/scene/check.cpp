@@ -68,7 +68,7 @@ void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
     const auto& maps = uniforms.maps;
     const shadow_terms& terms = uniforms.terms;
     filter = umbrage::detail::with_packed_numbers(filter, terms.filter_terms);
-    filter.is_lit.direction = direction;
+    filter.direction = direction;
     const umbrage::depth32f stored{.direction = direction};
     const glm::ivec2 map_size(terms.map_size);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -6,7 +6,7 @@
 //     umbrage::filters::box filter{.radius = 2};
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // depth per texel
 //     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
-//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
+//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.direction));
 //
 // The reach is the filter radius in texels. A filter compares a receiver with texel centers up to its reach away in x
 // and y. There a plane of slope (a, b) may be nearer to the light by reach (|a| + |b|). The stored depth may be nearer

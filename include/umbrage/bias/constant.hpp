@@ -2,7 +2,7 @@
 //
 // Constant depth bias: a receiver moved towards the light. All depth biases end in this step.
 //
-//     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias for reversed depth
+//     float receiver = umbrage::biased(p.z, bias, filter.direction);  // p.z - bias, or p.z + bias for reversed depth
 //
 // Also called: shadow bias, depth bias, epsilon (biased).
 // See also: acne_free.hpp for the size of the bias; rasterizer.hpp to bias the casters instead.
@@ -28,17 +28,17 @@ template <real T>
 ///
 /// @param receiver   receiver depth
 /// @param bias       depth units: above 0 towards the light, below 0 away from it
-/// @param is_lit     gives the direction of depth: less_equal, greater_equal, comparison{encoding.direction}, or the
-///                   is_lit of a filter
+/// @param direction  direction of depth: that of the clip space
 /// @return           receiver depth for the filter's comparison
 /// @edge             NaN receiver: NaN, in shadow. Bias NaN, or of magnitude 2^64 or more: not applied
 /// @formula          receiver - bias; receiver + bias for reversed depth
 /// @exactness        B, n = 1: one sum
-template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
+template <real T>
+[[nodiscard]] constexpr T biased(T receiver, T bias, depth_direction direction = depth_direction::forward) {
     constexpr T beyond(0x1p64);
     const bool some = !is_nan(bias) && bias < beyond && bias > -beyond;
-    return is_lit.towards_light(receiver, some ? bias : T(0));
+    const T by = some ? bias : T(0);
+    return direction == depth_direction::forward ? receiver - by : receiver + by;
 }
 
 namespace glsl {

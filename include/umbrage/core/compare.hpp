@@ -27,10 +27,6 @@ struct less_equal {
     [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
-    template <real T>
-    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
-        return depth - by;
-    }
 };
 
 /// Lit if the receiver is no farther than the stored occluder, for reversed Z: the near plane is 1.
@@ -42,10 +38,6 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] static constexpr bool beyond_far_plane(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
-    }
-    template <real T>
-    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
-        return depth + by;
     }
 };
 
@@ -71,11 +63,6 @@ struct comparison {
     [[nodiscard]] constexpr bool beyond_far_plane(T receiver) const {
         return direction == depth_direction::forward ? less_equal::beyond_far_plane(receiver)
                                                      : greater_equal::beyond_far_plane(receiver);
-    }
-    template <real T>
-    [[nodiscard]] constexpr T towards_light(T depth, T by) const {
-        return direction == depth_direction::forward ? less_equal::towards_light(depth, by)
-                                                     : greater_equal::towards_light(depth, by);
     }
 };
 

@@ -2,11 +2,11 @@
 //
 // Concepts of a shadow filter: a callable that computes visibility from a map's texels.
 //
-//     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
+//     umbrage::filters::box filter{.radius = 2, .direction = light.clip.direction};
 //     float visibility = filter(umbrage::bordered(map), coord, depth - bias);
 //
-// Functions over images take any such callable. They set its is_lit to the depth direction of the map's encoding.
-// Set is_lit yourself only when you call the filter with your own fetch, as above.
+// Functions over images take any such callable. They set its direction to that of the map's encoding.
+// Set it yourself only when you call the filter with your own fetch, as above.
 // See also: filters.hpp, the list of this library's filters.
 #pragma once
 
@@ -15,6 +15,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/filter/numbers.hpp>
 
@@ -42,14 +43,14 @@ concept filter = std::copy_constructible<Filter> &&
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
-/// Filter with a name, a snippet, its numbers, a reach and a comparison, as all of this library's filters have.
+/// Filter with a name, a snippet, its numbers, a reach and a direction of depth, as all of this library's filters have.
 template <class Filter>
-concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
+concept known_filter = filter<Filter> && requires(const Filter& f) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // C++ version and snippet return the same result
     {Filter::numbers(f)};                                        // those that its snippet takes: numbers.hpp
     { f.reach() } -> std::same_as<float>;  // filter radius: distance to the farthest texel center, along an axis
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // comparison, with the direction of depth
+    { f.direction } -> std::convertible_to<depth_direction>;
 };
 
 namespace detail {

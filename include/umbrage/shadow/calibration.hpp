@@ -114,12 +114,12 @@ template <class Setup, class Filter, class Encoding>
                     "one of the light's maps", number);
     const shadow_terms terms = of.uniforms().terms;
     const auto own = map.region(detail::first_texel(number, Setup::grid, of.map_size()), of.map_size());
-    const comparison is_lit{of.encoding().direction};
+    const depth_direction direction = of.encoding().direction;
     const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
-        const float depth = is_lit.direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<Setup>(own, of.filter_of(0), of.encoding(), glm::vec3(coord, biased(depth, bias, is_lit)),
-                                   glm::vec2(0), {}) > 0.5f;
+        const float depth = direction == depth_direction::forward ? distance : 1.0f - distance;
+        return detail::look<Setup>(own, of.filter_of(0), of.encoding(),
+                                   glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);

@@ -47,7 +47,7 @@ namespace detail {
 /// direction of depth.
 template <class Filter>
 concept point_filter = known_filter<Filter> && with_numbers<Filter> &&
-    std::same_as<decltype(Filter::is_lit), comparison> && requires(const Filter& f, const any_fetch& fetch) {
+    std::same_as<decltype(Filter::direction), depth_direction> && requires(const Filter& f, const any_fetch& fetch) {
     f(fetch, glm::vec2(), 0.0f);
 };
 
@@ -113,8 +113,8 @@ consteval bool shadow_takes() {
         "a shadow's filter has `static constexpr auto numbers(auto& f) { return std::tie(...); }`: those that "
         "its snippet takes after the receiver, each int, float or a glm::vec, four floats at most");
     static_assert(!with_numbers<Filter> || shadow_filter<Filter>,
-                  "a shadow's filter has `name`, `snippet`, `float reach() const` and an umbrage::comparison `is_lit`, "
-                  "or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
+                  "a shadow's filter has `name`, `snippet`, `float reach() const` and a depth_direction "
+                  "`direction`, or it is a prefilter with `snippet`, `writer` and `writer_numbers`");
     static_assert(shadow_encoding<Encoding, Filter>,
                   "a shadow's encoding is one of depths; a prefilter's map has no other than its moments");
     return true;
@@ -162,10 +162,9 @@ template <class Setup, class Filter>
 /// bias brings it back.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
-    const comparison is_lit{direction};
     const float z = place.at.z;
-    const bool beyond = is_lit.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), is_lit)};
+    const bool beyond = comparison{direction}.beyond_far_plane(z);
+    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), direction)};
 }
 
 /// Visibility of a receiver in one map, by a filter.

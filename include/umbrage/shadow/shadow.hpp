@@ -137,8 +137,7 @@ public:
            glm::dvec3 origin = glm::dvec3(0))
         : setup_(light), map_size_(map_size), filter_(filter), encoding_(encoding), origin_(origin) {
         detail::set_direction(encoding_, setup_.clip().direction);
-        if constexpr (prefilter<Filter>) filter_.direction = encoding_.direction;
-        else filter_.is_lit.direction = encoding_.direction;
+        filter_.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
         detail::require_shadow(setup_.clip(), map_size, filter_of(0));
         detail::require_maps(setup_, map_size, detail::reach_of(filter_));

@@ -39,8 +39,7 @@ sloped receivers_for(glm::ivec2 map_size, bool in_order, values& v) {
 
 template <class Encoding, class Filter>
 void check_map(Encoding encoding, const Filter& filter, glm::ivec2 map_size, bool in_order) {
-    if constexpr (requires { encoding.direction = filter.is_lit.direction; })
-        encoding.direction = filter.is_lit.direction;
+    if constexpr (requires { encoding.direction = filter.direction; }) encoding.direction = filter.direction;
     CAPTURE(map_size.x);
     CAPTURE(in_order);
     values v;
@@ -51,9 +50,7 @@ void check_map(Encoding encoding, const Filter& filter, glm::ivec2 map_size, boo
     }
     const sloped of = receivers_for(map_size, in_order, v);
     const umbrage::image_view<const typename Encoding::texel> texels = map.view();
-    auto direction = umbrage::depth_direction::forward;
-    if constexpr (requires { filter.is_lit.direction; }) direction = filter.is_lit.direction;
-    const float cleared = umbrage::cleared_depth(direction);
+    const float cleared = umbrage::cleared_depth(filter.direction);
     for (const auto outside : {umbrage::outside_map::clamped, umbrage::outside_map::bordered}) {
         const auto fetch = [&](glm::ivec2 t) {
             const glm::ivec2 inside(std::clamp(t.x, 0, map_size.x - 1), std::clamp(t.y, 0, map_size.y - 1));
@@ -91,7 +88,7 @@ void check(Filter filter) {
     const std::string name(filter.name);
     CAPTURE(name);
     for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
-        if constexpr (requires { filter.is_lit.direction; }) filter.is_lit.direction = direction;
+        if constexpr (requires { filter.direction = direction; }) filter.direction = direction;
         else if (direction != umbrage::depth_direction::forward) continue;
         for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)})
             check_map(umbrage::depth32f{}, filter, map_size, false);

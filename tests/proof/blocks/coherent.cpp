@@ -24,8 +24,7 @@ image<glm::vec3> in_a_row(glm::ivec2 size, glm::ivec2 map_size, glm::vec2 start,
 template <class Encoding, class Filter>
 void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::vec2 start = {12.0f, 9.0f},
                     glm::vec2 step = {1.03f, 1.7f}) {
-    if constexpr (requires { encoding.direction = filter.is_lit.direction; })
-        encoding.direction = filter.is_lit.direction;
+    if constexpr (requires { encoding.direction = filter.direction; }) encoding.direction = filter.direction;
     CAPTURE(map_size.x);
     CAPTURE(start.x);
     values v;

@@ -36,8 +36,7 @@ image<glm::vec3> around_edges(glm::ivec2 map_size, float band, values& v) {
 /// Both kinds of outside, and that they differ: the band meets the edge.
 template <class Encoding, class Filter>
 void check_edge(Encoding encoding, const Filter& filter, glm::ivec2 map_size) {
-    if constexpr (requires { encoding.direction = filter.is_lit.direction; })
-        encoding.direction = filter.is_lit.direction;
+    if constexpr (requires { encoding.direction = filter.direction; }) encoding.direction = filter.direction;
     const std::string name(filter.name);
     CAPTURE(name);
     CAPTURE(map_size.x);
@@ -61,7 +60,7 @@ void check_edge(Encoding encoding, const Filter& filter, glm::ivec2 map_size) {
 template <class Filter>
 void check_in_both_directions(Filter filter) {
     for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
-        if constexpr (requires { filter.is_lit.direction; }) filter.is_lit.direction = direction;
+        if constexpr (requires { filter.direction = umbrage::depth_direction::forward; }) filter.direction = direction;
         for (const glm::ivec2 map_size : {glm::ivec2(70, 50), glm::ivec2(5, 9)})
             check_edge(umbrage::depth32f{}, filter, map_size);
         check_edge(umbrage::rg<11>{}, filter, {70, 50});

@@ -40,8 +40,7 @@ struct scattered {
 
 template <class Encoding, class Filter>
 void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
-    if constexpr (requires { encoding.direction = filter.is_lit.direction; })
-        encoding.direction = filter.is_lit.direction;
+    if constexpr (requires { encoding.direction = filter.direction; }) encoding.direction = filter.direction;
     const std::string name(filter.name);
     const float reach = filter.reach();  // which decides what meets the edge
     CAPTURE(name);
@@ -93,10 +92,10 @@ void for_each_setting(std::initializer_list<int> radii, Use&& use) {
     umbrage::for_each_filter([&]<class Filter>(Filter filter) {
         const auto in_both_directions = [&] {
             forced::each_evaluation(filter, use);
-            if constexpr (requires { filter.is_lit.direction; }) {
-                filter.is_lit.direction = umbrage::depth_direction::reversed;
+            if constexpr (requires { filter.direction = umbrage::depth_direction::forward; }) {
+                filter.direction = umbrage::depth_direction::reversed;
                 forced::each_evaluation(filter, use);
-                filter.is_lit.direction = umbrage::depth_direction::forward;
+                filter.direction = umbrage::depth_direction::forward;
             }
         };
         if constexpr (std::is_same_v<Filter, umbrage::filters::box>)

@@ -21,7 +21,7 @@ template <class Filter>
 int differing(const Filter& filter, const image<float>& map, const image<glm::vec3>& receivers,
               umbrage::outside_map outside) {
     int differ = 0;
-    const umbrage::depth32f floats{filter.is_lit.direction};
+    const umbrage::depth32f floats{filter.direction};
     for_each_path([&] {
         image<float> each(receivers.size()), at_once(receivers.size());
         umbrage::visibility(map, floats, receivers, forced::every_texel{filter}, each, bands{3}, outside);
@@ -71,13 +71,13 @@ TEST_CASE(
             for (umbrage::filters::window filter :
                  {umbrage::filters::tent<2>, umbrage::filters::binomial<7>, umbrage::filters::castano<7>,
                   umbrage::filters::window{umbrage::make_window_row(15, {1, 1, 1, 1, 1, 1, 1, 1})}}) {
-                filter.is_lit = {direction};
+                filter.direction = direction;
                 check(filter);
             }
             for (const float radius : {2.0f, 16.0f}) {
                 umbrage::filters::disc disc{.points = 8};
                 disc.radius_texels = radius;
-                disc.is_lit = {direction};
+                disc.direction = direction;
                 check(disc);
             }
             for (const int radius : {0, 3, 4, 8}) check(umbrage::filters::box{radius, {direction}});

@@ -33,7 +33,7 @@ struct any_filter {
                   return filter(fetch, glm::vec2(receiver), receiver.z, pixel);
               else return filter(fetch, glm::vec2(receiver), receiver.z);
           }) {
-        if constexpr (requires { filter.is_lit.direction; }) far = umbrage::cleared_depth(filter.is_lit.direction);
+        far = umbrage::cleared_depth(filter.direction);
     }
 };
 

@@ -43,7 +43,7 @@ scene in_order(glm::ivec2 map_size) {
 /// @return   how many are neither lit nor dark
 template <class Filter>
 int check(const Filter& filter, const scene& of, umbrage::outside_map outside) {
-    const umbrage::depth32f encoding{.direction = filter.is_lit.direction};
+    const umbrage::depth32f encoding{.direction = filter.direction};
     const bool bordered = outside == umbrage::outside_map::bordered;
     const auto fetch = [&](glm::ivec2 t) {
         return bordered ? umbrage::fetch_bordered(of.map.view(), t, encoding.cleared())
@@ -76,7 +76,7 @@ void check_all() {
         const scene any = scattered(map_size, v), shadows = in_order(map_size);
         for (Filter filter : Filter::values)
             for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
-                filter.is_lit = {direction};
+                filter.direction = direction;
                 for (const umbrage::penumbra_params& light : lights) {
                     filter.softness = light;
                     CAPTURE(filter.name);

@@ -197,13 +197,13 @@ void suite::all() const {
     };
     run("in_filter_domain", inputs, draw, [](const look_up& l) { return in_filter_domain(l.a, l.receiver); });
     for_each_filter([&](auto filter) {
-        if constexpr (requires { filter.is_lit.direction; }) {
+        if constexpr (requires { filter.direction = umbrage::depth_direction::forward; }) {
             if (filter.snippet->exactness != glsl::tier::a) return;
             const std::string name(filter.name);
             const int count = filter.reach() > 1.0f ? few_inputs : inputs;
             const auto filtered = [&](const look_up& l) { return filter(fetch, l.a, l.receiver); };
             run(name.c_str(), count, draw, filtered);
-            filter.is_lit.direction = depth_direction::reversed;
+            filter.direction = depth_direction::reversed;
             run((name + "_reversed").c_str(), count, draw, filtered);
         }
     });

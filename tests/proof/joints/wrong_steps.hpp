@@ -81,10 +81,10 @@ public:
                 map.region(detail::first_texel(number, setup::grid, shadow_.map_size()), shadow_.map_size());
             const float bias =
                 detail::bias_of<setup, filter_type>(uniforms_.terms, place) * (t_.turns_bias ? -1.0f : 1.0f);
-            const comparison is_lit{encoding_.direction};
+            const bool beyond = comparison{encoding_.direction}.beyond_far_plane(place.at.z);
             const float z = place.at.z;
             const glm::vec3 at(glm::vec2(place.at) + t_.moves_texels,
-                               is_lit.beyond_far_plane(z) ? z : biased(z, bias, is_lit));
+                               beyond ? z : biased(z, bias, encoding_.direction));
             return detail::look<setup>(own, filter_, encoding_, at, place.slope, r.pixel);
         });
     }
@@ -151,7 +151,7 @@ private:
     bool change_look() {
         using umbrage::depth_direction;
         if (t_.turns_comparison)
-            filter_.is_lit.direction = is_reversed() ? depth_direction::forward : depth_direction::reversed;
+            filter_.direction = is_reversed() ? depth_direction::forward : depth_direction::reversed;
         if (t_.lower_edge) {
             if constexpr (requires { encoding_.edge; }) encoding_.edge = 1.0f - encoding_.edge;
             else return false;
@@ -161,9 +161,9 @@ private:
             else if constexpr (std::is_same_v<filter_type, umbrage::filters::disc>) filter_.radius_texels += 2.0f;
             else if constexpr (std::is_same_v<filter_type, umbrage::filters::window>) {
                 if (filter_.reach() > 3.0f) return false;
-                const auto direction = filter_.is_lit;
+                const auto direction = filter_.direction;
                 filter_ = umbrage::filters::castano<7>;
-                filter_.is_lit = direction;
+                filter_.direction = direction;
             } else return false;
         }
         return true;

@@ -121,7 +121,7 @@ TEST_CASE("apply_receiver_plane: no filter darkens a plane, without any bias by 
     for_each_filter([&](auto filter) {
         CAPTURE(filter.name);
         for (auto direction : {depth_direction::forward, depth_direction::reversed}) {
-            if constexpr (requires { filter.is_lit = comparison{direction}; }) filter.is_lit = {direction};
+            if constexpr (requires { filter.direction = direction; }) filter.direction = direction;
             else if (direction == depth_direction::reversed) continue;
             int dark = 0, dark_without = 0;
             for (int i = 0; i < 200; ++i) {
@@ -134,7 +134,7 @@ TEST_CASE("apply_receiver_plane: no filter darkens a plane, without any bias by 
                     for (int x = 0; x < 32; ++x) map[{x, y}] = depth(glm::dvec2(x, y) + 0.5);
                 for (int k = 0; k < 50; ++k) {
                     const glm::vec2 coord(place(random), place(random));
-                    const float receiver = biased(depth(coord), 0x1p-22f, filter.is_lit);
+                    const float receiver = biased(depth(coord), 0x1p-22f, filter.direction);
                     dark_without += filter(clamped(map), coord, receiver) < 1.0f;
                     dark += filter(apply_receiver_plane(clamped(map), slope, glm::vec3(coord, receiver), direction),
                                    coord, receiver) < 1.0f;

@@ -40,7 +40,7 @@ struct answers {
 
 template <class Filter>
 answers ask(const image<float>& map, Filter filter, depth_direction direction, outside_map outside) {
-    filter.is_lit = {direction};
+    filter.direction = direction;
     const float far = cleared_depth(direction);
     const auto made = make_filter_bounds(map.view(), filter.reach(), direction, serial{}, outside);
     const auto fetch = [&](glm::ivec2 texel) {
@@ -56,7 +56,7 @@ answers ask(const image<float>& map, Filter filter, depth_direction direction, o
         const float depths[]{static_cast<float>(random() % 1025) / 1024.0f, fetch(glm::ivec2(glm::floor(c))), 0.5f,
                              0.5f};
         const float receiver = depths[i % 4];
-        const float lit = bounds_lit(clamped(made.bounds), c, receiver, made.place, filter.is_lit);
+        const float lit = bounds_lit(clamped(made.bounds), c, receiver, made.place, comparison{filter.direction});
         float asked = 0;
         if constexpr (requires { filter(fetch, c, receiver, glm::ivec2()); })
             asked = filter(fetch, c, receiver, glm::ivec2(i, i / 4));

@@ -20,8 +20,8 @@ namespace {
 /// The filter for a direction, where it can take one.
 template <class Filter>
 bool turn(Filter& filter, depth_direction direction) {
-    if constexpr (requires { filter.is_lit = comparison{direction}; }) {
-        filter.is_lit = comparison{direction};
+    if constexpr (requires { filter.direction = direction; }) {
+        filter.direction = direction;
         return true;
     }
     return direction == depth_direction::forward;

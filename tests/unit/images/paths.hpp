@@ -62,13 +62,13 @@ void for_each_path(Use&& use) {
     for_each_path(rounding_modes(), use);
 }
 
-/// The filter with the other direction in its is_lit, which the map's overrules.
+/// The filter with the other direction, which the map's overrules.
 template <class Filter>
 Filter contrary(Filter filter) {
     using umbrage::depth_direction;
-    if constexpr (requires { filter.is_lit.direction; }) {
-        const bool forward = filter.is_lit.direction == depth_direction::forward;
-        filter.is_lit.direction = forward ? depth_direction::reversed : depth_direction::forward;
+    if constexpr (requires { filter.direction = umbrage::depth_direction::forward; }) {
+        const bool forward = filter.direction == depth_direction::forward;
+        filter.direction = forward ? depth_direction::reversed : depth_direction::forward;
     }
     return filter;
 }

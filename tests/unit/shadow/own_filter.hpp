@@ -38,16 +38,16 @@ struct two_taps {
     float sharpness = 0.75f;
     glm::vec2 aside{1, -2};
     int steps = 2;
-    umbrage::comparison is_lit{};
+    umbrage::depth_direction direction = umbrage::depth_direction::forward;
 
     static constexpr auto numbers(auto& f) { return std::tie(f.sharpness, f.aside, f.steps); }
     [[nodiscard]] float reach() const { return 4.5f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        if (!umbrage::in_filter_domain(coord, receiver, is_lit)) return 1.0f;
+        if (!umbrage::in_filter_domain(coord, receiver, umbrage::comparison{direction})) return 1.0f;
         const glm::ivec2 texel(glm::floor(coord)), far_texel = texel + glm::ivec2(aside) * steps;
-        return umbrage::lit(fetch, texel, receiver, is_lit) * sharpness +
-               umbrage::lit(fetch, far_texel, receiver, is_lit) * (1.0f - sharpness);
+        return umbrage::lit(fetch, texel, receiver, umbrage::comparison{direction}) * sharpness +
+               umbrage::lit(fetch, far_texel, receiver, umbrage::comparison{direction}) * (1.0f - sharpness);
     }
 };
 

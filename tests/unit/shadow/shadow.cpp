@@ -164,7 +164,7 @@ TEST_CASE("shadow: a prefiltered map holds moments, and by hand the same bits") 
                 const map_place place = by_hand_in(in, world, up);
                 const float reach = 1.0f + 2.0f / float(1 << clip.subpixel_bits) + 256.0f * 0x1p-21f;
                 const float bias = acne_free_bias(place.slope, reach, place.rounding - 0x1p-23f);
-                const float z = biased(place.at.z, bias, comparison{clip.direction});
+                const float z = biased(place.at.z, bias, clip.direction);
                 const auto decode = [&](const auto& texel) { return own.decode(texel, z); };
                 wrong += s(map, world, up) != detail::look_up(bordered(map), glm::vec2(place.at), z, cleared, decode);
             }

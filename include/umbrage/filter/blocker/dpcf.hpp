@@ -145,7 +145,7 @@ namespace filters {
 struct dpcf {
     int points = 16;             ///< 8, 16 or 32, as disc's
     penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::dpcf<8> : points == 16 ? &glsl::dpcf<16> : &glsl::dpcf<32>;
     std::string_view name = snippet->name;
 
@@ -159,7 +159,7 @@ struct dpcf {
         detail::require_softness(function, softness);
     }
     /// Disc of the largest radius.
-    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, direction}; }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -167,9 +167,9 @@ struct dpcf {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, is_lit);
-        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, is_lit);
-        return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

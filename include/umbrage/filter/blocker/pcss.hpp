@@ -108,7 +108,7 @@ namespace filters {
 struct pcss {
     int points = 16;             ///< 8, 16 or 32, as disc's
     penumbra_params softness{};  ///< from make_penumbra_params. A shadow wants one with a light_size
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::pcss<8> : points == 16 ? &glsl::pcss<16> : &glsl::pcss<32>;
     std::string_view name = snippet->name;
 
@@ -122,7 +122,7 @@ struct pcss {
         detail::require_softness(function, softness);
     }
     /// Disc of the largest radius.
-    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, is_lit}; }
+    [[nodiscard]] constexpr disc largest_disc() const { return {points, softness.max_radius * 0.0625f, direction}; }
     /// Distance from a receiver to the farthest point, in texels.
     [[nodiscard]] constexpr float farthest_point() const { return largest_disc().farthest_point(); }
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
@@ -130,9 +130,9 @@ struct pcss {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
         const glm::vec3 soft(softness);
-        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, is_lit);
-        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, is_lit);
-        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, is_lit);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

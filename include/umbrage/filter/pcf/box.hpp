@@ -152,7 +152,7 @@ struct box {
     static constexpr const glsl::snippet* snippet = &glsl::box;
 
     int radius = 1;  ///< in texels; clamped to 0..8
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr auto numbers(auto& f) { return std::tie(f.radius); }
     [[nodiscard]] constexpr float reach() const {
@@ -160,7 +160,7 @@ struct box {
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+        return umbrage::box(fetch, coord, receiver, radius, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

@@ -258,7 +258,7 @@ namespace filters {
 struct disc {
     int points = 16;  ///< 8, 16 or 32. check refuses others; alone they count as 32
     float radius_texels = 2.0f;
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     const glsl::snippet* snippet = points == 8 ? &glsl::disc<8> : points == 16 ? &glsl::disc<16> : &glsl::disc<32>;
     std::string_view name = snippet->name;
 
@@ -281,9 +281,11 @@ struct disc {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        if (points == 8) return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, is_lit);
-        if (points == 16) return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, is_lit);
-        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, is_lit);
+        if (points == 8)
+            return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
+        if (points == 16)
+            return umbrage::disc<16>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
+        return umbrage::disc<32>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

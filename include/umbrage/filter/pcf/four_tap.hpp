@@ -83,7 +83,7 @@ struct four_tap {
     static constexpr const glsl::snippet* snippet = &glsl::four_tap;
 
     std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< from the receiver to each tap, in texels
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr auto numbers(auto& f) { return std::tie(f.offsets); }
     [[nodiscard]] constexpr float reach() const {
@@ -96,7 +96,7 @@ struct four_tap {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
-                                 receiver, is_lit);
+                                 receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

@@ -64,13 +64,13 @@ struct hard {
     static constexpr std::string_view name = "hard";
     static constexpr const glsl::snippet* snippet = &glsl::hard;
 
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 0.5f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver, is_lit);
+        return umbrage::hard(fetch, coord, receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

@@ -143,13 +143,13 @@ struct pcf_2x2 {
     static constexpr std::string_view name = "pcf_2x2";
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
 
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
 
     static constexpr std::tuple<> numbers(auto&) { return {}; }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
+        return umbrage::pcf_2x2(fetch, coord, receiver, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };
@@ -160,7 +160,7 @@ struct pcf_2x2_dx_sdk {
     static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
 
     float epsilon = 0.0f;  ///< depth in [0, 1], added to each stored depth
-    less_equal is_lit{};   ///< forward depth only; the epsilon is added to the stored depth
+    static constexpr depth_direction direction = depth_direction::forward;  ///< always: the epsilon is added
 
     static constexpr auto numbers(auto& f) { return std::tie(f.epsilon); }
     [[nodiscard]] constexpr float reach() const { return 1.0f; }

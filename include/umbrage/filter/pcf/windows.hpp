@@ -231,7 +231,7 @@ namespace filters {
 /// Sliding PCF kernel as a value: one of this library's below, or one with your own row.
 struct window {
     window_row row = tent_row<3>;
-    comparison is_lit{};
+    depth_direction direction = depth_direction::forward;
     std::string_view name = "window";
     const glsl::snippet* snippet = nullptr;  ///< returns the same result; none for your own rows
 
@@ -246,7 +246,7 @@ struct window {
     [[nodiscard]] constexpr float reach() const { return row.reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::window(fetch, coord, receiver, row, is_lit);
+        return umbrage::window(fetch, coord, receiver, row, comparison{direction});
     }
     void operator()(auto&&, const detail::longer_than_vec2 auto&, auto&&...) const = delete;
 };

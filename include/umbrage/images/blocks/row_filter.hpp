@@ -158,16 +158,16 @@ void filter_each(const Receivers& receivers, image_view<float> out, int first, i
 template <class Encoding, class Filter>
 [[nodiscard]] depth_direction direction_of(const Encoding& encoding, const Filter& filter) {
     if constexpr (requires { encoding.direction; }) return encoding.direction;
-    else if constexpr (requires { filter.is_lit.direction; }) return filter.is_lit.direction;
+    else if constexpr (requires { filter.direction; }) return filter.direction;
     else return depth_direction::forward;
 }
 
-/// Filter that compares in the direction of the map's depth. A callable without is_lit is returned unchanged.
+/// Filter that compares in the direction of the map's depth. A callable without a direction is returned unchanged.
 template <class Filter>
 [[nodiscard]] decltype(auto) in_direction(const Filter& filter, [[maybe_unused]] depth_direction direction) {
-    if constexpr (requires(Filter own) { own.is_lit.direction = direction; }) {
+    if constexpr (requires(Filter own) { own.direction = direction; }) {
         Filter own = filter;
-        own.is_lit.direction = direction;
+        own.direction = direction;
         return own;
     } else return filter;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <random>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 
@@ -60,7 +61,7 @@ TEST_CASE("pcss: search, mean, penumbra and filter in whole numbers, in float an
 
 TEST_CASE("pcss: a straight edge's penumbra is as wide as rays to an area light see it") {
     check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 rotation, comparison is_lit) {
-        const float biased = is_lit.towards_light(at.z, 0x1p-15f);
+        const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
 }

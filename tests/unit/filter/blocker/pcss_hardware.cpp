@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 #include "../../rounds.hpp"
@@ -111,7 +112,7 @@ TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
 
 TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an area light see it") {
     check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 rotation, comparison is_lit) {
-        const float biased = is_lit.towards_light(at.z, 0x1p-15f);
+        const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
 }

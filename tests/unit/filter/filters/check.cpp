@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("check: alone, any softness gives a visibility", Filter, filt
         for (const float low : odd)
             for (const float high : odd)
                 for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
-                    const float one = alone(Filter{.softness = {per_code, low, high}, .is_lit = {direction}});
+                    const float one = alone(Filter{.softness = {per_code, low, high}, .direction = direction});
                     CHECK(one >= 0.0f);
                     CHECK(one <= 1.0f);
                 }

@@ -162,7 +162,7 @@ TEST_CASE("make_stable_cascades: a camera that walks over a wide ground changes 
                         const glm::vec3 at = cascade_coordinate(points[i], all[k].scale, all[k].offset);
                         if (!inside_cascade(at, glm::vec2(256), 1.5f)) continue;
                         const comparison is_lit{clip.direction};
-                        const float receiver = biased(at.z, 2 * texel * std::abs(all[k].scale.z), is_lit);
+                        const float receiver = biased(at.z, 2 * texel * std::abs(all[k].scale.z), clip.direction);
                         const float visibility = pcf_2x2(clamped(maps[k]), glm::vec2(at), receiver, is_lit);
                         partly += visibility > 0 && visibility < 1, dark += visibility == 0;
                         return {int(k), glm::dvec2(at), double(visibility)};

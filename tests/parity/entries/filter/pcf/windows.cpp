@@ -34,7 +34,7 @@ void add_filter_pcf_windows(std::vector<entry>& all) {
         as.gather = true;
         all.push_back(bound_filter(*one.snippet, "", of, as, [one](auto fetch, const sample& s, comparison is_lit) {
             filters::window same = one;
-            same.is_lit = is_lit;
+            same.direction = is_lit.direction;
             return same(fetch, at(s), s.x[0].z);
         }));
     };
@@ -47,7 +47,7 @@ void add_filter_pcf_windows(std::vector<entry>& all) {
     gathered(filters::castano_dyadic<5>, "gathered comparisons",
              {.texture = texture::shadow, .outside = outside_map::clamped});
     filters::window reversed = filters::binomial<5>;
-    reversed.is_lit = {depth_direction::reversed};
+    reversed.direction = depth_direction::reversed;
     all.push_back(reversed_filter(*reversed.snippet, "",
                                   [reversed](const sample& s) { return vec4(reversed(s.depth(), at(s), s.x[0].z)); }));
     all.back().share = 8;

@@ -115,7 +115,7 @@ void add_from_world(std::vector<entry>& all, ray_kind kind, auto filter) {
                        [kind, filter, in_cpp = part.in_cpp](const sample& s) {
                            const vec3 at = in_cpp(s);
                            const float bias = umbrage::acne_free_bias(slope_of(kind, s), s.x[0].w, error_of(kind, s));
-                           const float receiver = umbrage::biased(at.z, bias, filter.is_lit);
+                           const float receiver = umbrage::biased(at.z, bias, filter.direction);
                            return vec4(filter(s.depth(), vec2(at), receiver), at.x, at.y, receiver);
                        },
                    .call = "umbrage_receive_" + std::string(Filter.name) + "(map, map_size, " + part.coordinate + ", " +
