@@ -70,7 +70,7 @@ export interface BindingOf<L extends Language> {
      *  no receiver is beyond the far plane. */
     compare?: string;
     /** Moves each depth along the receiver's plane: functions take the plane's slope and the receiver's coordinate, two
-     *  floats each, behind the map. Not where texels are gathered or compared by the sampler. */
+     *  floats each, behind the map. Not where a sampler gathers comparisons. */
     receiver_plane?: boolean;
     /** The map's first texel in the texture: two floats. */
     origin?: string;
@@ -122,6 +122,8 @@ export interface ShadowOptionsOf<L extends Language> {
     direction?: 'forward' | 'reversed';
     /** What the maps lie in. One: texture_2d, depth or shadow. Several: atlas, array, depth_array or shadow_array. */
     map?: Texture;
+    /** Reads 2x2 texels at once, by a sampler that clamps to the edge: for pcf_2x2 and kernels, from GLSL 430 and 310 es on. */
+    gather?: boolean;
     /** What block, map and sampler are bound to, 0 or above; set is WGSL's group or HLSL's space. Each shadow of a text has
      *  others, but for GLSL before 430 and 310 es, and Metal, whose texts have none. WGSL counts all three alike. */
     block?: number;

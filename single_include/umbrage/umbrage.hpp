@@ -272,6 +272,8 @@ enum class hook {
     lit,
     lit_2x2,
     gather_lit,
+    gather_clamped,
+    gather,
     lit_filtered,
     lit_at,
     depth_at,
@@ -24569,7 +24571,7 @@ struct binding {
                             ///< direction. With an own comparison no receiver is beyond the far plane
     bool receiver_plane = false;   ///< compares along the receiver's plane (plane_reference). After the map functions
                                    ///< take the plane's slope, a vec2, and a vec3 of the receiver's coordinate and its
-                                   ///< depth. Not with gather or an own comparison
+                                   ///< depth. Not with gathered comparisons or an own one
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,
@@ -24687,7 +24689,7 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
 // umbrage_decode: depth of a value that the sampler returned
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
-    return UMBRAGE_DEPTH;
+    return UMBRAGE_STORED;
 }
 )GLSL"};
 
@@ -24779,21 +24781,23 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 }
 )GLSL"};
 
-// Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
-
 }  // namespace umbrage::glsl::hooks
 
 // ---- umbrage/shader/hooks/gather.hpp
-// Hooks for maps whose sampler gathers four texels at a time. See also: fetch.hpp, which explains the words.
+// Hooks for maps whose sampler gathers four texels at a time: texel + (0, 0), (1, 0), (0, 1) and (1, 1), in this order.
+// Each step is chosen by itself: what one gather gives, whether the map is a region of its texture, what is compared,
+// and what lies outside. See also: fetch.hpp, which explains the words.
 //
 
 namespace umbrage::glsl::hooks {
 
+// What a gather gives. The language returns the texels at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+
 inline constexpr snippet gather_compared{
-    .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
+    .name = "gather", .summary = "gather, compared", .role = hook::gather, .source = R"GLSL(
+// umbrage_gather: the sampler's comparisons with four texels. NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
@@ -24801,80 +24805,150 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }
 )GLSL"};
 
-inline constexpr snippet gather_one_channel{.name = "gather_lit",
-                                            .summary = "gather_lit, one channel",
-                                            .needs = list<&decode, &compare>,
-                                            .role = hook::chosen,
-                                            .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
+inline constexpr snippet gather_one_channel{
+    .name = "gather", .summary = "gather, one channel", .needs = list<&decode>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_gather: depths of four texels
+UMBRAGE_HIGHP vec4 umbrage_gather(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float a = umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0));
+    UMBRAGE_HIGHP float b = umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0));
+    UMBRAGE_HIGHP float c = umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0));
+    UMBRAGE_HIGHP float d = umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0));
     return vec4(a, b, c, d);
 }
 )GLSL"};
 
-inline constexpr snippet gather_two_channels{.name = "gather_lit",
-                                             .summary = "gather_lit, two channels",
-                                             .needs = list<&decode, &compare>,
-                                             .role = hook::chosen,
-                                             .source = R"GLSL(
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                      UMBRAGE_HIGHP float receiver) {
+inline constexpr snippet gather_two_channels{
+    .name = "gather", .summary = "gather, two channels", .needs = list<&decode>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_gather: depths of four texels
+UMBRAGE_HIGHP vec4 umbrage_gather(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                  UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
     UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
-    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
-    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
-    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
-    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    UMBRAGE_HIGHP float a = umbrage_decode(vec4(r.w, g.w, 0.0, 0.0));
+    UMBRAGE_HIGHP float b = umbrage_decode(vec4(r.z, g.z, 0.0, 0.0));
+    UMBRAGE_HIGHP float c = umbrage_decode(vec4(r.x, g.x, 0.0, 0.0));
+    UMBRAGE_HIGHP float d = umbrage_decode(vec4(r.y, g.y, 0.0, 0.0));
     return vec4(a, b, c, d);
 }
 )GLSL"};
 
-inline constexpr snippet gathered{.name = "lit_2x2",
-                                  .summary = "lit_2x2, gathered",
-                                  .needs = list<&gather_compared>,
-                                  .role = hook::chosen,
-                                  .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_gather_lit(map, size, texel, receiver);
+// Texels outside the map: the sampler clamps to the edge of a texture, not to that of a region.
+
+inline constexpr snippet gather_clamped{.name = "gather_clamped",
+                                        .summary = "gather_clamped, by the sampler",
+                                        .needs = list<&gather_compared>,
+                                        .role = hook::gather_clamped,
+                                        .source = R"GLSL(
+// umbrage_gather_clamped: umbrage_gather. The sampler clamps to the edge
+UMBRAGE_HIGHP vec4 umbrage_gather_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather(map, size, texel, receiver);
 }
 )GLSL"};
 
-inline constexpr snippet gathered_region{.name = "lit_2x2",
-                                         .summary = "lit_2x2, gathered in a region",
-                                         .needs = list<&gather_compared>,
-                                         .role = hook::chosen,
-                                         .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
-// row and column
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
+inline constexpr snippet gather_in_region{.name = "gather_clamped",
+                                          .summary = "gather_clamped, in a region",
+                                          .needs = list<&gather_compared>,
+                                          .role = hook::chosen,
+                                          .source = R"GLSL(
+// umbrage_gather_clamped: umbrage_gather of the nearest texels inside the region. It gathers inside, and takes each
+// value from its row and column
+UMBRAGE_HIGHP vec4 umbrage_gather_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
     UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
     UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec4 four = umbrage_gather(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(four.y, four.w) : vec2(four.x, four.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(four.y, four.w) : vec2(four.x, four.z);
     UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
     return vec4(bottom.x, bottom.y, top.x, top.y);
 }
 )GLSL"};
 
+// Comparisons.
+
+inline constexpr snippet gather_lit{.name = "gather_lit",
+                                    .summary = "gather_lit, compared by the sampler",
+                                    .needs = list<&gather_clamped>,
+                                    .role = hook::gather_lit,
+                                    .source = R"GLSL(
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_clamped(map, size, texel, receiver);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_lit{.name = "gather_lit",
+                                      .summary = "gather_lit, of depths",
+                                      .needs = list<&gather_clamped, &compare>,
+                                      .role = hook::chosen,
+                                      .source = R"GLSL(
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 stored = umbrage_gather_clamped(map, size, texel, receiver);
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, stored.x);
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, stored.y);
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, stored.z);
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, stored.w);
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet planed_compare{.name = "compare_along",
+                                        .summary = "compare_along",
+                                        .needs = list<&compare>,
+                                        .role = hook::chosen,
+                                        .source = R"GLSL(
+// umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
+UMBRAGE_HIGHP float umbrage_compare_along(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP float stored) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    return umbrage_compare(UMBRAGE_REFERENCE, stored);
+}
+)GLSL"};
+
+inline constexpr snippet planed_gathered_lit{.name = "gather_lit",
+                                             .summary = "gather_lit, along a plane",
+                                             .needs = list<&gather_clamped, &planed_compare>,
+                                             .role = hook::chosen,
+                                             .source = R"GLSL(
+// umbrage_gather_lit: visibility of four comparisons, along the receiver's plane
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec4 stored = umbrage_gather_clamped(map, size, texel, receiver);
+    UMBRAGE_HIGHP float a = umbrage_compare_along(map, size, texel, stored.x);
+    UMBRAGE_HIGHP float b = umbrage_compare_along(map, size, texel + vec2(1.0, 0.0), stored.y);
+    UMBRAGE_HIGHP float c = umbrage_compare_along(map, size, texel + vec2(0.0, 1.0), stored.z);
+    UMBRAGE_HIGHP float d = umbrage_compare_along(map, size, texel + vec2(1.0, 1.0), stored.w);
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+// The border. Along a plane it is in the reference already.
+
+inline constexpr snippet gathered{.name = "lit_2x2",
+                                  .summary = "lit_2x2, gathered",
+                                  .needs = list<&gather_lit>,
+                                  .role = hook::chosen,
+                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+)GLSL"};
+
 inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .summary = "lit_2x2, gathered and bordered",
-                                           .needs = list<&gather_compared, &inside_map, &compare>,
+                                           .needs = list<&gather_lit, &inside_map, &compare>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
@@ -24887,31 +24961,6 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? lit.y : outside;
     UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? lit.z : outside;
     UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? lit.w : outside;
-    return vec4(a, b, c, d);
-}
-)GLSL"};
-
-inline constexpr snippet gathered_bordered_region{.name = "lit_2x2",
-                                                  .summary = "lit_2x2, gathered in a bordered region",
-                                                  .needs = list<&gather_compared, &inside_map, &compare>,
-                                                  .role = hook::chosen,
-                                                  .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the far plane is compared. The gather stays inside
-UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
-    UMBRAGE_HIGHP vec2 low = texel - first;
-    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
-    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
-    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
-    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
-    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
-    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
-    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
-    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
     return vec4(a, b, c, d);
 }
 )GLSL"};
@@ -25090,9 +25139,10 @@ inline constexpr const auto& all =
     list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
          &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
          &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
-         &gather_compared, &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
-         &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+         &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
+         &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &planed_lit_sampled, &planed_lit_at,
+         &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -25141,10 +25191,13 @@ template <class = umbrage::detail::on_use>
             return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
         case hook::lit_2x2:
             if (!b.gather) return s;
-            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
-            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+            return is_bordered(b) && !b.receiver_plane ? hooks::gathered_bordered : hooks::gathered;
         case hook::gather_lit:
-            if (compares(b.texture)) return hooks::gather_compared;
+            if (compares(b.texture)) return s;
+            return b.receiver_plane ? hooks::planed_gathered_lit : hooks::gathered_lit;
+        case hook::gather_clamped: return has_region(b) ? hooks::gather_in_region : s;
+        case hook::gather:
+            if (compares(b.texture)) return s;
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
@@ -25154,7 +25207,7 @@ template <class = umbrage::detail::on_use>
             if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
             return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
         case hook::depth_at:
-            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
+            if (!b.gather || b.receiver_plane || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
             return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
     }
     return s;
@@ -25311,9 +25364,9 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
     const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
     umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
                              "a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+    umbrage::detail::require(asked.role != hook::gather || gathers(map.texture), "glsl::bind", "map.gather",
                              "false where texels of cubes or whole numbers are gathered", map.gather);
-    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+    umbrage::detail::require(asked.role != hook::gather || map.channels <= 2, "glsl::bind", "map.channels",
                              "1 or 2 where texels are gathered", map.channels);
     umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
                              "map.depth", "of value alone where texels are gathered", map.depth);
@@ -25356,8 +25409,9 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expressions(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
-    umbrage::detail::require(!map.receiver_plane || (!map.gather && map.compare.empty()), "glsl::bind",
-                             "map.receiver_plane", "false where texels are gathered or have an own comparison",
+    umbrage::detail::require(!map.receiver_plane || (map.compare.empty() && !(map.gather && compares(map.texture))),
+                             "glsl::bind", "map.receiver_plane",
+                             "false where a sampler gathers comparisons, or with an own comparison",
                              map.receiver_plane);
     check_hooks(what, what, map);
 }
@@ -29547,9 +29601,13 @@ template <class Setup, class Filter>
 // fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
 // and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
+// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same bits.
+// GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+//
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
 // reads its map (calibration.hpp).
+//
 // See also: depth_pass.hpp, for the functions of the depth pass.
 
 namespace umbrage::glsl {
@@ -29560,6 +29618,7 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
+    bool gather = false;                 ///< reads 2x2 texels at once, with a sampler that clamps to the edge
     bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
@@ -29648,6 +29707,14 @@ template <class Setup, class Filter, class Encoding>
     map.outside = Setup::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
+    if (slots.gather) {
+        umbrage::detail::require(!detail::compares(kind), "glsl::bind", "slots.gather",
+                                 "false where slots.map is a comparison sampler", slots.gather);
+        umbrage::detail::require(detail::calls(*of.filter().snippet, hook::lit_2x2, hook::lit_2x2), "glsl::bind",
+                                 "of.filter()", "pcf_2x2 or a kernel, as slots.gather is true",
+                                 of.filter().snippet->name);
+        map.gather = true;
+    }
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
     linear_form linear;
     if (slots.linear) {

@@ -63,6 +63,7 @@ public:
         for (const named_texture& t : textures)
             if (slots.map == t.kind) out_ << ",\"map\":" << literal(t.name);
         if (slots.debug) out_ << ",\"debug\":true";
+        if (slots.gather) out_ << ",\"gather\":true";
         out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
              << "],\"size\":[" << of.size().x << ',' << of.size().y << "],\"cleared\":" << cleared(of)
              << ",\"bytes\":" << sizeof(of.uniforms()) << ",\"version\":" << literal(directive(v))
@@ -107,6 +108,7 @@ void of_filters(writer& out, const umbrage::clip_space& clip) {
         for (const named_texture& t : textures) {
             out.add(kind, tent, {.block = 4, .texture = 5, .sampler = 6, .set = 1, .map = t.kind});
             out.add(kind, disc, {.map = t.kind});
+            out.add(kind, tent, {.map = t.kind, .gather = true});
         }
     });
 }

@@ -127,7 +127,7 @@ int main(int argc, char** argv) try {
     const receivers of(target_size);
     bool good = true;
     for (const version v : {version::v330, version::v450, version::v100}) {
-        const bool old = v == version::v100;
+        const bool old = v == version::v100, gathers = v == version::v450;
         const viewer::headless context(old);
         if (v == version::v450 && epoxy_gl_version() < 45) {
             std::puts("GLSL 450: not here");
@@ -149,9 +149,11 @@ int main(int argc, char** argv) try {
         const texture_data faces{
             .internal = red, .format = format, .size = {768, 512, 1}, .texels = bulb_map.texels().data()};
         std::vector<tried> all;
-        all.push_back(make("sun", sun, bind(sun, "sun", {.map = old ? glsl::texture::atlas : glsl::texture::array}),
-                           old ? tiles : array, sun_map));
-        all.push_back(make("spot", spot, bind(spot, "spot", {.block = 1, .texture = 2}), packed, spot_map));
+        all.push_back(make(
+            "sun", sun, bind(sun, "sun", {.map = old ? glsl::texture::atlas : glsl::texture::array, .gather = gathers}),
+            old ? tiles : array, sun_map));
+        all.push_back(
+            make("spot", spot, bind(spot, "spot", {.block = 1, .texture = 2, .gather = gathers}), packed, spot_map));
         if (old) all.back().item.map.depth = "umbrage_decode_rg11(value.xw, 1.0)";  // GL_LUMINANCE_ALPHA: (r, r, r, g)
         all.push_back(
             make("lamp", sampled,
@@ -167,7 +169,7 @@ int main(int argc, char** argv) try {
                 .internal = red, .format = format, .size = {map.size(), 1}, .texels = map.texels().data()};
         };
         std::vector<tried> chosen;
-        chosen.push_back(make("bent", bent, bind(bent, "bent"), one_channel(bent_map), bent_map));
+        chosen.push_back(make("bent", bent, bind(bent, "bent", {.gather = gathers}), one_channel(bent_map), bent_map));
         chosen.push_back(
             make("paged", paged, bind(paged, "paged", {.block = 1, .texture = 2}), one_channel(paged_map), paged_map));
         if (!old) {
@@ -208,10 +210,11 @@ int main(int argc, char** argv) try {
         good = agree(v, std::move(moments), of, fault) && good;
 
         std::vector<tried> others;
-        others.push_back(make("seven", seven, bind(seven, "seven"), floats(seven_map, GL_R32F, GL_RED), seven_map));
-        others.push_back(make("sides", sides, bind(sides, "sides", {.block = 1, .texture = 2}),
+        others.push_back(make("seven", seven, bind(seven, "seven", {.gather = gathers}),
+                              floats(seven_map, GL_R32F, GL_RED), seven_map));
+        others.push_back(make("sides", sides, bind(sides, "sides", {.block = 1, .texture = 2, .gather = gathers}),
                               floats(sides_map, GL_R32F, GL_RED), sides_map));
-        others.push_back(make("halves", halves, bind(halves, "halves", {.block = 2, .texture = 3}),
+        others.push_back(make("halves", halves, bind(halves, "halves", {.block = 2, .texture = 3, .gather = gathers}),
                               floats(halves_map, GL_R32F, GL_RED), halves_map));
         good = agree(v, std::move(others), of, fault) && good;
 

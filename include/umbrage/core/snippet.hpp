@@ -72,6 +72,8 @@ enum class hook {
     lit,
     lit_2x2,
     gather_lit,
+    gather_clamped,
+    gather,
     lit_filtered,
     lit_at,
     depth_at,

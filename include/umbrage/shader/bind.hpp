@@ -142,9 +142,9 @@ void check_hooks(const snippet& what, const snippet& asked, const binding& map) 
     const bool reads = asked.role == hook::texel || asked.role == hook::fetch_depth;
     umbrage::detail::require(!reads || !compares(map.texture), "glsl::bind", "what",
                              "a snippet that reads no depths, as a comparison sampler gives none", what.name);
-    umbrage::detail::require(asked.role != hook::gather_lit || gathers(map.texture), "glsl::bind", "map.gather",
+    umbrage::detail::require(asked.role != hook::gather || gathers(map.texture), "glsl::bind", "map.gather",
                              "false where texels of cubes or whole numbers are gathered", map.gather);
-    umbrage::detail::require(asked.role != hook::gather_lit || map.channels <= 2, "glsl::bind", "map.channels",
+    umbrage::detail::require(asked.role != hook::gather || map.channels <= 2, "glsl::bind", "map.channels",
                              "1 or 2 where texels are gathered", map.channels);
     umbrage::detail::require(&asked != &hooks::decode || !contains(words_of(map.depth), "texel"), "glsl::bind",
                              "map.depth", "of value alone where texels are gathered", map.depth);
@@ -187,8 +187,9 @@ void check(const snippet& what, std::string_view name, const binding& map) {
     expressions(map.arguments, "map.arguments", "expressions on one line");
     for (const snippet& need : map.needs)
         umbrage::detail::require(!reads_map(need), "glsl::bind", "map.needs", "snippets that read no map", need.name);
-    umbrage::detail::require(!map.receiver_plane || (!map.gather && map.compare.empty()), "glsl::bind",
-                             "map.receiver_plane", "false where texels are gathered or have an own comparison",
+    umbrage::detail::require(!map.receiver_plane || (map.compare.empty() && !(map.gather && compares(map.texture))),
+                             "glsl::bind", "map.receiver_plane",
+                             "false where a sampler gathers comparisons, or with an own comparison",
                              map.receiver_plane);
     check_hooks(what, what, map);
 }

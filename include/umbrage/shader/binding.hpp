@@ -64,7 +64,7 @@ struct binding {
                             ///< direction. With an own comparison no receiver is beyond the far plane
     bool receiver_plane = false;   ///< compares along the receiver's plane (plane_reference). After the map functions
                                    ///< take the plane's slope, a vec2, and a vec3 of the receiver's coordinate and its
-                                   ///< depth. Not with gather or an own comparison
+                                   ///< depth. Not with gathered comparisons or an own one
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
     std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
     std::string parameters{};      ///< replaces the texture type's words: the map's parameters in declarations,

@@ -20,9 +20,10 @@ inline constexpr const auto& all =
     list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
          &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
          &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
-         &gather_compared, &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
-         &gathered_bordered_region, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit,
-         &planed_lit_sampled, &planed_lit_at, &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+         &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
+         &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
+         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &planed_lit_sampled, &planed_lit_at,
+         &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -71,10 +72,13 @@ template <class = umbrage::detail::on_use>
             return is_bordered(b) ? hooks::bordered_lit : hooks::clamped_lit;
         case hook::lit_2x2:
             if (!b.gather) return s;
-            if (is_bordered(b)) return has_region(b) ? hooks::gathered_bordered_region : hooks::gathered_bordered;
-            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+            return is_bordered(b) && !b.receiver_plane ? hooks::gathered_bordered : hooks::gathered;
         case hook::gather_lit:
-            if (compares(b.texture)) return hooks::gather_compared;
+            if (compares(b.texture)) return s;
+            return b.receiver_plane ? hooks::planed_gathered_lit : hooks::gathered_lit;
+        case hook::gather_clamped: return has_region(b) ? hooks::gather_in_region : s;
+        case hook::gather:
+            if (compares(b.texture)) return s;
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
@@ -84,7 +88,7 @@ template <class = umbrage::detail::on_use>
             if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
             return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
         case hook::depth_at:
-            if (!b.gather || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
+            if (!b.gather || b.receiver_plane || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
             return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
     }
     return s;

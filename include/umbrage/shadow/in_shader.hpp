@@ -14,9 +14,13 @@
 // fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
 // and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
+// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same bits.
+// GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+//
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
 // reads its map (calibration.hpp).
+//
 // See also: depth_pass.hpp, for the functions of the depth pass.
 #pragma once
 
@@ -42,6 +46,7 @@ struct shadow_slots {
     int block = 0, texture = 1, sampler = 2, set = 0;  ///< each 0 or above, see shader_slots
     std::optional<glsl::texture> map{};  ///< for one map texture_2d (default), depth or shadow. For several maps atlas
                                          ///< (default), array, depth_array or shadow_array
+    bool gather = false;                 ///< reads 2x2 texels at once, with a sampler that clamps to the edge
     bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
@@ -130,6 +135,14 @@ template <class Setup, class Filter, class Encoding>
     map.outside = Setup::outside;
     if (kind == texture::atlas)  // for GLSL before 130, which has no textureSize
         map.texture_size = "vec2(" + std::to_string(of.size().x) + ".0, " + std::to_string(of.size().y) + ".0)";
+    if (slots.gather) {
+        umbrage::detail::require(!detail::compares(kind), "glsl::bind", "slots.gather",
+                                 "false where slots.map is a comparison sampler", slots.gather);
+        umbrage::detail::require(detail::calls(*of.filter().snippet, hook::lit_2x2, hook::lit_2x2), "glsl::bind",
+                                 "of.filter()", "pcf_2x2 or a kernel, as slots.gather is true",
+                                 of.filter().snippet->name);
+        map.gather = true;
+    }
     bound item(snippet{.name = "shadow", .source = ""}, name, map);
     linear_form linear;
     if (slots.linear) {

@@ -64,7 +64,7 @@ const decode = { name: "decode", role: "chosen", needs: [],
     text: `
 // umbrage_decode: depth of a value that the sampler returned
 inline float umbrage_decode(float4 value) {
-    return UMBRAGE_DEPTH;
+    return UMBRAGE_STORED;
 }
 ` };
 const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
@@ -129,68 +129,113 @@ inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float recei
     return lit * number;
 }
 ` };
-const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
+const gather_compared = { name: "gather", role: "gather", needs: [],
     text: `
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
-inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+// umbrage_gather: the sampler's comparisons with four texels. NaN is in shadow
+inline float4 umbrage_gather(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 lit = UMBRAGE_GATHER_LIT;
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return float4(lit.w, lit.z, lit.x, lit.y) * number;
 }
 ` };
-const gather_lit_one_channel = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+const gather_one_channel = { name: "gather", role: "chosen", needs: [decode],
     text: `
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+// umbrage_gather: depths of four texels
+inline float4 umbrage_gather(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 r = UMBRAGE_GATHER_RED;
-    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, 0.0, 0.0, 0.0)));
-    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, 0.0, 0.0, 0.0)));
-    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, 0.0, 0.0, 0.0)));
-    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, 0.0, 0.0, 0.0)));
+    float a = umbrage_decode(float4(r.w, 0.0, 0.0, 0.0));
+    float b = umbrage_decode(float4(r.z, 0.0, 0.0, 0.0));
+    float c = umbrage_decode(float4(r.x, 0.0, 0.0, 0.0));
+    float d = umbrage_decode(float4(r.y, 0.0, 0.0, 0.0));
     return float4(a, b, c, d);
 }
 ` };
-const gather_lit_two_channels = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+const gather_two_channels = { name: "gather", role: "chosen", needs: [decode],
     text: `
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+// umbrage_gather: depths of four texels
+inline float4 umbrage_gather(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 r = UMBRAGE_GATHER_RED;
     float4 g = UMBRAGE_GATHER_GREEN;
-    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, g.w, 0.0, 0.0)));
-    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, g.z, 0.0, 0.0)));
-    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, g.x, 0.0, 0.0)));
-    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, g.y, 0.0, 0.0)));
+    float a = umbrage_decode(float4(r.w, g.w, 0.0, 0.0));
+    float b = umbrage_decode(float4(r.z, g.z, 0.0, 0.0));
+    float c = umbrage_decode(float4(r.x, g.x, 0.0, 0.0));
+    float d = umbrage_decode(float4(r.y, g.y, 0.0, 0.0));
     return float4(a, b, c, d);
 }
 ` };
-const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+const gather_clamped_by_the_sampler = { name: "gather_clamped", role: "gather_clamped", needs: [gather_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
-inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
-    return umbrage_gather_lit(map, size, texel, receiver);
+// umbrage_gather_clamped: umbrage_gather. The sampler clamps to the edge
+inline float4 umbrage_gather_clamped(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_gather(map, size, texel, receiver);
 }
 ` };
-const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+const gather_clamped_in_a_region = { name: "gather_clamped", role: "chosen", needs: [gather_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
-// row and column
-inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+// umbrage_gather_clamped: umbrage_gather of the nearest texels inside the region. It gathers inside, and takes each
+// value from its row and column
+inline float4 umbrage_gather_clamped(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
     float2 low = metal::clamp(texel, float2(0.0, 0.0), size - 1.0) - first;
     float2 high = metal::clamp(texel + 1.0, float2(0.0, 0.0), size - 1.0) - first;
-    float4 lit = umbrage_gather_lit(map, size, first, receiver);
-    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
-    float2 right = high.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float4 four = umbrage_gather(map, size, first, receiver);
+    float2 left = low.x > 0.5 ? float2(four.y, four.w) : float2(four.x, four.z);
+    float2 right = high.x > 0.5 ? float2(four.y, four.w) : float2(four.x, four.z);
     float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     float2 top = high.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
     return float4(bottom.x, bottom.y, top.x, top.y);
 }
 ` };
-const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+const gather_lit_compared_by_the_sampler = { name: "gather_lit", role: "gather_lit", needs: [gather_clamped_by_the_sampler],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_gather_clamped(map, size, texel, receiver);
+}
+` };
+const gather_lit_of_depths = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float4 stored = umbrage_gather_clamped(map, size, texel, receiver);
+    float a = umbrage_compare(receiver, stored.x);
+    float b = umbrage_compare(receiver, stored.y);
+    float c = umbrage_compare(receiver, stored.z);
+    float d = umbrage_compare(receiver, stored.w);
+    return float4(a, b, c, d);
+}
+` };
+const compare_along = { name: "compare_along", role: "chosen", needs: [snippets.compare],
+    text: `
+// umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
+inline float umbrage_compare_along(UMBRAGE_MAP map, float2 size, float2 texel, float stored) {
+    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    return umbrage_compare(UMBRAGE_REFERENCE, stored);
+}
+` };
+const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, along the receiver's plane
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float4 stored = umbrage_gather_clamped(map, size, texel, receiver);
+    float a = umbrage_compare_along(map, size, texel, stored.x);
+    float b = umbrage_compare_along(map, size, texel + float2(1.0, 0.0), stored.y);
+    float c = umbrage_compare_along(map, size, texel + float2(0.0, 1.0), stored.z);
+    float d = umbrage_compare_along(map, size, texel + float2(1.0, 1.0), stored.w);
+    return float4(a, b, c, d);
+}
+` };
+const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared_by_the_sampler],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+` };
+const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared_by_the_sampler, snippets.inside_map, snippets.compare],
     text: `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 // Outside the map the far plane is compared. The sampler's border color does not matter
@@ -201,26 +246,6 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? lit.y : outside;
     float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? lit.z : outside;
     float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? lit.w : outside;
-    return float4(a, b, c, d);
-}
-` };
-const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
-    text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the far plane is compared. The gather stays inside
-inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
-    float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
-    float2 low = texel - first;
-    float4 lit = umbrage_gather_lit(map, size, first, receiver);
-    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
-    float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
-    float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
-    float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
-    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
-    float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
-    float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
-    float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? top.y : outside;
     return float4(a, b, c, d);
 }
 ` };
@@ -373,13 +398,17 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
         "lit, along a plane": lit_along_a_plane,
         "lit_texel, along a plane": lit_texel_along_a_plane,
         "lit, compared along a plane": lit_compared_along_a_plane,
-        "gather_lit, compared": gather_lit_compared,
-        "gather_lit, one channel": gather_lit_one_channel,
-        "gather_lit, two channels": gather_lit_two_channels,
+        "gather, compared": gather_compared,
+        "gather, one channel": gather_one_channel,
+        "gather, two channels": gather_two_channels,
+        "gather_clamped, by the sampler": gather_clamped_by_the_sampler,
+        "gather_clamped, in a region": gather_clamped_in_a_region,
+        "gather_lit, compared by the sampler": gather_lit_compared_by_the_sampler,
+        "gather_lit, of depths": gather_lit_of_depths,
+        "compare_along": compare_along,
+        "gather_lit, along a plane": gather_lit_along_a_plane,
         "lit_2x2, gathered": lit_2x2_gathered,
-        "lit_2x2, gathered in a region": lit_2x2_gathered_in_a_region,
         "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
-        "lit_2x2, gathered in a bordered region": lit_2x2_gathered_in_a_bordered_region,
         "lit_filtered, clamped": lit_filtered_clamped,
         "lit_filtered, bordered": lit_filtered_bordered,
         "lit_at, sampled": lit_at_sampled,

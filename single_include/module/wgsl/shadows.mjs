@@ -64,7 +64,7 @@ const decode = { name: "decode", role: "chosen", needs: [],
     text: `
 // umbrage_decode: depth of a value that the sampler returned
 fn umbrage_decode(value: vec4f) -> f32 {
-    return UMBRAGE_DEPTH;
+    return UMBRAGE_STORED;
 }
 ` };
 const fetch_depth_clamped = { name: "fetch_depth", role: "chosen", needs: [snippets.fetch_clamped],
@@ -129,68 +129,113 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
     return lit * number;
 }
 ` };
-const gather_lit_compared = { name: "gather_lit", role: "gather_lit", needs: [],
+const gather_compared = { name: "gather", role: "gather", needs: [],
     text: `
-// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). NaN is in shadow
-fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+// umbrage_gather: the sampler's comparisons with four texels. NaN is in shadow
+fn umbrage_gather(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: vec4f = UMBRAGE_GATHER_LIT;
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return vec4f(lit.w, lit.z, lit.x, lit.y) * number;
 }
 ` };
-const gather_lit_one_channel = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+const gather_one_channel = { name: "gather", role: "chosen", needs: [decode],
     text: `
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+// umbrage_gather: depths of four texels
+fn umbrage_gather(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let r: vec4f = UMBRAGE_GATHER_RED;
-    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, 0.0, 0.0, 0.0)));
-    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, 0.0, 0.0, 0.0)));
-    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, 0.0, 0.0, 0.0)));
-    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, 0.0, 0.0, 0.0)));
+    let a: f32 = umbrage_decode(vec4f(r.w, 0.0, 0.0, 0.0));
+    let b: f32 = umbrage_decode(vec4f(r.z, 0.0, 0.0, 0.0));
+    let c: f32 = umbrage_decode(vec4f(r.x, 0.0, 0.0, 0.0));
+    let d: f32 = umbrage_decode(vec4f(r.y, 0.0, 0.0, 0.0));
     return vec4f(a, b, c, d);
 }
 ` };
-const gather_lit_two_channels = { name: "gather_lit", role: "chosen", needs: [decode, snippets.compare],
+const gather_two_channels = { name: "gather", role: "chosen", needs: [decode],
     text: `
-// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+// umbrage_gather: depths of four texels
+fn umbrage_gather(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let r: vec4f = UMBRAGE_GATHER_RED;
     let g: vec4f = UMBRAGE_GATHER_GREEN;
-    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, g.w, 0.0, 0.0)));
-    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, g.z, 0.0, 0.0)));
-    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, g.x, 0.0, 0.0)));
-    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, g.y, 0.0, 0.0)));
+    let a: f32 = umbrage_decode(vec4f(r.w, g.w, 0.0, 0.0));
+    let b: f32 = umbrage_decode(vec4f(r.z, g.z, 0.0, 0.0));
+    let c: f32 = umbrage_decode(vec4f(r.x, g.x, 0.0, 0.0));
+    let d: f32 = umbrage_decode(vec4f(r.y, g.y, 0.0, 0.0));
     return vec4f(a, b, c, d);
 }
 ` };
-const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+const gather_clamped_by_the_sampler = { name: "gather_clamped", role: "gather_clamped", needs: [gather_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1). The sampler clamps
-fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
-    return umbrage_gather_lit(map, size, texel, receiver);
+// umbrage_gather_clamped: umbrage_gather. The sampler clamps to the edge
+fn umbrage_gather_clamped(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather(map, size, texel, receiver);
 }
 ` };
-const lit_2x2_gathered_in_a_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared],
+const gather_clamped_in_a_region = { name: "gather_clamped", role: "chosen", needs: [gather_compared],
     text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the nearest texel inside is compared. The gather stays inside, and each comparison is taken from its
-// row and column
-fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+// umbrage_gather_clamped: umbrage_gather of the nearest texels inside the region. It gathers inside, and takes each
+// value from its row and column
+fn umbrage_gather_clamped(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
     let low: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0) - first;
     let high: vec2f = clamp(texel + 1.0, vec2f(0.0, 0.0), size - 1.0) - first;
-    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
-    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
-    let right: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), high.x > 0.5);
+    let four: vec4f = umbrage_gather(map, size, first, receiver);
+    let left: vec2f = select(vec2f(four.x, four.z), vec2f(four.y, four.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(four.x, four.z), vec2f(four.y, four.w), high.x > 0.5);
     let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
     let top: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), high.y > 0.5);
     return vec4f(bottom.x, bottom.y, top.x, top.y);
 }
 ` };
-const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
+const gather_lit_compared_by_the_sampler = { name: "gather_lit", role: "gather_lit", needs: [gather_clamped_by_the_sampler],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather_clamped(map, size, texel, receiver);
+}
+` };
+const gather_lit_of_depths = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, snippets.compare],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, with the nearest texel inside where one is outside
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let stored: vec4f = umbrage_gather_clamped(map, size, texel, receiver);
+    let a: f32 = umbrage_compare(receiver, stored.x);
+    let b: f32 = umbrage_compare(receiver, stored.y);
+    let c: f32 = umbrage_compare(receiver, stored.z);
+    let d: f32 = umbrage_compare(receiver, stored.w);
+    return vec4f(a, b, c, d);
+}
+` };
+const compare_along = { name: "compare_along", role: "chosen", needs: [snippets.compare],
+    text: `
+// umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
+fn umbrage_compare_along(UMBRAGE_MAP map, size: vec2f, texel: vec2f, stored: f32) -> f32 {
+    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    return umbrage_compare(UMBRAGE_REFERENCE, stored);
+}
+` };
+const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along],
+    text: `
+// umbrage_gather_lit: visibility of four comparisons, along the receiver's plane
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let stored: vec4f = umbrage_gather_clamped(map, size, texel, receiver);
+    let a: f32 = umbrage_compare_along(map, size, texel, stored.x);
+    let b: f32 = umbrage_compare_along(map, size, texel + vec2f(1.0, 0.0), stored.y);
+    let c: f32 = umbrage_compare_along(map, size, texel + vec2f(0.0, 1.0), stored.z);
+    let d: f32 = umbrage_compare_along(map, size, texel + vec2f(1.0, 1.0), stored.w);
+    return vec4f(a, b, c, d);
+}
+` };
+const lit_2x2_gathered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared_by_the_sampler],
+    text: `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+` };
+const lit_2x2_gathered_and_bordered = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared_by_the_sampler, snippets.inside_map, snippets.compare],
     text: `
 // umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
 // Outside the map the far plane is compared. The sampler's border color does not matter
@@ -201,26 +246,6 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     let b: f32 = select(outside, lit.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
     let c: f32 = select(outside, lit.z, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
     let d: f32 = select(outside, lit.w, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
-    return vec4f(a, b, c, d);
-}
-` };
-const lit_2x2_gathered_in_a_bordered_region = { name: "lit_2x2", role: "chosen", needs: [gather_lit_compared, snippets.inside_map, snippets.compare],
-    text: `
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
-// Outside the map the far plane is compared. The gather stays inside
-fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
-    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
-    let low: vec2f = texel - first;
-    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
-    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
-    let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
-    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
-    let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
-    let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
-    let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
-    let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
-    let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
-    let d: f32 = select(outside, top.y, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
     return vec4f(a, b, c, d);
 }
 ` };
@@ -373,13 +398,17 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
         "lit, along a plane": lit_along_a_plane,
         "lit_texel, along a plane": lit_texel_along_a_plane,
         "lit, compared along a plane": lit_compared_along_a_plane,
-        "gather_lit, compared": gather_lit_compared,
-        "gather_lit, one channel": gather_lit_one_channel,
-        "gather_lit, two channels": gather_lit_two_channels,
+        "gather, compared": gather_compared,
+        "gather, one channel": gather_one_channel,
+        "gather, two channels": gather_two_channels,
+        "gather_clamped, by the sampler": gather_clamped_by_the_sampler,
+        "gather_clamped, in a region": gather_clamped_in_a_region,
+        "gather_lit, compared by the sampler": gather_lit_compared_by_the_sampler,
+        "gather_lit, of depths": gather_lit_of_depths,
+        "compare_along": compare_along,
+        "gather_lit, along a plane": gather_lit_along_a_plane,
         "lit_2x2, gathered": lit_2x2_gathered,
-        "lit_2x2, gathered in a region": lit_2x2_gathered_in_a_region,
         "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
-        "lit_2x2, gathered in a bordered region": lit_2x2_gathered_in_a_bordered_region,
         "lit_filtered, clamped": lit_filtered_clamped,
         "lit_filtered, bordered": lit_filtered_bordered,
         "lit_at, sampled": lit_at_sampled,

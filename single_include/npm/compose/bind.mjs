@@ -4,8 +4,8 @@ import { is_of_map, is_snippet } from './compose.mjs';
 import { declarations, for_map, has_region, is_bordered, is_expression, is_one_expression, laid_out, words_of } from './map_words.mjs';
 
 const must = /*#__PURE__*/ must_in('bind');
-const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
-const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'lit_filtered', 'lit_at', 'depth_at']);
+export const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
+const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'gather_clamped', 'gather', 'lit_filtered', 'lit_at', 'depth_at']);
 
 /** bind() of a language: snippet, name and map to an item of a text. */
 export const bind_in = hooks => (what, name, ...rest) => {
@@ -51,8 +51,8 @@ export function check(hooks, what, map) {
     must(map.arguments === '' || is_expression(map.arguments), 'map.arguments must be expressions on one line',
         map.arguments);
     for (const need of map.needs) must(!reads_map(need), 'map.needs must be snippets that read no map', need.name);
-    must(!map.receiver_plane || !map.gather && map.compare === '',
-        'map.receiver_plane must be false where texels are gathered or have an own comparison', true);
+    must(!map.receiver_plane || map.compare === '' && !(map.gather && compares(map)),
+        'map.receiver_plane must be false where a sampler gathers comparisons, or with an own comparison', true);
     check_hooks(hooks, what, what, map);
 }
 
@@ -60,9 +60,9 @@ export function check(hooks, what, map) {
 function check_hooks(hooks, what, asked, map) {
     must(!compares(map) || !['texel', 'fetch_depth'].includes(asked.role),
         'what must be a snippet that reads no depths, as a comparison sampler gives none', what.name);
-    must(asked.role !== 'gather_lit' || gathers(map),
+    must(asked.role !== 'gather' || gathers(map),
         'map.gather must be false where texels of cubes or whole numbers are gathered', true);
-    must(asked.role !== 'gather_lit' || map.channels <= 2, 'map.channels must be 1 or 2 where texels are gathered',
+    must(asked.role !== 'gather' || map.channels <= 2, 'map.channels must be 1 or 2 where texels are gathered',
         map.channels);
     must(asked !== hooks.chosen.decode || !words_of(map.depth).includes('texel'),
         'map.depth must be of value alone where texels are gathered', map.depth);
@@ -127,17 +127,20 @@ function chosen(hooks, s, map) {
         case 'lit_filtered': return compares(map) ? variant(is_bordered(map) ? 'bordered' : 'clamped') : s;
         case 'lit_2x2':
             if (!map.gather) return s;
-            if (is_bordered(map)) return variant(`gathered ${has_region(map) ? 'in a bordered region' : 'and bordered'}`);
-            return variant(has_region(map) ? 'gathered in a region' : 'gathered');
+            return variant(is_bordered(map) && !map.receiver_plane ? 'gathered and bordered' : 'gathered');
         case 'gather_lit':
-            if (compares(map)) return variant('compared');
+            if (compares(map)) return s;
+            return variant(map.receiver_plane ? 'along a plane' : 'of depths');
+        case 'gather_clamped': return has_region(map) ? variant('in a region') : s;
+        case 'gather':
+            if (compares(map)) return s;
             return variant(map.channels === 2 ? 'two channels' : 'one channel');
         case 'lit_at':
             if (!compares(map) || has_region(map)) return s;
             if (map.receiver_plane) return variant(is_bordered(map) ? 'bordered along a plane' : 'along a plane');
             return variant(is_bordered(map) ? 'sampled and bordered' : 'sampled');
         case 'depth_at':
-            if (!map.gather || !gathers(map) || compares(map) || has_region(map)) return s;
+            if (!map.gather || map.receiver_plane || !gathers(map) || compares(map) || has_region(map)) return s;
             return variant(is_bordered(map) ? 'sampled and bordered' : 'sampled');
         default: return s;
     }

@@ -1,12 +1,12 @@
 // A light's shadow as functions of a shader, its maps' target, and its depth pass. The texts are those of C++'s bind() and
 // bind_depth_pass(); the values of its uniforms are those of values.mjs.
-import { bound, check, complete, plane_needs } from './bind.mjs';
+import { bound, calls as calls_hook, check, complete, plane_needs } from './bind.mjs';
 import { given_as_encoding, must_be_clip_space, must_in } from './check.mjs';
 import { all_fields, frame_in, vertex_in } from './frame.mjs';
 
 const must = /*#__PURE__*/ must_in('shadow');
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
-    block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
+    gather: false, block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
 
 /** shadow() of a language. */
@@ -17,7 +17,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(typeof options === 'object' && options !== null, 'options must be an object', options);
     for (const key of Object.keys(options))
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
-    const { kind, filter, encoding = depth32f, map_size, direction, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
+    const { kind, filter, encoding = depth32f, map_size, direction, gather, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
     must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
     must(filter?.language === language && filter.filter?.in_shadow === true, `filter must be one that a shadow takes, of ${language.name}`, filter);
     const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
@@ -43,10 +43,13 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
     const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow');
+    must(gather === false || gather === true, 'gather must be true or false', gather);
+    must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
+    must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);
     const whole = [size[0] * columns, size[1] * rows];
     const stored = reversed ? encoding.reversed : encoding;
     const map = complete(hooks, { texture: lies_in, direction, outside, depth: stored.depth, channels: stored.channels,
-        receiver_plane: along_plane, needs: stored.needs,
+        receiver_plane: along_plane, needs: stored.needs, gather,
         texture_size: lies_in === 'atlas' ? `vec2(${whole[0]}.0, ${whole[1]}.0)` : '' });
     if (along_plane) map.needs = [...map.needs, ...plane_needs(hooks, map)];
 

@@ -44,6 +44,8 @@ inline std::string_view role(glsl::hook h) {
         case glsl::hook::lit: return "lit";
         case glsl::hook::lit_2x2: return "lit_2x2";
         case glsl::hook::gather_lit: return "gather_lit";
+        case glsl::hook::gather_clamped: return "gather_clamped";
+        case glsl::hook::gather: return "gather";
         case glsl::hook::lit_filtered: return "lit_filtered";
         case glsl::hook::lit_at: return "lit_at";
         case glsl::hook::depth_at: return "depth_at";

@@ -17,17 +17,25 @@ namespace {
 
 namespace glsl = umbrage::glsl;
 
+/// Ways in which a shadow reads its map.
+enum class reading { texels, gathers, comparisons, linear_comparisons };
+constexpr const char* names[]{"from texels", "by gathers", "by comparison sampler", "by linear comparison sampler"};
+
+/// A whole shadow's shader.
 template <class Shadow>
-shader bound(const Shadow& s, bool compares) {
+shader bound(const Shadow& s, reading how) {
+    const bool compares = how == reading::comparisons || how == reading::linear_comparisons;
     constexpr auto grid = std::remove_cvref_t<decltype(s.setup())>::grid;
     constexpr bool several = grid.columns * grid.rows > 1;
     glsl::shadow_slots slots{.block = 7, .texture = 0};
     if (compares && several) slots.texture = 4, slots.map = glsl::texture::shadow_array;
     else if (compares) slots.texture = 2, slots.map = glsl::texture::shadow;
+    if (how == reading::gathers) slots.gather = true;
+    slots.linear = how == reading::linear_comparisons;
     const glsl::bound item = glsl::bind(s, "sun", slots);
     const bool turns = item.declared->functions[0].arguments.size() > 2;
     return {"umbrage",
-            compares ? "by comparison sampler" : "from texels",
+            names[int(how)],
             "",
             {item},
             std::string("vec4(umbrage_sun(x0.xyz, x2.xyz") + (turns ? ", gl_FragCoord.xy))" : "))")};
@@ -41,8 +49,12 @@ void add(const std::string& name, const Light& light, int map_size, const whole_
         if constexpr (shadow_scene::go_together<Light, Filter>) {
             const umbrage::shadow s(light, glm::ivec2(map_size), filter);
             const std::string full = name + ", " + filter_name;
-            job whole{"whole shadow, " + full, {bound(s, false)}, true};
-            if (!umbrage::detail::contact_hardening<Filter>) whole.shaders.push_back(bound(s, true));
+            job whole{"whole shadow, " + full, {bound(s, reading::texels)}, true};
+            if (!umbrage::detail::contact_hardening<Filter>) whole.shaders.push_back(bound(s, reading::comparisons));
+            if constexpr (!umbrage::has_bent_lines<typename umbrage::setup_for<Light>::type>)
+                if (glsl::linear_form_of(filter).what) whole.shaders.push_back(bound(s, reading::linear_comparisons));
+            if (glsl::detail::calls(*filter.snippet, glsl::hook::lit_2x2, glsl::hook::lit_2x2))
+                whole.shaders.push_back(bound(s, reading::gathers));
             for (auto [i, last] = theirs.equal_range(full); i != last; ++i) whole.shaders.push_back(i->second);
             all.push_back(std::move(whole));
         }

@@ -157,6 +157,21 @@ TEST_CASE("in_shader: a linear comparison sampler weights the filters that have 
           "is true; got \"hard\"");
 }
 
+TEST_CASE("in_shader: gathers read four texels at once where the language has them") {
+    const shadow sun(shadow_scene::fitted(cpu_clip_space), {64, 64}, filters::tent<3>);
+    const auto item = bind(sun, "sun", {.gather = true});
+    const auto text = glsl::text({item}, version::v450);
+    CHECK(has(text, "textureGather(map, (texel + 1.0) / size, 0)"));
+    CHECK(!has(text, "texelFetch"));
+    CHECK(!glsl::supports(item, version::v330));
+    const shadow sharp(shadow_scene::fitted(cpu_clip_space), {64, 64}, filters::hard{});
+    CHECK(refusal([&] { (void)bind(sharp, "sun", {.gather = true}); }) ==
+          "umbrage::glsl::bind: of.filter() must be pcf_2x2 or a kernel, as slots.gather is true; got \"hard\"");
+    CHECK(refusal([&] {
+              (void)bind(sun, "sun", {.map = glsl::texture::shadow, .gather = true});
+          }).starts_with("umbrage::glsl::bind: slots.gather must be false where slots.map is a comparison sampler"));
+}
+
 TEST_CASE("in_shader: bad input") {
     const auto lamp = bind(lamp_in_shader, "lamp");
     CHECK(refusal([&] { (void)bind(lamp_in_shader, "2 lamps"); }).starts_with("umbrage::glsl::bind: name must be"));

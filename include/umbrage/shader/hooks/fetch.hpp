@@ -88,7 +88,7 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
 // umbrage_decode: depth of a value that the sampler returned
 UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
-    return UMBRAGE_DEPTH;
+    return UMBRAGE_STORED;
 }
 )GLSL"};
 
@@ -179,7 +179,5 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
     return lit * number;
 }
 )GLSL"};
-
-// Four texels at once: a gather returns those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
 
 }  // namespace umbrage::glsl::hooks
