@@ -124,6 +124,8 @@ export interface ShadowOptionsOf<L extends Language> {
     map?: Texture;
     /** Reads 2x2 texels at once, by a sampler that clamps to the edge: for pcf_2x2 and kernels, from GLSL 430 and 310 es on. */
     gather?: boolean;
+    /** Form of the filter for a comparison sampler that filters linearly, as window_hardware3 of tent3: fewer fetches, tier C. */
+    linear?: SnippetOf<L>;
     /** What block, map and sampler are bound to, 0 or above; set is WGSL's group or HLSL's space. Each shadow of a text has
      *  others, but for GLSL before 430 and 310 es, and Metal, whose texts have none. WGSL counts all three alike. */
     block?: number;

@@ -17,10 +17,10 @@ function made(use) {
         return null;
     }
 }
-function shadow_in(language, { kind, filter, encoding, direction, map, gather, debug, slots: [block, texture, sampler, set] }) {
+function shadow_in(language, { kind, filter, encoding, direction, map, gather, linear, debug, slots: [block, texture, sampler, set] }) {
     const { shadow, encodings, snippets, debug: debug_texts, ...all } = umbrage[language];
     return shadow('sun', { kind: all[kind], filter: snippets[filter], ...encoding && { encoding: encodings[encoding] },
-        map_size: 256, direction, ...map && { map }, ...gather && { gather }, block, texture, sampler, set, ...debug && { debug: debug_texts } });
+        map_size: 256, direction, ...map && { map }, ...gather && { gather }, ...linear && { linear: snippets[linear] }, block, texture, sampler, set, ...debug && { debug: debug_texts } });
 }
 
 let tried = 0, refused = 0, different = 0;
@@ -44,7 +44,7 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
         }
         continue;
     }
-    const { kind, filter, encoding, direction, map, version, texts } = test, what = [kind, filter, encoding, direction, map, version, test.gather && 'gathered', test.debug && 'debug'].join(' ');
+    const { kind, filter, encoding, direction, map, version, texts } = test, what = [kind, filter, encoding, direction, map, version, test.gather && 'gathered', test.linear, test.debug && 'debug'].join(' ');
     for (const language in umbrage) {
         const { source, text } = umbrage[language], all = items => language === 'glsl' ? source(version, items) : text(items);
         same(made(() => all([shadow_in(language, test)])), texts[language], `${what} in ${language}`);

@@ -64,6 +64,7 @@ public:
             if (slots.map == t.kind) out_ << ",\"map\":" << literal(t.name);
         if (slots.debug) out_ << ",\"debug\":true";
         if (slots.gather) out_ << ",\"gather\":true";
+        if (slots.linear) out_ << ",\"linear\":" << literal(glsl::linear_form_of(of.filter()).what->name);
         out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
              << "],\"size\":[" << of.size().x << ',' << of.size().y << "],\"cleared\":" << cleared(of)
              << ",\"bytes\":" << sizeof(of.uniforms()) << ",\"version\":" << literal(directive(v))
@@ -109,6 +110,8 @@ void of_filters(writer& out, const umbrage::clip_space& clip) {
             out.add(kind, tent, {.block = 4, .texture = 5, .sampler = 6, .set = 1, .map = t.kind});
             out.add(kind, disc, {.map = t.kind});
             out.add(kind, tent, {.map = t.kind, .gather = true});
+            out.add(kind, tent, {.map = t.kind, .linear = true, .debug = true});
+            out.add(kind, disc, {.map = t.kind, .linear = true});
         }
     });
 }

@@ -63,7 +63,8 @@ bool agrees(const char* light, const char* filter, const Shadow& s, const receiv
     }
     tried one = make(
         "lamp", s,
-        glsl::bind(s, "lamp", {.map = array ? glsl::texture::shadow_array : glsl::texture::shadow, .linear = true}),
+        glsl::bind(s, "lamp",
+                   {.map = array ? glsl::texture::shadow_array : glsl::texture::shadow, .linear = true, .debug = true}),
         {.kind = GLenum(array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D),
          .internal = GL_DEPTH_COMPONENT32F,
          .format = GL_DEPTH_COMPONENT,

@@ -85,6 +85,7 @@ public:
 private:
     struct part {
         std::string what, suffix, guard;
+        std::string_view summary{};  ///< tells apart functions of one name
     };
 
     struct slot_of {
@@ -115,12 +116,12 @@ private:
         for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
         for (const part& done : done_) {
             if (done.guard != guard) continue;
-            if (done.what == s.name && done.suffix == suffix) return;
+            if (done.what == s.name && done.suffix == suffix && done.summary == s.summary) return;
             umbrage::detail::refuse(language_.function, "name", "such that functions differ, in capitals too",
                                     ("umbrage_" + done.what + done.suffix + " and umbrage_" + function).c_str());
         }
         use(s, item, guard);
-        done_.push_back({std::string(s.name), suffix, std::move(guard)});
+        done_.push_back({std::string(s.name), suffix, std::move(guard), s.summary});
     }
 
     /// Declaration of the receiver's plane after the map. Empty in own texts, which compute it.

@@ -168,7 +168,7 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
         UMBRAGE_HIGHP float found = 0.0;
         UMBRAGE_HIGHP float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {
-            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            found += umbrage_lit_at_distance(map, terms, filter_terms, coord, found + step_size) * step_size;
             step_size *= 0.5;
         }
         UMBRAGE_HIGHP float first = 8.0 * float(block);
@@ -179,8 +179,8 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
         UMBRAGE_HIGHP float other = abs(found - nearest * (1.0 / 34.0));
         met += vec4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0,
                     other <= coarse ? 1.0 : 0.0);
-        UMBRAGE_HIGHP float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
-        UMBRAGE_HIGHP float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        UMBRAGE_HIGHP float front = umbrage_lit_at_distance(map, terms, filter_terms, coord, 0.0);
+        UMBRAGE_HIGHP float back = umbrage_lit_at_distance(map, terms, filter_terms, coord, 1.0);
         seen += vec3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
     }
     UMBRAGE_HIGHP float reading = 7.0;
@@ -202,24 +202,25 @@ template <class Setup, class Filter, class Encoding>
 [[nodiscard]] std::array<glsl::own_text, 3> calibration_texts(const Encoding& encoding, const std::string& terms,
                                                               const std::string& pixel, const std::string& choice) {
     const int parts = static_cast<int>(1.0f / calibration_tolerance<Setup, Filter>(encoding) + 0.5f);
-    return {{{"lit_at",
-              "\n// umbrage_lit_at: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
-              "UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, " +
-                  terms +
-                  "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
-                  "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
-                  "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
-                  "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
-                  pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
-              {&glsl::cleared_depth}},
-             {"read_map", std::string(read_map_text), {}},
-             {"reading",
-              "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
-              "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
-                  terms + "UMBRAGE_HIGHP float number) {\n" + choice +
-                  "    return umbrage_read_map(map, terms, filter_terms, number, 1.0 / " + std::to_string(parts) +
-                  ".0);\n}\n",
-              {}}}};
+    return {
+        {{"lit_at_distance",
+          "\n// umbrage_lit_at_distance: 1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit\n"
+          "UMBRAGE_HIGHP float umbrage_lit_at_distance(UMBRAGE_MAP map, " +
+              terms +
+              "UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float distance) {\n"
+              "    UMBRAGE_HIGHP float depth = umbrage_cleared_depth() > 0.5 ? distance : 1.0 - distance;\n"
+              "    UMBRAGE_HIGHP vec3 at = vec3(coord.x, coord.y, depth);\n"
+              "    return umbrage_look(map, terms, filter_terms, at, vec3(0.0, 0.0, 0.0)" +
+              pixel + ") > 0.5 ? 1.0 : 0.0;\n}\n",
+          {&glsl::cleared_depth}},
+         {"read_map", std::string(read_map_text), {}},
+         {"reading",
+          "\n// umbrage_reading: what a map of known depths is read as, a map_reading's number; 0.0 is right\n"
+          "UMBRAGE_HIGHP float umbrage_reading(UMBRAGE_MAP map, " +
+              terms + "UMBRAGE_HIGHP float number) {\n" + choice +
+              "    return umbrage_read_map(map, terms, filter_terms, number, 1.0 / " + std::to_string(parts) +
+              ".0);\n}\n",
+          {}}}};
 }
 
 }  // namespace detail

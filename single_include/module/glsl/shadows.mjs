@@ -528,7 +528,7 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
         UMBRAGE_HIGHP float found = 0.0;
         UMBRAGE_HIGHP float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {
-            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            found += umbrage_lit_at_distance(map, terms, filter_terms, coord, found + step_size) * step_size;
             step_size *= 0.5;
         }
         UMBRAGE_HIGHP float first = 8.0 * float(block);
@@ -539,8 +539,8 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
         UMBRAGE_HIGHP float other = abs(found - nearest * (1.0 / 34.0));
         met += vec4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0,
                     other <= coarse ? 1.0 : 0.0);
-        UMBRAGE_HIGHP float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
-        UMBRAGE_HIGHP float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        UMBRAGE_HIGHP float front = umbrage_lit_at_distance(map, terms, filter_terms, coord, 0.0);
+        UMBRAGE_HIGHP float back = umbrage_lit_at_distance(map, terms, filter_terms, coord, 1.0);
         seen += vec3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
     }
     UMBRAGE_HIGHP float reading = 7.0;

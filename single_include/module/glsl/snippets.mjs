@@ -1913,7 +1913,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1941,7 +1941,7 @@ UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1977,7 +1977,7 @@ UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2068,7 +2068,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP 
 
 export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2 PCF, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [], in_shadow: true }, text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [], in_shadow: true, linear: { name: "pcf_2x2_hardware", weights: "" } }, text: `
 // umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2203,7 +2203,7 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const tent3 = { language, name: "tent3", summary: "PCF kernel 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [], in_shadow: true, linear: { name: "window_hardware3", weights: ", 4.0, 8.0" } }, text: `
 // umbrage_tent3: PCF under 3 x 3 weights, 1 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2247,7 +2247,7 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_HIGHP sampler2D map, UMBR
 
 export const binomial5 = { language, name: "binomial5", summary: "PCF kernel 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.0, 4.0, 6.0" } }, text: `
 // umbrage_binomial5: PCF under 5 x 5 weights, 1 4 6 4 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2262,7 +2262,7 @@ UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "PCF kernel 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.25, 4.0, 5.5" } }, text: `
 // umbrage_castano_dyadic5: PCF under 5 x 5 weights, 5 16 22 16 5, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2277,7 +2277,7 @@ UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_HIGHP sampler2D map, UMBRAGE
 
 export const castano5 = { language, name: "castano5", summary: "PCF kernel 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.0, 3.0, 4.0" } }, text: `
 // umbrage_castano5: PCF under 5 x 5 weights, 1 3 4 3 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2292,7 +2292,7 @@ UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP 
 
 export const binomial7 = { language, name: "binomial7", summary: "PCF kernel 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 0.25, 1.5, 3.75, 5.0" } }, text: `
 // umbrage_binomial7: PCF under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2307,7 +2307,7 @@ UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const tent7 = { language, name: "tent7", summary: "PCF kernel 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 1.0, 2.0, 3.0, 4.0" } }, text: `
 // umbrage_tent7: PCF under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2322,7 +2322,7 @@ UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const castano7 = { language, name: "castano7", summary: "PCF kernel 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 1.0, 5.0, 12.0, 16.0" } }, text: `
 // umbrage_castano7: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels

@@ -503,7 +503,7 @@ inline float umbrage_read_map(UMBRAGE_MAP map, float4 terms, float4 filter_terms
         float found = 0.0;
         float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {
-            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            found += umbrage_lit_at_distance(map, terms, filter_terms, coord, found + step_size) * step_size;
             step_size *= 0.5;
         }
         float first = 8.0 * float(block);
@@ -515,8 +515,8 @@ inline float umbrage_read_map(UMBRAGE_MAP map, float4 terms, float4 filter_terms
         met +=
             float4(here <= tolerance ? 1.0 : 0.0, here <= coarse ? 1.0 : 0.0, there <= coarse ? 1.0 : 0.0, other <=
                    coarse ? 1.0 : 0.0);
-        float front = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
-        float back = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        float front = umbrage_lit_at_distance(map, terms, filter_terms, coord, 0.0);
+        float back = umbrage_lit_at_distance(map, terms, filter_terms, coord, 1.0);
         seen += float3(found > 0.9999 ? 1.0 : 0.0, found < 0.0001 ? 1.0 : 0.0, (1.0 - front) * back);
     }
     float reading = 7.0;

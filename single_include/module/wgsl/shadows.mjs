@@ -503,7 +503,7 @@ fn umbrage_read_map(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, number: 
         var found: f32 = 0.0;
         var step_size: f32 = 0.5;
         for (var i: i32 = 0; i < 20; i++) {
-            found += umbrage_lit_at(map, terms, filter_terms, coord, found + step_size) * step_size;
+            found += umbrage_lit_at_distance(map, terms, filter_terms, coord, found + step_size) * step_size;
             step_size *= 0.5;
         }
         let first: f32 = 8.0 * f32(block);
@@ -515,8 +515,8 @@ fn umbrage_read_map(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, number: 
         met +=
             vec4f(select(0.0, 1.0, here <= tolerance), select(0.0, 1.0, here <= coarse),
                   select(0.0, 1.0, there <= coarse), select(0.0, 1.0, other <= coarse));
-        let front: f32 = umbrage_lit_at(map, terms, filter_terms, coord, 0.0);
-        let back: f32 = umbrage_lit_at(map, terms, filter_terms, coord, 1.0);
+        let front: f32 = umbrage_lit_at_distance(map, terms, filter_terms, coord, 0.0);
+        let back: f32 = umbrage_lit_at_distance(map, terms, filter_terms, coord, 1.0);
         seen += vec3f(select(0.0, 1.0, found > 0.9999), select(0.0, 1.0, found < 0.0001), (1.0 - front) * back);
     }
     var reading: f32 = 7.0;

@@ -1874,7 +1874,7 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1900,7 +1900,7 @@ fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1934,7 +1934,7 @@ fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true }, text: `
+    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2020,7 +2020,7 @@ fn umbrage_four_tap(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: ve
 
 export const pcf_2x2 = { language, name: "pcf_2x2", summary: "bilinear 2x2 PCF, weights in steps of 1/256",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [], in_shadow: true }, text: `
+    needs: [in_filter_domain, lit_2x2], filter: { reads: "comparisons", reach: 1, arguments: [], in_shadow: true, linear: { name: "pcf_2x2_hardware", weights: "" } }, text: `
 // umbrage_pcf_2x2: bilinear 2x2 PCF. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2149,7 +2149,7 @@ fn umbrage_tent2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
 
 export const tent3 = { language, name: "tent3", summary: "PCF kernel 1 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum3], filter: { reads: "comparisons", reach: 2, arguments: [], in_shadow: true, linear: { name: "window_hardware3", weights: ", 4.0, 8.0" } }, text: `
 // umbrage_tent3: PCF under 3 x 3 weights, 1 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2191,7 +2191,7 @@ fn umbrage_quadratic_b_spline(map: texture_2d<f32>, size: vec2f, coord: vec2f, r
 
 export const binomial5 = { language, name: "binomial5", summary: "PCF kernel 1 4 6 4 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.0, 4.0, 6.0" } }, text: `
 // umbrage_binomial5: PCF under 5 x 5 weights, 1 4 6 4 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2205,7 +2205,7 @@ fn umbrage_binomial5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: 
 
 export const castano_dyadic5 = { language, name: "castano_dyadic5", summary: "PCF kernel 5 16 22 16 5",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.25, 4.0, 5.5" } }, text: `
 // umbrage_castano_dyadic5: PCF under 5 x 5 weights, 5 16 22 16 5, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2219,7 +2219,7 @@ fn umbrage_castano_dyadic5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
 
 export const castano5 = { language, name: "castano5", summary: "PCF kernel 1 3 4 3 1",
     exactness: "b", operations: 80, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum5], filter: { reads: "comparisons", reach: 3, arguments: [], in_shadow: true, linear: { name: "window_hardware5", weights: ", 1.0, 3.0, 4.0" } }, text: `
 // umbrage_castano5: PCF under 5 x 5 weights, 1 3 4 3 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2233,7 +2233,7 @@ fn umbrage_castano5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f
 
 export const binomial7 = { language, name: "binomial7", summary: "PCF kernel 1 6 15 20 15 6 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 0.25, 1.5, 3.75, 5.0" } }, text: `
 // umbrage_binomial7: PCF under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2247,7 +2247,7 @@ fn umbrage_binomial7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: 
 
 export const tent7 = { language, name: "tent7", summary: "PCF kernel 1 2 3 4 3 2 1",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 1.0, 2.0, 3.0, 4.0" } }, text: `
 // umbrage_tent7: PCF under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2261,7 +2261,7 @@ fn umbrage_tent7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
 
 export const castano7 = { language, name: "castano7", summary: "PCF kernel 1 5 12 16 12 5 1",
     exactness: "b", operations: 138, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true }, text: `
+    needs: [window_sum7], filter: { reads: "comparisons", reach: 4, arguments: [], in_shadow: true, linear: { name: "window_hardware7", weights: ", 1.0, 5.0, 12.0, 16.0" } }, text: `
 // umbrage_castano7: PCF under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels

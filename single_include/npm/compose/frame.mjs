@@ -6,10 +6,10 @@ const width = { int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4 };
 const listed = all => all.map(name => `${name}, `).join('');
 
 /** A text's functions for one shadow, in the order in which they call each other: name, text and what they need.
- *  @param is   { snippet, maps, along_plane, turns, soft, layers }: the filter's snippet, the kind's maps, and `soft` matrices of
- *              an own softness of each map */
+ *  @param is   { snippet, maps, along_plane, turns, soft, layers, linear }: the filter's snippet, the kind's maps, `soft` matrices
+ *              of an own softness of each map, and the filter's form for a linear comparison sampler, if that is asked for */
 export function frame_in(w, calls, is) {
-    const { snippet, maps, along_plane, turns, soft, layers } = is, { filter } = snippet, { constant } = w;
+    const { snippet, maps, along_plane, turns, soft, layers, linear } = is, { filter } = snippet, { constant } = w;
     const vec = (n, ...parts) => `${w.type(`vec${n}`)}(${parts.join(', ')})`;
     const pixel = turns ? [['vec2', 'pixel']] : [], of_pixel = turns ? ', pixel' : '';
     const own = (name, says, type, parameters, lines, needs) => ({ name, needs, text: `\n// umbrage_${name}: ${says}\n`
@@ -18,11 +18,11 @@ export function frame_in(w, calls, is) {
     const fields = all_fields(maps, soft).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
     const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
 
-    /** The receiver's bias, from `terms` and `slope`. */
+    /** The receiver's bias over a reach in texels, from `terms` and `slope`. */
     const by_disc = filter.disc && !along_plane, of_bias = by_disc ? calls.acne_free_disc_bias : calls.acne_free_bias;
     const counted = numbers(w, filter.arguments);
     const reach = along_plane ? '0.5' : by_disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
-    const bias = [w.precise('float', 'error', 'terms.w + slope.z'),
+    const bias = reach => [w.precise('float', 'error', 'terms.w + slope.z'),
         constant('float', 'bias', `umbrage_${of_bias.name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)];
 
     /** The statement that chooses the map of `number`, and what it calls. */
@@ -50,14 +50,15 @@ export function frame_in(w, calls, is) {
     const places = maps.places === 1 ? [maps.placing] : [maps.placing, calls.blend_cascades];
     const at = vec(3, 'at.x', 'at.y', 'at.z'), slope = vec(3, 'slope.x', 'slope.y', 'slope.w');
 
+    const called = linear ?? snippet, weights = linear ? filter.linear.weights : '';
     const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel], [
-        ...bias,
+        ...bias(linear ? '1.0' : reach),
         constant('float', 'receiver', w.choice('umbrage_beyond_far_plane(at.z)', 'at.z', 'umbrage_biased(at.z, bias)')),
         ...along_plane ? [constant('vec2', 'receiver_slope', vec(2, 'slope.x', 'slope.y')),
             constant('vec3', 'receiver_at', vec(3, 'at.x', 'at.y', 'receiver'))] : [],
-        `return umbrage_${snippet.name}(map, ${vec(2, 'terms.x', 'terms.y')}, ${vec(2, 'at.x', 'at.y')}, receiver${counted.text}`
+        `return umbrage_${called.name}(map, ${vec(2, 'terms.x', 'terms.y')}, ${vec(2, 'at.x', 'at.y')}, receiver${weights}${counted.text}`
             + `${turns ? ', umbrage_disc_rotation(pixel)' : ''});`,
-    ], [of_bias, calls.biased, calls.beyond_far_plane, snippet, ...turns ? [calls.disc_rotation] : []]);
+    ], [of_bias, calls.biased, calls.beyond_far_plane, called, ...turns ? [calls.disc_rotation] : []]);
     const shadow = () => own('shadow', 'visibility of a point of the world, 1.0 is lit', 'float', ['map', ...fields, ...terms, ...world, ...pixel],
         blended('float', '1.0', `umbrage_look(map, terms, ${soft ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel})`,
             'umbrage_blend_cascades(sum, next, slope.z)', [...choice, ...softness]),
@@ -66,14 +67,14 @@ export function frame_in(w, calls, is) {
     /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
     const debug = ({ probe_color, probe_inputs, read_map }, parts) => [
         own('place_color', "a receiver's debug color in one map", 'vec3', [...terms, ['vec4', 'at'], ['vec3', 'slope']],
-            [...bias, `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
+            [...bias(reach), `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
         own('blended_color', 'debug color of a point of the world', 'vec3', [...fields, ...terms, ...world],
             blended('vec3', vec(3, '1.0', '1.0', '1.0'), `umbrage_place_color(terms, filter_terms, at, ${slope})`,
                 vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, slope.z)`)), []), places),
         own('point_color', 'debug color of a point of the world, or what is wrong with it', 'vec3', [...fields, ...terms, ...world],
             [constant('vec3', 'color', `umbrage_blended_color(${listed(fields.map(([, name]) => name))}terms, filter_terms, world, normal)`),
                 'return umbrage_probe_inputs(color, world, normal);'], [calls.cleared_depth, probe_inputs]),
-        own('lit_at', '1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit', 'float',
+        own('lit_at_distance', '1.0 where a receiver at a distance from the near plane, 0.0 to 1.0, is lit', 'float',
             ['map', ...terms, ['vec2', 'coord'], ['float', 'distance']],
             [constant('float', 'depth', w.choice('umbrage_cleared_depth() > 0.5', 'distance', '1.0 - distance')),
                 constant('vec3', 'at', vec(3, 'coord.x', 'coord.y', 'depth')),

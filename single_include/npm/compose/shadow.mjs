@@ -6,7 +6,7 @@ import { all_fields, frame_in, vertex_in } from './frame.mjs';
 
 const must = /*#__PURE__*/ must_in('shadow');
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
-    gather: false, block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
+    gather: false, linear: undefined, block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
 
 /** shadow() of a language. */
@@ -17,7 +17,8 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(typeof options === 'object' && options !== null, 'options must be an object', options);
     for (const key of Object.keys(options))
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
-    const { kind, filter, encoding = depth32f, map_size, direction, gather, block, texture, sampler, set, debug, ...rest } = { ...defaults, ...options };
+    const { kind, filter, encoding = depth32f, map_size, direction, gather, linear, block, texture, sampler, set, debug, ...rest }
+        = { ...defaults, ...options };
     must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
     must(filter?.language === language && filter.filter?.in_shadow === true, `filter must be one that a shadow takes, of ${language.name}`, filter);
     const is_moments = filter.filter.reads === 'moments', reversed = direction === 'reversed';
@@ -46,6 +47,12 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(gather === false || gather === true, 'gather must be true or false', gather);
     must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
     must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);
+    if (linear !== undefined) {
+        must(compares && along_plane, 'linear must be left out where map is no comparison sampler, and for paraboloids', linear?.name ?? linear);
+        const form = filter.filter.linear?.name;
+        must(form !== undefined, 'filter must be pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as linear is given', filter.name);
+        must(linear?.language === language && linear.name === form, `linear must be ${form}, the form of ${filter.name}`, linear?.name ?? linear);
+    }
     const whole = [size[0] * columns, size[1] * rows];
     const stored = reversed ? encoding.reversed : encoding;
     const map = complete(hooks, { texture: lies_in, direction, outside, depth: stored.depth, channels: stored.channels,
@@ -55,7 +62,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
 
     const turns = filter.filter.arguments.some(argument => argument.name === 'rotation');
     const own = ({ name, text, needs }) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
-    const frame = frame_in(words, calls, { snippet: filter, maps: kind.maps, along_plane, turns, soft, layers });
+    const frame = frame_in(words, calls, { snippet: filter, maps: kind.maps, along_plane, turns, soft, layers, linear });
     const umbrage_shadow = own(frame.shadow()), texts = [own(frame.look()), umbrage_shadow];
     const tolerance = is_moments ? 'moments' : encoding.name;
     if (debug) texts.push(...frame.debug(debug, debug[kind.maps.bends ? 'parts_of_bent' : 'parts'][tolerance]).map(own));

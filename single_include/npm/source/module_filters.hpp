@@ -121,6 +121,10 @@ inline std::string filter_of(const snippet& s) {
             using type = std::decay_t<decltype(f)>;
             if constexpr (umbrage::shadow_filter<type>) out += ", in_shadow: true";
             if constexpr (umbrage::detail::disc_filter<type>) out += ", disc: true";
+            if constexpr (umbrage::shadow_filter<type> && !umbrage::prefilter<type>)
+                if (const auto form = glsl::linear_form_of(f); form.what)
+                    out +=
+                        ", linear: { name: " + literal(form.what->name) + ", weights: " + literal(form.weights) + " }";
             if constexpr (std::is_same_v<type, umbrage::filters::four_tap>) {
                 out += ", offsets: [";
                 for (const glm::vec2 offset : f.offsets) out += (out.back() == '[' ? "" : ", ") + numbers(offset);

@@ -31,6 +31,7 @@ shader bound(const Shadow& s, reading how) {
     if (compares && several) slots.texture = 4, slots.map = glsl::texture::shadow_array;
     else if (compares) slots.texture = 2, slots.map = glsl::texture::shadow;
     if (how == reading::gathers) slots.gather = true;
+    if (how == reading::gathers && several) slots.texture = 3, slots.map = glsl::texture::array;
     slots.linear = how == reading::linear_comparisons;
     const glsl::bound item = glsl::bind(s, "sun", slots);
     const bool turns = item.declared->functions[0].arguments.size() > 2;
