@@ -32,7 +32,7 @@ struct page_root {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};   ///< direction the light travels; any length > 0
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the pages; keep it constant, pages rotate with it
     glm::vec<3, T> center{T(0)};                   ///< center of the square, world
-    T side = T(1000);                              ///< side of the square, world units, > 0
+    T side = T(0);                                 ///< required: side of the square, world units, > 0
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers
     clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
