@@ -43,13 +43,14 @@ run(${work}/build ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=0 cpack)
 file(GLOB package ${work}/build/*.deb)
 file(COPY ${package} DESTINATION ${OUT})
 
-# The vectors with more inputs than the committed file has, and their readers.
-file(COPY ${UMBRAGE}/tests ${UMBRAGE}/examples DESTINATION ${work})
-run(${work} ${CMAKE_COMMAND} -S . -B suite -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON)
+# The vectors, with more inputs than the committed file has, and their readers.
+run(${work} ${CMAKE_COMMAND} -S ${UMBRAGE} -B suite -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_TESTS=ON)
 run(${work} ${CMAKE_COMMAND} --build suite --parallel --target vectors)
-run(${work} suite/tests/vectors/vectors tests/vectors/tier_a.json 1024)
-run(${work}/tests ${archive} -cf ${OUT}/umbrage-${version}-vectors.tar.gz vectors/README.md vectors/read.mjs vectors/read.py
-    vectors/tier_a.json -C ${single} LICENSE)
+foreach(name README.md read.mjs read.py)
+    file(COPY ${UMBRAGE}/tests/vectors/${name} DESTINATION ${work}/vectors)
+endforeach()
+run(${work} suite/tests/vectors/vectors vectors/tier_a.json 1024)
+run(${work} ${archive} -cf ${OUT}/umbrage-${version}-vectors.tar.gz vectors LICENSE)
 file(REMOVE_RECURSE ${work})
 
 file(GLOB attached RELATIVE ${OUT} ${OUT}/*)

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-import { readFileSync } from 'node:fs';
 
 /** Floats of a text of bits, 8 hexadecimal digits each. */
-const floats = digits => digits.match(/.{8}/g).map(bits => Buffer.from(bits, 'hex').readFloatBE());
+const floats = digits => digits.match(/.{8}/g).map(bits => new Float32Array(Uint32Array.of(parseInt(bits, 16)).buffer)[0]);
 
-/** The vectors of the function `name` in a file: what goes in, what comes out, and the map that it reads, if any. */
-export function vectors(path, name) {
-    const { maps, functions } = JSON.parse(readFileSync(path, 'utf8'));
-    return functions.filter(f => f.name === name).flatMap(f => f.vectors.map(vector => {
-        const [inputs, outputs] = vector.split(' ').map(floats);
-        return { inputs, outputs, map: maps[f.map] && { size: maps[f.map].size, texels: floats(maps[f.map].texels) } };
-    }));
+/** The vectors of the function `name` in a parsed file: inputs, outputs, and the map that it reads, if any. */
+export function vectors({ maps, functions }, name) {
+    return functions.filter(f => f.name === name).flatMap(f => {
+        const map = f.map === undefined ? null : { size: maps[f.map].size, texels: floats(maps[f.map].texels) };
+        return f.vectors.map(vector => vector.split(' ').map(floats)).map(([inputs, outputs]) => ({ inputs, outputs, map }));
+    });
 }

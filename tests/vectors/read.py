@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-import json, struct
+import struct
 
 
 def floats(digits):
@@ -7,12 +7,11 @@ def floats(digits):
     return struct.unpack(f">{len(digits) // 8}f", bytes.fromhex(digits))
 
 
-def vectors(path, name):
-    """The vectors of the function `name` in a file: what goes in, what comes out, and its map's size and texels."""
-    with open(path) as file:
-        data = json.load(file)
+def vectors(data, name):
+    """The vectors of the function `name` in a parsed file: inputs, outputs, and its map's size and texels, if any."""
     for f in (f for f in data["functions"] if f["name"] == name):
         read = data["maps"][f["map"]] if "map" in f else None
+        read = read and (read["size"], floats(read["texels"]))
         for vector in f["vectors"]:
             inputs, outputs = map(floats, vector.split())
-            yield inputs, outputs, read and (read["size"], floats(read["texels"]))
+            yield inputs, outputs, read

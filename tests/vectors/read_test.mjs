@@ -2,9 +2,11 @@
 //
 // Two functions written in JavaScript against the vectors: as they are, none differs, and with a slip some do.
 //     node read_test.mjs FILE
+import { readFileSync } from 'node:fs';
+
 import { vectors } from './read.mjs';
 
-const file = process.argv[2];
+const file = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 
 /** Depth to two bytes. `codes` is the slip: 2^11 of them are right. */
 const encode_rg11 = codes => ([depth]) => {

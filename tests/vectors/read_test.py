@@ -3,11 +3,12 @@
 
     python3 read_test.py FILE
 """
-import math, sys
+import json, math, sys
 
 from read import vectors
 
-file = sys.argv[1]
+with open(sys.argv[1]) as opened:
+    file = json.load(opened)
 
 
 def encode_rg11(codes):
