@@ -14,6 +14,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -44,17 +45,13 @@ std::string hex(const vec4& v) { return hex(v.x) + hex(v.y) + hex(v.z) + hex(v.w
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-/// Components of x0 .. x5 that a call names: of a whole x0 all four.
+/// Components of x0 .. x5 that a call names: of a whole x0 all four. The x2 of pcf_2x2 is none of them.
 std::vector<int> components(const std::string& call) {
     std::vector<int> named;
     for (int c = 0; c < 4 * max_inputs; ++c) {
-        const std::string input = "x" + std::to_string(c / 4);
-        bool used = false;
-        for (auto at = call.find(input); at != call.npos; at = call.find(input, at + 1)) {
-            const std::string_view after = std::string_view(call).substr(at + input.size(), 2);
-            used = used || !after.starts_with('.') || after == std::string(".") + "xyzw"[c % 4];
-        }
-        if (used) named.push_back(c);
+        const std::string input = "\\bx" + std::to_string(c / 4);
+        const std::regex used(input + "(\\." + "xyzw"[c % 4] + "|(?!\\.))\\b");
+        if (std::regex_search(call, used)) named.push_back(c);
     }
     return named;
 }
