@@ -29,7 +29,7 @@ using namespace parity;
 
 constexpr std::size_t default_count = 48;
 
-/// Larger maps stay out, but for functions that have no other, and functions of a larger table: the file is to be small.
+/// Larger maps stay out, but for functions without a smaller one, and so do larger tables: the file is to be small.
 constexpr std::size_t most_texels = 2048;
 
 /// Hardware may read a denormal as 0, so no vector has one. NaN has one pattern, as its payload is nobody's promise.
