@@ -36,11 +36,11 @@ struct difference {
     glm::vec4 input{0}, got{0}, expected{0};
 };
 
-/// Weights of the texels that a filter reads, seen from its coordinate: what one texel in shadow takes from visibility.
-/// Sampled along offsets from the texel's center, `steps` to a texel.
+/// Weights of the texels that a filter reads, by their offset from the coordinate: what one texel in shadow takes from
+/// visibility. Sampled finer than texels, since weights depend on where in its texel the coordinate lies.
 struct footprint {
-    int steps = 4;
-    glm::vec2 first{0};  ///< offset of the first weight, in texels
+    int steps = 8;       ///< samples to a texel
+    glm::vec2 first{0};  ///< offset of the first sample, in texels
     glm::ivec2 size{0, 0};
     std::vector<float> weights{};  ///< row by row
 };
@@ -49,12 +49,12 @@ struct verdict {
     agreement how = agreement::unknown;
     std::string function{};  ///< what it is: a name of names(); empty: unknown
     std::string expected{};  ///< what it should be; the same as function where nothing was said
+    std::string outside{};   ///< what lookups outside the map give; empty for codecs
     std::vector<finding> slips{};
     std::vector<finding> but{};
     std::size_t inputs = 0;     ///< compared with `expected` as it is, without slips
     std::size_t same_bits = 0;  ///< of these, with the same bits
-    std::size_t explained =
-        0;  ///< of these, with the bits, or within the tolerance that `but` names, of function and slips
+    std::size_t explained = 0;  ///< of these, as function and slips give them, but for what `but` lists
     std::optional<difference> first{};  ///< from `expected`
     footprint seen{};                   ///< of filters
 };
