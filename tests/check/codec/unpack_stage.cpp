@@ -138,9 +138,10 @@ private:
         const float most = largest_channel(s.model.what->bits);
         for (std::size_t i = 0; i < inputs; ++i) {
             const float expected = s.model(glm::floor(b.inputs[i] * most + 0.5f)), got = out[i].x;
-            const float off = std::abs(expected - got);
-            s.same += same_bits(expected, got);
-            s.explained += off <= 0x1p-22f;  // four ulp below 1
+            const bool same = same_bits(expected, got);
+            const float off = same ? 0.0f : std::abs(expected - got);
+            s.same += same;
+            s.explained += same || off <= 0x1p-22f;  // four ulp below 1
             s.worst = (std::max)(s.worst, off);
         }
     }

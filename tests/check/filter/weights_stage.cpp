@@ -27,6 +27,16 @@ vec2 own_centroid(const reference& r) {
     return sum.mean();
 }
 
+/// The same of all references(), computed once.
+const std::vector<vec2>& own_centroids() {
+    static const std::vector<vec2> all = [] {
+        std::vector<vec2> found;
+        for (const reference& r : references()) found.push_back(own_centroid(r));
+        return found;
+    }();
+    return all;
+}
+
 /// A filter against what the shader gave.
 struct score {
     filter_model model{};
@@ -64,7 +74,7 @@ public:
         std::vector<score> all;
         for (const reference& r : references()) {
             score s{{&r, k_.compare, k_.geometry, outside::bordered}};
-            const vec2 shift = own_centroid(r) - k_.centroid;
+            const vec2 shift = own_centroids()[std::size_t(&r - references().data())] - k_.centroid;
             s.model.geometry.shift = glm::floor(shift * 8.0f + 0.5f) / 8.0f;
             judge(s, b, out, 512);
             if (double(s.explained) > 0.9 * double(s.tried)) judge(s, b, out, b.inputs.size());
@@ -94,7 +104,7 @@ public:
     }
 
 private:
-    static constexpr int inputs = 16384;
+    static constexpr int inputs = 8192;
 
     static std::string listed(const std::vector<finding>& slips) {
         std::string all;
@@ -147,8 +157,10 @@ private:
             const bool inside = k_.best.inside(b, b.inputs[i]);
             v.explained += same_bits(best, got) || beside(k_.best, b, b.inputs[i], got);
             weights |= inside && !same_bits(best, got);
-            const bool differs = slipped ? !beside(k_.wanted, b, b.inputs[i], got) : !same_bits(wanted, got);
-            if (differs && !k_.worst) k_.worst = {b.size, b.map, b.inputs[i], out[i], vec4(wanted, 0, 0, 0)};
+            const auto differs = [&] {
+                return slipped ? !beside(k_.wanted, b, b.inputs[i], got) : !same_bits(wanted, got);
+            };
+            if (!k_.worst && differs()) k_.worst = {b.size, b.map, b.inputs[i], out[i], vec4(wanted, 0, 0, 0)};
         }
         if (weights)
             v.but.push_back({"weights",
