@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -110,6 +111,12 @@ struct bound_map {
     [[nodiscard]] std::string arguments(dialect::language in) const;
 };
 
+/// Somebody's text in place of snippets, in the shader's own language.
+struct guest {
+    std::string text{};
+    std::vector<std::string> declares{};  ///< names of maps that the text itself declares
+};
+
 struct entry {
     const snippet* primitive = nullptr;
     std::string variant{};               ///< tells entries of one primitive apart; empty for the plain one
@@ -124,7 +131,8 @@ struct entry {
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
     /// Binding of a map without a name. Its depth takes the first channels: "...(value.xy...)".
     umbrage::glsl::binding map_kind{.outside = umbrage::outside_map::clamped};
-    std::string preamble{};  ///< ahead of the snippets
+    std::string preamble{};         ///< ahead of the snippets
+    std::optional<guest> visitor{};  ///< with it `call` is printed as it is, in every language
     target output = target::rgba32f;
     bool bits = false;      ///< a denormal must not act as zero
     std::size_t share = 1;  ///< takes one input of so many

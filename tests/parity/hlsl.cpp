@@ -18,6 +18,7 @@ std::string make_hlsl(const entry& e, shader_stage of) {
         text += type + " " + name + " : register(" + kind + std::to_string(i) + ");\n";
         if (i < max_inputs) values += "    float4 x" + std::to_string(i) + " = " + name + ".Load(at);\n";
     }
+    if (e.visitor) text += e.visitor->text;
     if (!e.maps.empty()) {
         const uniform& map = given[map_unit(0)];
         const bool layers = map.type.find("Array") != map.type.npos;

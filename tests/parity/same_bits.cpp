@@ -18,6 +18,7 @@
 #include <umbrage/core/scalar.hpp>
 
 #include "../proof/hostile/hostile.hpp"
+#include "domain.hpp"
 #include "written_order.hpp"
 
 namespace {
@@ -34,10 +35,6 @@ bool same(const vec4& a, const vec4& b) {
     for (int c = 0; c < 4; ++c) all = all && bits(a[c]) == bits(b[c]);
     return all;
 }
-
-/// True when tier A promises nothing for some inputs: channels that no texture gives, or points that are no integers.
-/// tier_a.cpp of the hostile programs has inputs within the promise.
-bool leaves_domain(const entry& e) { return e.name() == "decode_rgb24" || e.name() == "disc_tap"; }
 
 /// The lowest tier of the snippets that the entry calls.
 tier tier_of(const entry& e) {

@@ -84,6 +84,10 @@ bool entry::runs_in(dialect d) const {
     return std::all_of(all.begin(), all.end(), [d](const auto& item) { return supports(item, d.of_glsl); });
 }
 
+bool declares(const entry& e, const std::string& map) {
+    return e.visitor && std::ranges::find(e.visitor->declares, map) != e.visitor->declares.end();
+}
+
 std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in) {
     std::array<uniform, max_bindings> all;
     const std::string plain = type_of(texture::texture_2d, in);
@@ -114,8 +118,8 @@ std::string map_size(const entry& e) {
 }
 
 call_snippet::call_snippet(const entry& e, dialect::language in) : needs_{e.primitive} {
-    if (in == dialect::glsl && e.bound.empty()) {
-        items_ = e.items();
+    if (e.visitor || (in == dialect::glsl && e.bound.empty())) {
+        if (!e.visitor) items_ = e.items();
         result_ = e.call;
         return;
     }
@@ -184,10 +188,11 @@ shader make_shader(const entry& e, dialect d, shader_stage of) {
     f = source(v, call.items(), preamble) + '\n';
     const auto all = uniforms(e);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].name.empty()) continue;
+        if (all[i].name.empty() || declares(e, all[i].name)) continue;
         if (vulkan) f += "layout(set = 0, binding = " + std::to_string(i) + ") ";
         f += "uniform UMBRAGE_HIGHP " + all[i].type + " " + all[i].name + ";\n";
     }
+    if (e.visitor) f += e.visitor->text;
     const bool map = !e.maps.empty();
     if (old && map) f += "uniform UMBRAGE_HIGHP vec2 map_size;\n";
     if (compute)

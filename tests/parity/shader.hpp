@@ -76,6 +76,9 @@ struct uniform {
     std::string type{}, name{};
 };
 
+/// True if a visitor's text declares this map.
+[[nodiscard]] bool declares(const entry& e, const std::string& map);
+
 /// Textures of an entry and samplers on their own, by their bindings; empty where unused.
 [[nodiscard]] std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in = dialect::glsl);
 

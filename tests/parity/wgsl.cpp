@@ -17,6 +17,7 @@ std::string make_wgsl(const entry& e) {
         text += "@group(0) @binding(" + std::to_string(i) + ") var " + name + ": " + type + ";\n";
         if (i < max_inputs) values += "    let x" + std::to_string(i) + " = textureLoad(" + name + ", at, 0);\n";
     }
+    if (e.visitor) text += e.visitor->text;
     if (!e.maps.empty())
         values += "    let map_size = vec2f(textureDimensions(" + given[map_unit(0)].name + "))" +
                   from_texture(e, dialect::wgsl) + ";\n";

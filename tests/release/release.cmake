@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Writes what a release attaches, with SHA256SUMS: the single headers, the shader texts, the npm tarball and a Debian
-# package. All generated files are generated again; the same sources give the same bytes.
+# Writes what a release attaches, with SHA256SUMS: the single headers, the shader texts, the npm tarball, a Debian
+# package and the full test vectors. All generated files are generated again; the same sources give the same bytes.
 #
 #     cmake -D UMBRAGE=source-folder -D CXX=g++ -D OUT=folder -P release.cmake
 cmake_minimum_required(VERSION 3.21)
@@ -42,6 +42,15 @@ run(${work} ${CMAKE_COMMAND} -S . -B build -D CMAKE_CXX_COMPILER=${CXX})
 run(${work}/build ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=0 cpack)
 file(GLOB package ${work}/build/*.deb)
 file(COPY ${package} DESTINATION ${OUT})
+
+# The vectors, with more inputs than the committed file has, and their readers.
+run(${work} ${CMAKE_COMMAND} -S ${UMBRAGE} -B suite -D CMAKE_CXX_COMPILER=${CXX} -D UMBRAGE_BUILD_TESTS=ON)
+run(${work} ${CMAKE_COMMAND} --build suite --parallel --target vectors)
+foreach(name README.md read.mjs read.py)
+    file(COPY ${UMBRAGE}/tests/vectors/${name} DESTINATION ${work}/vectors)
+endforeach()
+run(${work} suite/tests/vectors/vectors vectors/tier_a.json 1024)
+run(${work} ${archive} -cf ${OUT}/umbrage-${version}-vectors.tar.gz vectors LICENSE)
 file(REMOVE_RECURSE ${work})
 
 file(GLOB attached RELATIVE ${OUT} ${OUT}/*)

@@ -8,6 +8,8 @@ await visit(async ({ open, check, picture, axe }) => {
         const page = await open('museum.html', { width, dark });
         const room = await page.evaluate(() => document.documentElement.scrollWidth);
         check(room <= width, `the museum is ${room} pixels wide in a window of ${width}`);
+        const [loaded, pictures] = await page.evaluate(() => [[...document.images].filter(i => i.naturalWidth).length, document.images.length]);
+        check(loaded < pictures / 2, `${loaded} of ${pictures} pictures are loaded before one scrolls`);
         await page.evaluate(async () => {  // pictures wait until they are seen
             for (const image of document.images) image.loading = 'eager', await image.decode();
         });

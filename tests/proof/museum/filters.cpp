@@ -7,8 +7,12 @@
 #include <cstdint>
 
 #include <umbrage/depth/conversions.hpp>
+#include <glm/geometric.hpp>
+
+#include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace {
 
@@ -24,6 +28,7 @@ float stored_depth(ivec2 t) {
     h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
     return (h >> 16) & 1 ? 0.9f : 0.2f;
 }
+float stored_value(float x, float y) { return stored_depth({int(x), int(y)}); }
 double lit(double x, double y) { return compare(receiver, stored_depth({int(x), int(y)})); }
 
 // Four values around a point between texel centers, mixed: the same formula for depths and for tests of them.
@@ -51,15 +56,61 @@ score visibilities(Filter filter) {
 }
 float compare_filtered_depth(vec2 coord) {
     const vec2 i = glm::floor(coord - 0.5f), f = coord - 0.5f - i;
-    return compare(receiver, bilinear(i.x, i.y, f.x, f.y, [](float x, float y) {
-                       return stored_depth({int(x), int(y)});
-                   }));
+    return compare(receiver, bilinear(i.x, i.y, f.x, f.y, stored_value));
 }
 float without_half_texel(vec2 coord) {
     const vec2 i = glm::floor(coord), f = coord - i;
     return bilinear(i.x, i.y, f.x, f.y, [](float x, float y) { return float(lit(x, y)); });
 }
+float next_texel(vec2 coord) {
+    const vec2 corner = glm::floor(coord + 0.5f),
+               f = coord + 0.5f - corner;  // a nearest sampler reads that texel there
+    return bilinear(corner.x, corner.y, f.x, f.y, [](float x, float y) { return float(lit(x, y)); });
+}
 float ours(vec2 coord) { return pcf_2x2(stored_depth, coord, receiver); }
+
+// Means of four stored values, for a map that the sampler does not filter.
+template <class Mean>
+score means(Mean mean) {
+    score s;
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 512; ++x) {
+            const vec2 coord = vec2(x, y) / 64.0f, at = coord - 0.5f, i = glm::floor(at), f = at - i;
+            s.add(double(mean(coord)) - double(bilinear(i.x, i.y, f.x, f.y, stored_value)), 1.0 / 256.0);
+        }
+    return s;
+}
+float mean_a_whole_texel_back(vec2 coord) {
+    const vec2 i = glm::floor(coord - 1.0f), f = coord - 1.0f - i;
+    return bilinear(i.x, i.y, f.x, f.y, stored_value);
+}
+
+// Receivers beyond the far plane, before a map of floats that nothing was drawn to.
+template <class Filter>
+score beyond_the_far_plane(Filter filter) {
+    score s;
+    for (int k = 1; k <= 65536; ++k) s.add(double(filter(1.0f + float(k) / 65536.0f)) - 1.0, 0.0);
+    return s;
+}
+
+// Pixels of a close-up, 128 in a texel: by how many turns the rotations of neighbors are closer than an eighth.
+template <class Rotation>
+score neighbors(Rotation rotation) {
+    score s;
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) {
+            const vec2 a = rotation(vec2(x, y)), b = rotation(vec2(x + 1, y));
+            const double apart = std::acos(double(glm::dot(a, b)) / double(glm::length(a) * glm::length(b)));
+            s.add(std::fmax(0.125 - apart / 6.283185307179586, 0.0), 0.0);
+        }
+    return s;
+}
+vec2 noise_of_the_texel(vec2 pixel) {
+    const vec2 texel = pixel / 128.0f;
+    const auto fraction = [](float v) { return v - std::floor(v); };
+    const float turn = fraction(52.9829189f * fraction(0.06711056f * texel.x + 0.00583715f * texel.y));
+    return {std::cos(6.2831853f * turn), std::sin(6.2831853f * turn)};
+}
 
 // Every texel center of maps of 1 to 512 texels: does an ulp less fetch another texel?
 template <class Coordinate>
@@ -116,25 +167,38 @@ score reversed_surface(Test test) {
 }
 
 const exhibit all[] = {
-    {"Depths filtered, then compared",
+    {"Shadow edges move, and stay hard",
      "samplers with linear filter on a depth map; Reeves, Salesin and Cook warn of it in 1987",
      "The mean of an occluder and a background is a depth without a surface. Edges move, and stay hard.",
      "receiver <= bilinear(depths)", "2^18 receivers, visibility more than 1/256 off", "visibility",
      "`pcf_2x2` compares four depths and mixes the answers", [] { return visibilities(compare_filtered_depth); },
      [] { return visibilities(ours); }},
-    {"The missing half texel", "ports of Direct3D 9 filters, whose pixel centers were integers",
+    {"The shadow is half a texel off", "ports of Direct3D 9 filters, whose pixel centers were integers",
      "Weights and taps belong to the next texel, up and right. The shadow moves by half a texel.",
      "i = floor(uv N), f = fract(uv N)", "2^18 receivers, visibility more than 1/256 off", "visibility",
      "`pcf_2x2` subtracts the half texel, as its first texel center is (0.5, 0.5)",
      [] { return visibilities(without_half_texel); }, [] { return visibilities(ours); }},
-    {"Sampling at texel corners", "lygia's bilinear shadow filter",
+    {"The shadow is a texel off",
+     "lygia 1.4.1, sample/shadowLerp.glsl; three.js' texture2DShadowLerp, as printed in mrdoob/three.js#13526",
+     "The four taps begin at the nearest corner, with the weights of the texels before it. The shadow moves by a "
+     "texel.",
+     "i = floor(uv N + 1/2), f = fract(uv N + 1/2)", "2^18 receivers, visibility more than 1/256 off", "visibility",
+     "`pcf_2x2` begins at floor(coord - 1/2)", [] { return visibilities(next_texel); },
+     [] { return visibilities(ours); }},
+    {"The blurred shadow is half a texel off", "PlayCanvas 2.23.3, shadowEVSM.js, where float textures do not filter",
+     "A whole texel is subtracted where half of one puts the weights between centers.", "uv - 1 / N; f = fract(uv N)",
+     "2^18 lookups, stored value more than 1/256 off", "depth",
+     "`fetch_bilinear` subtracts half a texel, in the steps of its weights",
+     [] { return means(mean_a_whole_texel_back); },
+     [] { return means([](vec2 coord) { return fetch_bilinear(stored_depth, coord); }); }},
+    {"The last bit decides which texel is read", "lygia's bilinear shadow filter",
      "floor(uv N + 1/2) / N is a corner between texels. The last bit decides which texel a nearest filter reads.",
      "texture2D(map, floor(uv * N + 0.5) / N)",
      "texel centers of maps of 1 to 512 texels, an ulp less fetches another texel", "texels",
      "coordinates in texels, one `floor`, integer texel numbers",
      [] { return an_ulp_less([](float uv, float size) { return std::floor(uv * size + 0.5f) / size; }, true); },
      [] { return an_ulp_less([](float uv, float size) { return uv * size; }, false); }},
-    {"Taps and weights from two roundings",
+    {"Single texels flip along an edge",
      "manual 2x2 filters that sample at uv and weight by fract(uv N - 1/2); mrdoob/three.js#33534",
      "The sampler is at the next texel, but the weight is not. A whole texel flips.",
      "taps at floor((uv - .5/N) N), weights fract(uv N - .5)",
@@ -147,13 +211,14 @@ const exhibit all[] = {
          });
      },
      [] { return beside_centers([](float uv, float size) { return ours(vec2(uv * size, 0.5f)); }); }},
-    {"Reversed Z, comparison kept", "mrdoob/three.js#29770 and seven threads after it, Babylon.js#17315",
+    {"Light and shadow are swapped: reversed Z",
+     "mrdoob/three.js#29770 and seven threads after it, BabylonJS/Babylon.js#17315",
      "Near is 1 now. Receivers behind the occluder are lit, and those in front of it are dark.", "receiver <= stored",
      "2^18 pairs of reversed depths, the wrong answer", "visibility",
      "`greater_equal` is an argument of every filter, `direction` of every binding",
      [] { return reversed_pairs([](float d, float s) { return compare(d, s); }); },
      [] { return reversed_pairs([](float d, float s) { return compare(d, s, greater_equal{}); }); }},
-    {"Reversed Z, bias kept", "the same threads",
+    {"Every surface shadows itself: reversed Z", "mrdoob/three.js#29770, BabylonJS/Babylon.js#17315",
      "A bias that moved the receiver towards the light moves it away. Every surface shadows itself.",
      "receiver - bias >= stored", "surfaces against themselves, 3 steps of 16 bits off, bias 4 steps: in shadow",
      "visibility", "after `reverse_depth` every sign is that of forward depth",
@@ -161,6 +226,16 @@ const exhibit all[] = {
      [] {
          return reversed_surface([](float d, float s) { return compare(reverse_depth(d) - bias, reverse_depth(s)); });
      }},
+    {"The ground beyond the far plane is dark", "mrdoob/three.js#32547: a depth texture of floats clamps no reference",
+     "A receiver slightly beyond 1 is compared with the cleared depth 1.", "receiver <= stored",
+     "receivers beyond the far plane, an empty map, in shadow", "visibility", "`hard`, as every filter, lights them",
+     [] { return beyond_the_far_plane([](float d) { return compare(d, 1.0f); }); },
+     [] { return beyond_the_far_plane([](float d) { return hard([](ivec2) { return 1.0f; }, vec2(0.5f), d); }); }},
+    {"Close to it, a noisy edge turns into stripes", "bevyengine/bevy#22400",
+     "Noise of a position in the map changes slowly from pixel to pixel, and so do the rotations of the taps.",
+     "turn = interleaved gradient noise(uv N)", "pixels, rotated by less than an eighth of a turn from their neighbor",
+     "turns", "`disc_rotation` takes the pixel: neighbors in a row are a quarter turn apart",
+     [] { return neighbors(noise_of_the_texel); }, [] { return neighbors([](vec2 p) { return disc_rotation(p); }); }},
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,7 @@ struct hung {
 const std::vector<hung>& exhibits() {
     static const std::vector<hung> all = [] {
         std::vector<hung> list;
-        for (const auto room : {encodings(), filters(), spaces()})
+        for (const auto room : {encodings(), filters(), moments(), spaces()})
             for (const exhibit& e : room) list.push_back({&e, e.old_way(), e.our_way()});
         return list;
     }();
@@ -69,14 +70,22 @@ std::string measured(double error, std::string_view unit) {
     return number(error) + ' ' + std::string(unit.substr(0, unit.size() - (error == 1)));
 }
 
+/// A text whose threads, owner/name#number, are links.
+std::string linked(const std::string& text) {
+    static const std::regex thread(R"(([\w.-]+/[\w.-]+)#(\d+))");
+    return std::regex_replace(text, thread, "[$&](https://github.com/$1/issues/$2)");
+}
+
 std::string page() {
     std::string out =
         "# A museum of bugs\n\n"
-        "Each exhibit is a public bug in packing, filtering or placing depth. The program `tests/proof/museum` runs "
-        "the old formula\n"
-        "and this library on the same inputs. Its test demands that the old formula fails, and that this library does "
-        "not. This page\n"
-        "is its output: `build/dev/tests/proof/museum/museum --page MUSEUM.md` writes it again.\n\n"
+        "Each exhibit is a public bug in packing, filtering or placing depth, under the name of what one sees. The "
+        "program\n"
+        "`tests/proof/museum` runs the old formula and this library on the same inputs. Its test demands that the old "
+        "formula fails,\n"
+        "and that this library does not. This page is its output: `build/dev/tests/proof/museum/museum --page "
+        "MUSEUM.md` writes it\n"
+        "again.\n\n"
         "The table has the old formula's share of wrong results, and its largest error. This library has no wrong "
         "result in any.\n"
         "Errors without a unit are depths or visibilities, in [0, 1].\n\n"
@@ -89,7 +98,7 @@ std::string page() {
                           worst = measured(e.old_way.worst, e.what->unit);
         out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " + worst + " |\n";
         rooms += "\n## " + heading + "\n\n" + e.what->trouble + "\n\n";
-        rooms += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula +
+        rooms += "- Seen: " + linked(e.what->seen) + "\n- Formula: `" + e.what->formula +
                  "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + worst +
                  "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
     }

@@ -57,6 +57,7 @@ struct exhibit {
 
 std::span<const exhibit> encodings();
 std::span<const exhibit> filters();
+std::span<const exhibit> moments();
 std::span<const exhibit> spaces();
 
 /// Through an 8-bit target: what is read back of written values, or of integer channels, which go through to_unorm.

@@ -4,10 +4,13 @@
 #include "museum.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <umbrage/bias/acne_free.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -134,35 +137,80 @@ score behind(Project project, Compare is_lit = {}) {
     return s;
 }
 
+// Ground under a sun of 52 degrees, in four cascades: how far casters stand above it along the light, 0.5 to 2 m.
+struct slice {
+    float range, texel;  // of depths, and of a texel, in meters
+};
+template <class Bias>
+score casters(Bias bias) {
+    score s;
+    for (const slice cascade : {slice{404, 0.01f}, slice{448, 0.03f}, slice{665, 0.1f}, slice{1300, 0.3f}})
+        for (int k = 50; k <= 200; ++k) {
+            const float stored = 0.5f - float(k) / 100.0f / cascade.range;
+            s.add(double(compare(0.5f - bias(cascade), stored)), 0.0);
+        }
+    return s;
+}
+float one_for_all(slice) { return 0.005f; }
+float of_the_slope(slice cascade) {
+    const float slope = 0.78f * cascade.texel / cascade.range;  // depth per texel
+    return acne_free_bias(vec2(slope, 0.0f), filters::pcf_2x2{}.reach(), 0.0f);
+}
+
+// Planes at 10 to 80 degrees to the light, turned to all sides, under texels of 0.8 by 0.1 m: how many times the least
+// bias for the nearest texel is taken. Below once is acne.
+template <class Bias>
+score long_texels(Bias bias) {
+    constexpr float range = 100.0f;
+    const vec2 texel(0.8f, 0.1f);
+    score s;
+    for (int degrees = 10; degrees <= 80; ++degrees)
+        for (int turn = 0; turn < 360; ++turn) {
+            const float tilt = glm::radians(float(degrees)), side = glm::radians(float(turn));
+            const vec2 slope = vec2(std::cos(side), std::sin(side)) * std::tan(tilt);  // meters per meter
+            const double smallest = 0.5 * (std::abs(slope.x * texel.x) + std::abs(slope.y * texel.y)) / range;
+            const double times = double(bias(tilt, slope * texel / range, texel, range)) / smallest;
+            s.add(times < 1.0 ? double(HUGE_VAL) : times, 4.0);
+        }
+    return s;
+}
+float along_the_normal(float tilt, vec2, vec2 texel, float range) {
+    return std::sin(tilt) * std::fmax(texel.x, texel.y) / std::cos(tilt) / range;
+}
+float along_the_slope(float, vec2 slope, vec2, float) { return acne_free_bias(slope, 0.5f, 0.0f); }
+
 const exhibit all[] = {
-    {"Row or column", "every port between Direct3D's row vectors and OpenGL's column vectors",
+    {"The shadow lands anywhere: row or column",
+     "every port between Direct3D's row vectors and OpenGL's column vectors",
      "The shader gets the transposed matrix. Every point lands in a wrong place.", "transpose(M) * vec4(world, 1)",
      "13824 points, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "texels",
      "GLM's columns everywhere; only `shadow_coordinate` multiplies",
      [] { return landings(vulkan_clip_space, transposed); }, [] { return landings(vulkan_clip_space, ours); }},
-    {"z of [-1, 1] used as [0, 1]", "programs mixing GLM_FORCE_DEPTH_ZERO_TO_ONE with OpenGL's default clip space",
+    {"Too little is dark: z of [-1, 1] as it is",
+     "programs mixing GLM_FORCE_DEPTH_ZERO_TO_ONE with OpenGL's default clip space",
      "Receivers and occluders have different scales. The nearer part of the range, below 0, is stored as 0.",
      "xy / 2 + 1 / 2, z as it is",
      "13824 points under an OpenGL projection, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "1/1024 depth",
      "`clip_space` is an argument and a member; `texture_matrix` reads it",
      [] { return landings(opengl_clip_space, z_as_it_is); }, [] { return landings(opengl_clip_space, ours); }},
-    {"z of [0, 1] halved again", "the same programs, with the opposite mistake",
+    {"Too much is dark: z of [0, 1] halved again", "the same programs, with the opposite mistake",
      "Half of the range is gone. Receivers and occluders have different scales.", "xyz / 2 + 1 / 2",
      "13824 points under a Vulkan projection, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "1/1024 depth",
      "`clip_space` again", [] { return landings(vulkan_clip_space, z_halved_twice); },
      [] { return landings(vulkan_clip_space, ours); }},
-    {"Upside down", "maps of Direct3D, Metal and WebGPU read with OpenGL's texture matrix",
+    {"The shadow is upside down",
+     "maps of Direct3D, Metal and WebGPU read with OpenGL's texture matrix: TrussC-org/TrussC#198",
      "The first row is at the top, so the shadow is mirrored.", "y / 2 + 1 / 2",
      "13824 points under a Direct3D projection, more than 1/100 texel off", "texels",
      "`texture_origin` is part of `clip_space`", [] { return landings(direct3d_clip_space, z_as_it_is); },
      [] { return landings(direct3d_clip_space, ours); }},
-    {"The offset and the division", "four-tap filters that move projective coordinates",
+    {"Taps close up as the light moves away", "four-tap filters that move projective coordinates",
      "The division by w also divides an offset that was added before. Taps move closer as the light moves away.",
      "(x + offset.x, y + offset.y, z, w), then divide", "13824 points, 4 taps each, more than 1/100 texel off",
      "texels", "`tap_coordinate` and `tap_matrices` scale the offset by w",
      [] { return taps([](vec4 c, vec2 o) { return project_coordinate(vec4(c.x + o.x, c.y + o.y, c.z, c.w)); }); },
      [] { return taps([](vec4 c, vec2 o) { return project_coordinate(tap_coordinate(c, o)); }); }},
-    {"A light straight down", "look-at with a fixed up vector; filament's cube faces at +y and -y",
+    {"A light straight down shows nothing", "look-at with a fixed up vector; filament's cube faces at +y and -y",
      "direction x up is zero. Its normal is NaN, and so is the view.",
      "lookAt(position, position + direction, (0, 1, 0))",
      "18 directions on and near the axes, view more than 1e-5 from a rotation", "matrix elements",
@@ -171,7 +219,7 @@ const exhibit all[] = {
      [] {
          return directions([](vec3 d) { return look_along(position, d, vec3(0.0f, 1.0f, 0.0f), handedness::right); });
      }},
-    {"Behind the light", "projective texturing without a test of w",
+    {"Points behind the light are dark", "projective texturing without a test of w",
      "Points behind a spot light divide by a negative w. They land on the map upside down, beyond its far plane.",
      "(x, y, z) / w", "13824 points behind the light, an empty map, in shadow", "visibility",
      "`project_coordinate` moves points with w <= 0 out of texel space, where every filter returns lit",
@@ -179,6 +227,17 @@ const exhibit all[] = {
          return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }, less_equal_scaled{});
      },
      [] { return behind(project_coordinate<float>); }},
+    {"The shadow begins meters beside its caster",
+     "drsnuggles8/OloEngineBase#1119 and drsnuggles8/OloEngineBase#1137, red1oon/bim-ootb#1302",
+     "A bias in depth has the length of its share of the range: 2 m of 404 m, and 6.5 m of 1300 m.",
+     "receiver - 0.005 <= stored", "casters 0.5 to 2 m above the ground in four cascades, the ground under them lit",
+     "visibility", "`acne_free_bias` follows slope, texel and range: at most 0.24 m in these",
+     [] { return casters(one_for_all); }, [] { return casters(of_the_slope); }},
+    {"The shadow detaches where texels are long", "google/filament#9734",
+     "The offset along the normal takes the longer side of a texel, whichever way the surface faces.",
+     "n sin(theta) max(width, height)", "planes of all directions, a bias above 4 times the smallest", "times",
+     "`acne_free_bias` adds the slopes along both sides", [] { return long_texels(along_the_normal); },
+     [] { return long_texels(along_the_slope); }},
 };
 
 }  // namespace

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "guest_text.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include "shader.hpp"
+
+namespace check {
+namespace {
+
+using parity::dialect;
+using parity::version;
+using umbrage::glsl::texture;
+
+constexpr std::array maps{"map", "linear_map", "shadow_map"};
+
+bool uses(const std::string& text, const std::string& word) {
+    return std::regex_search(text, std::regex("\\b" + word + "\\b"));
+}
+
+/// The text without a #version, whose place is elsewhere, and without its lines being moved.
+std::string without_version(const std::string& text) {
+    return std::regex_replace(text, std::regex("(^|\n)[ \t]*#[ \t]*version[^\n]*"), "$1");
+}
+
+std::string name_of(const guest_text& g, std::size_t map) {
+    if (!g.uniforms[map].empty()) return g.uniforms[map];
+    return (g.in.in == dialect::wgsl ? "" : "umbrage_") + std::string(maps[map]);  // map is a name that texts have
+}
+
+/// The function whose result is that of the shader. Its names are those that a call is written with.
+std::string wrapper(const guest_text& g) {
+    const bool filter = g.is == subject::filter;
+    const std::string given = filter ? ", size" : "";
+    switch (g.in.in) {
+        case dialect::wgsl:
+            return "\nfn umbrage_call(c: vec4f" + std::string(filter ? ", size: vec2f" : "") + ") -> vec4f {\n" +
+                   (filter ? "    let coord = c.xy;\n    let uv = c.xy / size;\n    let z = c.z;\n"
+                           : "    let z = c.x;\n") +
+                   "    return vec4f(\n" + g.call + "\n    );\n}\n";
+        case dialect::hlsl:
+            return "\nfloat4 umbrage_call(float4 c" + std::string(filter ? ", float2 size" : "") + ") {\n" +
+                   (filter ? "    float2 coord = c.xy, uv = c.xy / size;\n    float z = c.z;\n"
+                           : "    float z = c.x;\n") +
+                   "    float4 v = (\n" + g.call + "\n    );\n    return v;\n}\n";
+        default:
+            return "\nUMBRAGE_HIGHP vec4 umbrage_call(UMBRAGE_HIGHP vec4 c" +
+                   std::string(filter ? ", UMBRAGE_HIGHP vec2 size" : "") + ") {\n" +
+                   (filter ? "    UMBRAGE_HIGHP vec2 coord = c.xy;\n    UMBRAGE_HIGHP vec2 uv = c.xy / size;\n"
+                             "    UMBRAGE_HIGHP float z = c.z;\n"
+                           : "    UMBRAGE_HIGHP float z = c.x;\n") +
+                   "    return vec4(\n" + g.call + "\n    );\n}\n";
+    }
+}
+
+/// Parts between commas that no bracket encloses.
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> all;
+    std::string part;
+    int depth = 0;
+    for (char c : list) {
+        depth += c == '(' || c == '[' || c == '<' ? 1 : c == ')' || c == ']' || c == '>' ? -1 : 0;
+        if (c == ',' && depth == 0) all.push_back(std::move(part)), part.clear();
+        else part += c;
+    }
+    if (part.find_first_not_of(" \t\n") != part.npos) all.push_back(part);
+    return all;
+}
+
+/// From an opening bracket to the one that closes it.
+std::string enclosed(const std::string& text, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < text.size(); ++i) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (depth == 0) return text.substr(open + 1, i - open - 1);
+    }
+    return text.substr(open + 1);
+}
+
+struct function {
+    std::string name, parameters;
+};
+
+std::vector<function> functions_of(const std::string& text, dialect::language in) {
+    const std::regex definition(in == dialect::wgsl ? R"(\bfn\s+(\w+)\s*(\())"
+                                                    : R"(\b[A-Za-z_]\w*\s+(\w+)\s*(\()[^;{}()]*\)\s*\{)");
+    std::vector<function> all;
+    for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)
+        if ((*i)[1] != "main" && (*i)[1] != "if")
+            all.push_back({(*i)[1], enclosed(text, static_cast<std::size_t>(i->position(2)))});
+    return all;
+}
+
+/// What is wrong with the call, told by the text's functions.
+std::string hints(const guest_text& g) {
+    std::string all;
+    const auto functions = functions_of(g.text, g.in.in);
+    std::string known;
+    for (const function& f : functions) known += (known.empty() ? "" : ", ") + f.name;
+    std::smatch called;
+    if (std::regex_search(g.call, called,
+                          std::regex(R"(\b(?!(?:vec|float|half|int|bool)[0-9f]*\b)([A-Za-z_]\w*)\s*(\())"))) {
+        const std::string name = called[1];
+        const std::size_t given = split(enclosed(g.call, static_cast<std::size_t>(called.position(2)))).size();
+        bool found = false, fits = false;
+        std::string takes;
+        for (const function& f : functions) {
+            if (f.name != name) continue;
+            const std::size_t wants = split(f.parameters).size();
+            found = true, fits |= wants == given;
+            takes = std::to_string(wants) + " arguments, (" + f.parameters + ")";
+        }
+        if (!found && !known.empty())
+            all += "hint: " + g.file + " has no function " + name + "; it has " + known + '\n';
+        if (!found && known.empty()) all += "hint: no function was found in " + g.file + '\n';
+        if (found && !fits)
+            all += "hint: " + name + " takes " + takes + "; the call gives it " + std::to_string(given) + '\n';
+    }
+    std::smatch include;
+    if (std::regex_search(g.text, include,
+                          std::regex(R"((?:^|\n)[ \t]*(#[ \t]*(?:include|import|pragma glslify)\b[^\n]*))"))) {
+        const auto line = std::count(g.text.begin(), include[1].first, '\n') + 1;
+        all += "hint: line " + std::to_string(line) + " needs another text, " + include[1].str() +
+               ": put that text in its place, or run its preprocessor first\n";
+    }
+    return all;
+}
+
+/// Line of `source` at which `part` begins, counted from 0.
+long line_of(const std::string& source, const std::string& part) {
+    const auto at = source.find(part);
+    return at == source.npos ? -1 : std::count(source.begin(), source.begin() + static_cast<long>(at), '\n');
+}
+
+}  // namespace
+
+dialect dialect_of(const std::string& file, const std::string& text) {
+    const auto ends = [&](const char* ending) { return file.ends_with(ending); };
+    if (ends(".wgsl")) return dialect::wgsl;
+    if (ends(".hlsl") || ends(".fx") || ends(".hlsli")) return dialect::hlsl;
+    if (ends(".metal")) return dialect::msl;
+    std::smatch said;
+    if (std::regex_search(text, said, std::regex(R"((?:^|\n)[ \t]*#[ \t]*version[ \t]+(\d+)([ \t]+es)?)"))) {
+        for (version v :
+             {version::v100, version::v110, version::v120, version::v130, version::v150, version::v300_es,
+              version::v310_es, version::v320_es, version::v330, version::v430, version::v450, version::v460})
+            if (parity::name(v) == said[1].str() + (said[2].matched ? " es" : "")) return v;
+        if (said[1] == "140") return version::v150;
+        if (said[1] > "400") return version::v430;
+    }
+    return uses(text, "texture2D") || uses(text, "shadow2D") || uses(text, "varying") ? version::v120 : version::v330;
+}
+
+subject subject_of(const std::string& call) {
+    for (const char* map : maps)
+        if (uses(call, map)) return subject::filter;
+    if (uses(call, "uv") || uses(call, "coord")) return subject::filter;
+    return uses(call, "c") ? subject::unpack : subject::pack;
+}
+
+parity::entry make_entry(const guest_text& g) {
+    static constexpr parity::snippet nothing{.name = "guest", .summary = {}, .source = "\n"};
+    parity::entry e;
+    e.primitive = &nothing;
+    e.call = g.is == subject::filter ? "umbrage_call(x0, map_size)" : "umbrage_call(x0)";
+    e.preamble = g.in.in == dialect::glsl && parity::name(g.in).ends_with("es")
+                     ? "precision highp float;\nprecision highp int;\n"
+                     : "";
+    if (g.in == version::v100) e.preamble = "precision highp float;\nprecision highp int;\n";
+    parity::guest text{.text = g.before + '\n'};
+    // What a fragment shader declares of its own is of no use here: no vertex shader gives it values.
+    if (g.in.in == dialect::glsl) text.text += "#define varying\n#define main umbrage_main_of_guest\n";
+    text.text += without_version(g.text) + '\n';
+    if (g.in.in == dialect::glsl) text.text += "#undef varying\n#undef main\n";
+    if (g.is == subject::filter) {
+        constexpr std::array kinds{texture::texture_2d, texture::texture_2d, texture::shadow};
+        for (std::size_t k = 0; k < maps.size(); ++k) {
+            if (k == 2 && g.in == version::v100) break;  // which has no such samplers
+            e.bound.push_back({.name = name_of(g, k), .as = {.texture = kinds[k], .gather = true}, .linear = k > 0});
+            if (!g.uniforms[k].empty()) text.declares.push_back(g.uniforms[k]);
+            if (g.in.in == dialect::wgsl) continue;
+            text.text += "#define " + std::string(maps[k]) + ' ' + name_of(g, k) + '\n';
+            if (g.in.in == dialect::hlsl)
+                text.text += "#define " + std::string(maps[k]) + "_sampler " + name_of(g, k) + "_sampler\n";
+        }
+        e.maps.emplace_back(glm::ivec2(1, 1));
+    }
+    text.text += wrapper(g);
+    e.visitor = std::move(text);
+    return e;
+}
+
+std::string explained(const guest_text& g, const parity::entry& e, const std::string& message) {
+    const std::string source = parity::make_shader(e, g.in).fragment;
+    const std::string log = message.substr(0, message.find(source));
+    const long first = line_of(source, without_version(g.text)),
+               last = first + std::count(g.text.begin(), g.text.end(), '\n');
+    const long call = line_of(source, '\n' + g.call + '\n') + 1;
+    const std::regex place(R"((?:0:|wgsl:)(\d+)(?=[:(]))");  // Mesa and glslang; naga
+    std::string all;
+    auto from = log.begin();
+    for (std::sregex_iterator i(log.begin(), log.end(), place), end; i != end; ++i) {
+        all.append(from, (*i)[0].first);
+        const long line = std::stol((*i)[1]) - 1;
+        all += line >= first && line <= last ? g.file + ':' + std::to_string(line - first + 1)
+               : line == call                ? "the call, " + g.call
+                                             : "the shader around it, line " + std::to_string(line + 1);
+        from = (*i)[0].second;
+    }
+    all.append(from, log.end());
+    while (!all.empty() && all.back() == '\n') all.pop_back();
+    return all + '\n' + hints(g);
+}
+
+}  // namespace check

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// umbrage-check: which function of umbrage a shader's function is, and with which slips. `usage` says how it is called.
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "runs.hpp"
+
+namespace {
+
+using namespace check;
+
+constexpr const char* usage =
+    R"(Says which function of umbrage a shader's function is, and with which slips, by its results.
+
+    umbrage-check FILE --call EXPRESSION [--is NAME] [--exact] [--json] [--kind filter|pack|unpack] [--on WHERE]
+                  [--before TEXT] [--map UNIFORM] [--linear-map UNIFORM] [--shadow-map UNIFORM]
+    umbrage-check --list
+
+  FILE           .wgsl, .hlsl, else GLSL, by its #version
+  --call         calls the function:  'shadow(map, uv, z)'  'pack(z)'  'vec4(pack_rg(z), 0.0, 0.0)'  'unpack(c)'
+                   map, linear_map    the shadow map, read as it is or filtered: sampler2D, Texture2D, texture_2d<f32>
+                   shadow_map         with comparison: sampler2DShadow, Texture2D, texture_depth_2d
+                   ..._sampler        their samplers, in HLSL and WGSL
+                   size, coord, uv    size in texels; the place in the map, in texels and from 0 to 1
+                   z                  depth of the receiver, or the depth to pack
+                   c                  the four channels to unpack, as sampled
+  --is           what the function should be, one of --list; without it the answer is what it is
+  --exact        exit status 0 only for the same bits
+  --json         one object in place of lines
+  --kind         filter where the call uses a map or uv, unpack where it uses c, else pack
+  --on           llvmpipe, softpipe or hardware for GLSL, lavapipe for HLSL, naga for WGSL
+  --before       text ahead of the file's, such as an engine's #defines
+  --map and others   uniform of the file that is to be this map
+
+Exit status: 0 the same but for rounding and edges, 1 another function, 2 called wrongly or it does not compile.
+)";
+
+struct options {
+    guest_text guest{};
+    expectation expected{};
+    std::string on{}, kind{};
+    bool json = false, exact = false, list = false;
+};
+
+std::string read(const std::string& file) {
+    std::ifstream in(file);
+    if (!in) throw cannot_run("cannot read " + file);
+    std::stringstream all;
+    all << in.rdbuf();
+    return all.str();
+}
+
+options parse(int argc, char** argv) {
+    options o;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const auto value = [&]() -> std::string {
+            if (++i == argc) throw cannot_run(std::string(word) + " needs a value");
+            return argv[i];
+        };
+        if (word == "--call") o.guest.call = value();
+        else if (word == "--is") o.expected.is = value();
+        else if (word == "--exact") o.exact = true;
+        else if (word == "--json") o.json = true;
+        else if (word == "--list") o.list = true;
+        else if (word == "--kind") o.kind = value();
+        else if (word == "--on") o.on = value();
+        else if (word == "--before") o.guest.before = value();
+        else if (word == "--map") o.guest.uniforms[0] = value();
+        else if (word == "--linear-map") o.guest.uniforms[1] = value();
+        else if (word == "--shadow-map") o.guest.uniforms[2] = value();
+        else if (word.starts_with("--")) throw cannot_run("there is no option " + std::string(word));
+        else if (o.guest.file.empty()) o.guest.file = word;
+        else throw cannot_run("one file at a time, not " + std::string(word));
+    }
+    if (o.list) return o;
+    if (o.guest.file.empty()) throw cannot_run("which file?");
+    if (o.guest.call.empty()) throw cannot_run("--call says how the function is called, such as 'shadow(map, uv, z)'");
+    o.guest.text = read(o.guest.file);
+    o.guest.in = dialect_of(o.guest.file, o.guest.text);
+    o.guest.is = o.kind == "filter"   ? subject::filter
+                 : o.kind == "pack"   ? subject::pack
+                 : o.kind == "unpack" ? subject::unpack
+                                      : subject_of(o.guest.call);
+    const auto known = names(o.guest.is);
+    if (const std::string& is = o.expected.is; !is.empty() && std::ranges::find(known, is) == known.end())
+        throw cannot_run("--is knows no " + is + " of this kind; --list has the names");
+    return o;
+}
+
+void list() {
+    for (const auto& [title, is] :
+         {std::pair{"filters", subject::filter}, {"encodings, to pack and unpack", subject::pack}}) {
+        std::cout << title << ":\n";
+        for (const std::string& name : names(is)) std::cout << "    " << name << '\n';
+    }
+}
+
+int run(const options& o) {
+    const parity::backends all = implementations(o.guest.in, o.on);
+    if (all.empty()) throw cannot_run("nothing here runs " + parity::name(o.guest.in));
+    parity::backend& on = *all.front();
+    const verdict v = investigate(o.guest, o.expected, on);
+    if (o.json) std::cout << json(v) << '\n';
+    else
+        std::cout << o.guest.file << ": " << o.guest.call << "\n"
+                  << text(v) << "  by " << on.name() << ", " << (o.guest.in.in == parity::dialect::glsl ? "GLSL " : "")
+                  << parity::name(o.guest.in) << '\n';
+    return v.how == agreement::same_bits || (v.how == agreement::same_but && !o.exact) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const options o = parse(argc, argv);
+        if (o.list) return list(), 0;
+        return run(o);
+    } catch (const cannot_run& error) {
+        std::cerr << "umbrage-check: " << error.what() << '\n';
+        if (argc < 2) std::cerr << '\n' << usage;
+        return 2;
+    }
+}
