@@ -50,7 +50,7 @@ export async function try_all(begin, cases) {
         const share = (part, all) => `${part} of ${all} (${(100 * part / all).toFixed(2)} %)`;
         said[name] = `dark: ${share(count.falsely_dark, count.lit)}; at steep edges: ${count.at_edges}, moved: ${count.moved}; lit: ${share(count.falsely_lit, count.dark)};`
             + ` up to ${count.detached.toFixed(2)} texels`
-            + (fitted ? `; ${fitted.texels_per_unit.toFixed(2)} texels per unit, reach ${fitted.reach.toFixed(2)}, detachment ${fitted.detachment.toFixed(4)}`
+            + (fitted ? `; ${(fitted.cascades ?? [fitted]).map(map => map.texels_per_unit.toFixed(2)).join(', ')} texels per unit, reach ${fitted.reach.toFixed(2)}, detachment ${fitted.detachment.toFixed(4)}`
                 + ` or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
         if (fitted && (count.falsely_dark || count.lost || count.lit < 1500 || count.dark < 100)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
         if (setting === 'default' && count.falsely_dark > 0.01 * count.lit) striped.push(name);
