@@ -72,10 +72,12 @@ function world_of_bias(kind, { colors, twice }, { near, far, depth }, { half_ran
 function set_biases(generator, kind, { filter, texel, normal, planes, clamped, share = 1 }) {
     const engine = generator.getLight().getScene().getEngine(), said = { texels_per_unit: 1 / texel, bias_is_set: filter !== undefined };
     if (!filter)
-        return { ...said, detachment: undefined, clear_angle: undefined, reach: undefined, bias: generator.bias, normal_bias: generator.normalBias };
-    const { near, far, depth } = planes, stored = filter.colors && generator.getShadowMap().textureType === half_float ? 2 ** -12 : depth_error;
+        return { ...said, detachment: undefined, clear_angle: undefined, reach: undefined, bias: generator.bias,
+            normal_bias: generator.normalBias };
+    const { near, far, depth } = planes, map = generator.getShadowMap();
+    const stored = filter.colors && map.textureType === half_float ? 2 ** -12 : depth_error;
     // a spot's depths grow by the inverse of its distances: a bias moves casters by their square, texels grow with them
-    const inverse = kind === 'spot' && !filter.colors, size = generator.getShadowMap().getSize().width;
+    const inverse = kind === 'spot' && !filter.colors, size = map.getSize().width;
     const found = bias_of_casters(normal, texel, stored * (far - near) * (inverse ? depth * depth / (far * near) : 1));
     const unit = world_of_bias(kind, filter, planes, { half_range: engine.isNDCHalfZRange, clamped });
     Object.assign(generator, { bias: found.depth / unit, normalBias: normal });

@@ -9,7 +9,9 @@ import {
     SHADOW_PCF5_32F, SHADOW_PCSS_32F,
 } from 'playcanvas';
 import { bias_of_distances } from './bias.mjs';
-import { depth_error, fit_cone, largest, longest, parallel_offset, perspective_offset, reach_of, roundings, snapping, solid } from './fit.mjs';
+import {
+    depth_error, fit_cone, largest, longest, parallel_offset, perspective_offset, reach_of, roundings, snapping, solid,
+} from './fit.mjs';
 import { check_options, must } from './options.mjs';
 
 const where = 'playcanvas: fit_bias', kinds = { directional: 'directional', spot: 'spot', omni: 'point', point: 'point' };
@@ -30,8 +32,9 @@ const built_in = 1e-4;
 
 const is_entity = value => typeof value?.findComponents === 'function';
 const known = {
-    camera: ['the camera component of an entity', value => Number.isFinite(value?.nearClip) && typeof value.calculateAspectRatio === 'function'],
-    receivers: ['an entity of PlayCanvas, or an array of them', value => [value].flat().length > 0 && [value].flat().every(is_entity)],
+    camera: ['the camera component of an entity', value => typeof value?.calculateAspectRatio === 'function'],
+    receivers: ['an entity of PlayCanvas, or an array of them',
+        value => [value].flat().length > 0 && [value].flat().every(is_entity)],
 };
 
 const array_of = ({ x, y, z }) => [x, y, z], identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -108,6 +111,7 @@ export function fit_bias(light, options = {}) {
     if (filter) Object.assign(light, { shadowBias: bias, normalOffsetBias: Math.min(offset, largest_bias) });
     const cascades = kind === 'directional' && { cascades: texels.map(texel => ({ texels_per_unit: 1 / texel })) };
     return { texels_per_unit: 1 / Math.max(...texels), detachment: filter && detachment,
-        reach: filter && filter.reach[0] + filter.reach[1] * light.shadowResolution * Math.sqrt(3) / 2, normal_offset_bias: light.normalOffsetBias,
-        shadow_bias: light.shadowBias, bias_is_set: filter !== undefined, lacks: filter && Math.max(offset - largest_bias, 0), ...cascades };
+        reach: filter && filter.reach[0] + filter.reach[1] * light.shadowResolution * Math.sqrt(3) / 2,
+        normal_offset_bias: light.normalOffsetBias, shadow_bias: light.shadowBias, bias_is_set: filter !== undefined,
+        lacks: filter && Math.max(offset - largest_bias, 0), ...cascades };
 }

@@ -35,7 +35,8 @@ async function started(reversed) {
     return engine;
 }
 
-async function begin(kind, setting, { filter, given, use = 'usePercentageCloserFiltering', cascades = false, reversed = false, quality = 0, further = {} }) {
+async function begin(kind, setting, options) {
+    const { filter, given, use = 'usePercentageCloserFiltering', cascades = false, reversed = false, quality = 0, further = {} } = options;
     const engine = await started(reversed);
     if (filter) install(engine, { glsl: glsl[filter], wgsl: wgsl[filter], ...given });
     const scene = new Scene(engine);
@@ -82,10 +83,12 @@ async function begin(kind, setting, { filter, given, use = 'usePercentageCloserF
             generator.darkness = lit ? 1 : 0;
             await draw();
             const pixels = await target.readPixels();
-            return Float32Array.from({ length: width * height }, (_, i) => pixels[4 * ((height - 1 - Math.floor(i / width)) * width + i % width)]);
+            return Float32Array.from({ length: width * height },
+                (_, i) => pixels[4 * ((height - 1 - Math.floor(i / width)) * width + i % width)]);  // from above
         },
         texels() {
-            const maps = cascades ? Array.from({ length: generator.numCascades }, (_, i) => generator.getCascadeTransformMatrix(i)) : [generator.getTransformMatrix()];
+            const maps = cascades ? Array.from({ length: generator.numCascades }, (_, i) => generator.getCascadeTransformMatrix(i))
+                : [generator.getTransformMatrix()];
             const texels = kind === 'directional'
                 ? maps.map(({ m }) => 2 / (Math.min(Math.hypot(m[0], m[4], m[8]), Math.hypot(m[1], m[5], m[9])) * map_size)) : [];
             return { texels, splits: cascades ? generator._viewSpaceFrustumsZ : [],

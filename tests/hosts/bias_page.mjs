@@ -8,7 +8,8 @@ import { cross, judge, minus, traced, unit } from '/fit_verdict.mjs';
 /** Rays of pixels from above, as the camera sees. */
 function ray(x, y) {
     const ahead = unit(minus(camera.to, camera.at)), right = unit(cross(ahead, [0, 1, 0])), up = cross(right, ahead);
-    const high = Math.tan(camera.fov * Math.PI / 360), u = (2 * (x + 0.5) / width - 1) * high * width / height, v = (1 - 2 * (y + 0.5) / height) * high;
+    const high = Math.tan(camera.fov * Math.PI / 360);
+    const u = (2 * (x + 0.5) / width - 1) * high * width / height, v = (1 - 2 * (y + 0.5) / height) * high;
     return [camera.at, unit(ahead.map((value, i) => value + u * right[i] + v * up[i]))];
 }
 
@@ -45,14 +46,15 @@ export async function try_all(begin, cases) {
         pictures[name] = picture(shadowed);
         const count = judge({ width, height, scale: 1, objects: all, ray, ...light_of(light, page.texels()),
             visibility: (x, y) => (bare[y * width + x] > 1e-3 ? shadowed[y * width + x] / bare[y * width + x] : undefined),
-            reach: fitted?.reach ?? reach, detachment: fitted?.detachment, shift: page.shift(), slip: fitted && !page.shift() ? fitted.detachment : 0,
-            clear_angle: fitted?.clear_angle });
+            reach: fitted?.reach ?? reach, detachment: fitted?.detachment, shift: page.shift(),
+            slip: fitted && !page.shift() ? fitted.detachment : 0, clear_angle: fitted?.clear_angle });
         const share = (part, all) => `${part} of ${all} (${(100 * part / all).toFixed(2)} %)`;
-        said[name] = `dark: ${share(count.falsely_dark, count.lit)}; at steep edges: ${count.at_edges}, moved: ${count.moved}; lit: ${share(count.falsely_lit, count.dark)};`
-            + ` up to ${count.detached.toFixed(2)} texels`
-            + (fitted ? `; ${(fitted.cascades ?? [fitted]).map(map => map.texels_per_unit.toFixed(2)).join(', ')} texels per unit, reach ${fitted.reach.toFixed(2)}, detachment ${fitted.detachment.toFixed(4)}`
-                + ` or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
-        if (fitted && (count.falsely_dark || count.lost || count.lit < 1500 || count.dark < 100)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
+        said[name] = `dark: ${share(count.falsely_dark, count.lit)}; at steep edges: ${count.at_edges}, moved: ${count.moved};`
+            + ` lit: ${share(count.falsely_lit, count.dark)}; up to ${count.detached.toFixed(2)} texels`
+            + (fitted ? `; ${(fitted.cascades ?? [fitted]).map(map => map.texels_per_unit.toFixed(2)).join(', ')} texels per unit,`
+                + ` reach ${fitted.reach.toFixed(2)}, detachment ${fitted.detachment.toFixed(4)} or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
+        const few = count.lit < 1500 || count.dark < 100;
+        if (fitted && (count.falsely_dark || count.lost || few)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
         if (setting === 'default' && count.falsely_dark > 0.01 * count.lit) striped.push(name);
         await page.end();
     }

@@ -29,7 +29,8 @@ function placing([x, y, z], turn = 0, tilt = 0) {
 const corners_of = (w, h, d) => [0, 1, 2, 3, 4, 5, 6, 7].map(i => [(i & 1 ? 0.5 : -0.5) * w, (i & 2 ? 0.5 : -0.5) * h, (i & 4 ? 0.5 : -0.5) * d]);
 const sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3]];
 const box = (w, h, d, ...place) => solid_of(corners_of(w, h, d), sides, placing(...place));
-const sheet = (w, d, ...place) => solid_of([[-w, 0, -d], [-w, 0, d], [w, 0, d], [w, 0, -d]].map(p => p.map(x => x / 2)), [[0, 1, 2, 3]], placing(...place));
+const sheet = (w, d, ...place) => solid_of([[-w, 0, -d], [-w, 0, d], [w, 0, d], [w, 0, -d]].map(p => p.map(x => x / 2)), [[0, 1, 2, 3]],
+    placing(...place));
 const shed = (w, h, d, ridge, ...place) => solid_of([...corners_of(w, h, d), [0, h / 2 + ridge, -d / 2], [0, h / 2 + ridge, d / 2]],
     [[0, 2, 8, 3, 1], [4, 5, 7, 9, 6], [0, 4, 6, 2], [1, 3, 7, 5], [2, 6, 9, 8], [3, 8, 9, 7]], placing(...place));
 

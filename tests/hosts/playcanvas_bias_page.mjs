@@ -64,7 +64,8 @@ async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, 
                 await new Promise(done => { app.once('postrender', done); });
             }
             const pixels = await texture.read(0, 0, width, height, { renderTarget, immediate: true });
-            return Float32Array.from({ length: width * height }, (_, i) => pixels[4 * ((height - 1 - Math.floor(i / width)) * width + i % width)]);
+            return Float32Array.from({ length: width * height },
+                (_, i) => pixels[4 * ((height - 1 - Math.floor(i / width)) * width + i % width)]);  // from above
         },
         texels() {
             const { numCascades, _shadowCascadeDistances: splits } = shadows.light, maps = kind === 'directional' ? numCascades : 0;

@@ -47,9 +47,9 @@ for (const [radius, most] of [[0.004, 1], [0.02, 1], [0.02, 0.05], [0.1, 0.2]]) 
 
 {  // Babylon.js: the box holds all that is drawn, and says what is wrong
     const [{ NullEngine }, { Scene }, { Vector3 }, { FreeCamera }, { DirectionalLight }, { SpotLight }, { HemisphericLight }, { ShadowGenerator },
-        { CascadedShadowGenerator }, { CreateBox }] = await Promise.all(['Engines/nullEngine', 'scene', 'Maths/math.vector', 'Cameras/freeCamera',
+        { CascadedShadowGenerator }, { CreateBox }, { TransformNode }] = await Promise.all(['Engines/nullEngine', 'scene', 'Maths/math.vector', 'Cameras/freeCamera',
         'Lights/directionalLight', 'Lights/spotLight', 'Lights/hemisphericLight', 'Lights/Shadows/shadowGenerator',
-        'Lights/Shadows/cascadedShadowGenerator', 'Meshes/Builders/boxBuilder'].map(name => load(`@babylonjs/core/${name}.js`)));
+        'Lights/Shadows/cascadedShadowGenerator', 'Meshes/Builders/boxBuilder', 'Meshes/transformNode'].map(name => load(`@babylonjs/core/${name}.js`)));
     await load('@babylonjs/core/Lights/Shadows/shadowGeneratorSceneComponent.js');
     const { fit_bias } = await load('umbrage/npm/babylon.mjs'), engine = new NullEngine(), where = 'umbrage/babylon: fit_bias';
     engine._features.supportShadowSamplers = engine._features.supportCSM = true;  // as engines have it
@@ -63,6 +63,10 @@ for (const [radius, most] of [[0.004, 1], [0.02, 1], [0.02, 0.05], [0.1, 0.2]]) 
         new FreeCamera('', new Vector3(0, 5, -20), scene);
         const down = new Vector3(anywhere(), 0, anywhere()).subtract(high);
         const light = kind === 'spot' ? new SpotLight('', high, down, 0.3 + random(), 1, scene) : new DirectionalLight('', down, scene);
+        const cart = k % 5 === 0 ? new TransformNode('', scene) : undefined;
+        cart?.position.set(anywhere(), 0, anywhere());
+        cart?.rotation.set(0.3 * random(), random(), 0);
+        light.parent = cart ?? null;
         light.position = high;
         const generator = new ShadowGenerator(512, light), meshes = [0, 1, 2, 3].map(i => CreateBox(`${i}`, { size: 1 + 5 * random() }, scene));
         generator.usePercentageCloserFiltering = true;
@@ -76,7 +80,8 @@ for (const [radius, most] of [[0.004, 1], [0.02, 1], [0.02, 0.05], [0.1, 0.2]]) 
         const matrix = generator.getTransformMatrix();
         for (const mesh of meshes)
             for (const corner of mesh.getBoundingInfo().boundingBox.vectorsWorld) {
-                const ray = corner.subtract(high), angle = Math.acos(Vector3.Dot(ray, down) / (ray.length() * down.length()));
+                const ray = corner.subtract(light.getAbsolutePosition()), along = light.getShadowDirection();
+                const angle = Math.acos(Vector3.Dot(ray, along) / (ray.length() * along.length()));
                 if (kind === 'spot' && angle > light.angle / 2) continue;
                 const { x, y, z } = Vector3.TransformCoordinates(corner, matrix);
                 ++tried[kind][0], tried[kind][1] += Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) > 1;
