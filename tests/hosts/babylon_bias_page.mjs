@@ -65,7 +65,7 @@ async function begin(kind, setting, options) {
     scene.customRenderTargets.push(target);
     const draw = async () => {
         await scene.whenReadyAsync();
-        for (let frame = 0; frame < 3; ++frame) {
+        for (let frame = 0; frame < 2; ++frame) {  // biases follow cascades by one
             engine.beginFrame();
             scene.render();
             engine.endFrame();
