@@ -64,7 +64,7 @@ export interface Fitted {
      *  nothing on it. Edges of shadows move by as much at most. undefined: see bias_is_set. */
     readonly detachment: number | undefined;
     /** Radians between normal and light. Steeper faces may be dark along a hard edge to a face that the light meets less
-     *  steeply, in a strip as wide as reach at most, which no bias of Babylon.js frees. */
+     *  steeply, in a strip as wide as reach at most. A larger bias narrows it, and detaches by as much. */
     readonly clear_angle: number | undefined;
     /** Texels from a receiver to the farthest texel that the filter compares. */
     readonly reach: number | undefined;
