@@ -53,8 +53,9 @@ export async function try_all(begin, cases) {
             + ` lit: ${share(count.falsely_lit, count.dark)}; up to ${count.detached.toFixed(2)} texels`
             + (fitted ? `; ${(fitted.cascades ?? [fitted]).map(map => map.texels_per_unit.toFixed(2)).join(', ')} texels per unit,`
                 + ` reach ${fitted.reach.toFixed(2)}, detachment ${fitted.detachment.toFixed(4)} or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
-        const few = count.lit < 1500 || count.dark < 100;
-        if (fitted && (count.falsely_dark || count.lost || few)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
+        const few = count.lit < 1500 || count.dark < 100, beside = count.at_edges + count.moved > 0.01 * count.lit;
+        const far = fitted && fitted.detachment * fitted.texels_per_unit > fitted.reach + 2.1;
+        if (fitted && (count.falsely_dark || count.lost || few || beside || far)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
         if (setting === 'default' && count.falsely_dark > 0.01 * count.lit) striped.push(name);
         await page.end();
     }

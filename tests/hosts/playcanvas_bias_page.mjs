@@ -97,5 +97,5 @@ Object.assign(cases, {
     'cascades.castano': { light: 'directional', filter: 'castano_dyadic5', cascades: true },
 });
 
-const chosen = name => location.hash !== '#few' || /[.](fit|disc)$/.test(name);
+const chosen = name => location.hash !== '#few' || /[.](fit|hard)$/.test(name);
 export const done = try_all(begin, Object.fromEntries(Object.entries(cases).filter(([name]) => chosen(name))));
