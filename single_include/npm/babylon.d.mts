@@ -49,3 +49,44 @@ export function uninstall(engine: Engine, options?: { readonly scene?: Scene }):
  *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
  *  @throws Error       a generator of another light, or a size that is not finite or below 0 */
 export function set_light_size(generator: object, light_size: number): void;
+
+export interface FitOptions {
+    /** Meshes that shadows fall on. Without it, those of the scene that have receiveShadows. */
+    readonly receivers?: readonly { getBoundingInfo(): object }[];
+    /** The map of a directional light moves by whole texels, so that edges do not shimmer. A spot light keeps its cone. */
+    readonly steady?: boolean;
+}
+
+export interface Fitted {
+    /** Texels in a world unit, of the widest cascade; of a spot or a point light, at the farthest receiver. */
+    readonly texels_per_unit: number;
+    /** World units by which casters move away from the light at most: a caster nearer than this over a receiver may cast
+     *  nothing on it. Edges of shadows move by as much at most. undefined: see bias_is_set. */
+    readonly detachment: number | undefined;
+    /** Radians between normal and light. Steeper faces may be dark along a hard edge to a face that the light meets less
+     *  steeply, in a strip as wide as reach at most. A larger bias narrows it, and detaches by as much. */
+    readonly clear_angle: number | undefined;
+    /** Texels from a receiver to the farthest texel that the filter compares. */
+    readonly reach: number | undefined;
+    /** The generator's bias and normalBias. */
+    readonly bias: number;
+    readonly normal_bias: number;
+    /** false: exponential maps and Babylon.js' own contact hardening have no bias that ends acne, so both biases stay yours. */
+    readonly bias_is_set: boolean;
+    /** The light's shadowMinZ and shadowMaxZ; without cascades. */
+    readonly near?: number;
+    readonly far?: number;
+    /** Casters reach nearer to a spot or point light than its near plane, at least 1/1024 of the far one, and are cut there. */
+    readonly casters_are_cut?: boolean;
+    /** Of each cascade. */
+    readonly cascades?: readonly { readonly texels_per_unit: number }[];
+}
+
+/** Sets bias and normalBias of a shadow generator for its filter, Babylon.js' own or one of this package, and the box and the
+ *  planes of its light. Planes are free of stripes then, whatever their tilt; for edges of solids see clear_angle. Call it again
+ *  when the light, receivers, casters, map size or filter change. With cascades Babylon.js sets the box: the biases follow it
+ *  from frame to frame, after a first frame was drawn.
+ *  @param generator   a ShadowGenerator or CascadedShadowGenerator of a directional, spot or point light
+ *  @throws Error      another light, no receivers, cascades that were not drawn, options that do not fit, a map of too few
+ *                     texels for the filter */
+export function fit_bias(generator: object, options?: FitOptions): Fitted;

@@ -14,9 +14,11 @@ import '@babylonjs/core/Shaders/ShadersInclude/oitFragment.js';
 import '@babylonjs/core/Shaders/ShadersInclude/shadowsFragmentFunctions.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/oitFragment.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/shadowsFragmentFunctions.js';
+import { in_use } from './babylon_fit.mjs';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
 import { check_options, further_arguments, must } from './options.mjs';
 
+export { fit_bias } from './babylon_fit.mjs';
 export { set_light_size } from './babylon_light_size.mjs';
 
 const where = 'babylon: install', known = '@babylonjs/core must have the shadow shader of 9.33';
@@ -119,6 +121,7 @@ export function install(engine, options = {}) {
     store[last] = Object.values(all).some(({ probe }) => probe)
         ? `#if defined(SHADOWS)\n${words[name].color}\n#endif\n${own[last]}` : own[last];
     installed.set(name, { own, reversed, kinds: all });
+    in_use[name] = all;
     compile_again(engine, options.scene);
 }
 
@@ -129,6 +132,7 @@ export function uninstall(engine, options = {}) {
     const name = engine.isWebGPU ? 'wgsl' : 'glsl', { own } = installed.get(name) ?? {};
     Object.assign(stores[name], own);
     installed.delete(name);
+    in_use[name] = {};
     compile_again(engine, options.scene);
 }
 

@@ -9,19 +9,20 @@
 // Points are arrays of three numbers. A solid is convex, its eight corners in the order of a box's: x, then y, then z.
 
 /** Texels by which a rasterizer may move a triangle: 4 bits below a texel are all that OpenGL ES guarantees. */
-const snapping = 2 ** -3;
+export const snapping = 2 ** -3;
 /** Rounding of one float of 32 bits. Positions go through some sixteen roundings on both ways into a map. */
-const unit = 2 ** -24, roundings = 16 * unit;
+const unit = 2 ** -24;
+export const roundings = 16 * unit;
 /** Steps of a stored depth of 24 bits, and of the arithmetic before it. */
-const depth_error = 2 ** -22;
+export const depth_error = 2 ** -22;
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const along = (a, b, t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const largest = (values, of) => values.reduce((most, value) => Math.max(most, of(value)), -Infinity);
+export const largest = (values, of) => values.reduce((most, value) => Math.max(most, of(value)), -Infinity);
 const smallest = (values, of) => -largest(values, value => -of(value));
-const longest = p => Math.max(Math.abs(p[0]), Math.abs(p[1]), Math.abs(p[2]));
+export const longest = p => Math.max(Math.abs(p[0]), Math.abs(p[1]), Math.abs(p[2]));
 
 /** A point that a column-major matrix places. */
 export function placed([x, y, z], matrix) {
@@ -162,7 +163,7 @@ function planes(nearest, farthest) {
 }
 
 /** The normal offset at the farthest depth; r is the filter's reach there over that depth, c the light's angles' secant. */
-function perspective_offset(r, depth, { near, far }, secant, error) {
+export function perspective_offset(r, depth, { near, far }, secant, error) {
     const stored = depth * depth * (far - near) / (far * near);  // world units per stored depth
     return (r * depth + stored * error * secant) / (1 - r);
 }
@@ -172,8 +173,8 @@ function perspective_offset(r, depth, { near, far }, secant, error) {
  *  @param tangents    of half the angles of the map's width and height
  *  @param distance    that the light reaches, or Infinity
  *  @param narrow      whether the map may be narrower than the light's cone
- *  @return            near, far, width: a factor of the tangents; texel at the farthest receiver, offset, is_cut: whether
- *                     a caster lies before the near plane. undefined: the map has too few texels for the filter */
+ *  @return            near, far, width: a factor of the tangents; depth and texel of the farthest receiver, offset, is_cut:
+ *                     whether a caster lies before the near plane. undefined: the map has too few texels for the filter */
 export function fit_cone({ position, axes, receivers, casters, view, size, reach, tangents, distance, narrow }) {
     const margin = Math.ceil(reach) + 1, inner = size.map(texels => texels - 2 * margin);
     if (Math.min(...inner) < 1) return undefined;
@@ -195,12 +196,12 @@ export function fit_cone({ position, axes, receivers, casters, view, size, reach
     // z and w of a product matrix round apart: what the world's coordinates lose is divided by the depth
     const offset = perspective_offset((reach + snapping) * texel, depth, found,
         Math.hypot(1, ...tangents), depth_error + roundings * magnitude / depth) + magnitude * roundings;
-    return (reach + snapping) * texel < 0.25 ? { ...found, width, texel: texel * depth, offset } : undefined;
+    return (reach + snapping) * texel < 0.25 ? { ...found, width, depth, texel: texel * depth, offset } : undefined;
 }
 
 /** Planes and normal offset of a point light's cube.
  *  @param reach    [texels of a face to the farthest texel, the light's distances by which the compared point moves]
- *  @return         as of fit_cone, without width */
+ *  @return         as of fit_cone, without width and depth; radial: the farthest receiver's distance */
 export function fit_cube({ position, receivers, casters, view, size, reach: [texels, moved], distance }) {
     const local = p => minus(p, position), seen = view ? seen_of(receivers, view) : receivers.flat();
     const farthest = Math.min(largest(seen, p => longest(local(p))), distance);
@@ -212,7 +213,7 @@ export function fit_cube({ position, receivers, casters, view, size, reach: [tex
     const texel = 2 / size, r = (texels + snapping) * texel + moved * radial / farthest;
     const magnitude = largest([...receivers.flat(), ...casters.flat(), position], longest);
     const offset = perspective_offset(r, farthest, found, Math.sqrt(3), depth_error) + magnitude * roundings;
-    return r < 0.25 ? { ...found, texel: texel * farthest, offset } : undefined;
+    return r < 0.25 ? { ...found, radial, texel: texel * farthest, offset } : undefined;
 }
 
 /** Texels from a receiver to the farthest texel that a filter of this package compares.

@@ -53,3 +53,37 @@ export function uninstall(device: Device): void;
  *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
  *  @throws Error       another light, or a size that is not finite or below 0 */
 export function set_light_size(light: object, light_size: number): void;
+
+export interface FitOptions {
+    /** The component of the camera that sees the shadows. A directional light needs it. */
+    readonly camera?: object;
+    /** Entities that shadows fall on and that cast them. Without it, all of the app. */
+    readonly receivers?: object | readonly object[];
+}
+
+export interface Fitted {
+    /** Texels in a world unit, of the widest cascade; of a spot or a point light, at the farthest receiver. */
+    readonly texels_per_unit: number;
+    /** World units: a caster nearer than this over a receiver casts nothing on it. Across the light, edges move by as much at
+     *  most. undefined: see bias_is_set. */
+    readonly detachment: number | undefined;
+    /** Texels from a receiver to the farthest texel that the filter compares. */
+    readonly reach: number | undefined;
+    /** The light's normalOffsetBias and shadowBias. */
+    readonly normal_offset_bias: number;
+    readonly shadow_bias: number;
+    /** false: variance maps and PlayCanvas' own SHADOW_PCSS_32F have no bias that ends acne, so both biases stay yours. */
+    readonly bias_is_set: boolean;
+    /** By how much normalOffsetBias would have to be above 1, where PlayCanvas ends it. Above 0: surfaces have stripes. Make the
+     *  map larger, shadowDistance shorter, or the world's units. */
+    readonly lacks: number | undefined;
+    /** Of each cascade of a directional light. */
+    readonly cascades?: readonly { readonly texels_per_unit: number }[];
+}
+
+/** Sets normalOffsetBias and shadowBias of a light for its filter, PlayCanvas' own or one of this package. No receiver stripes
+ *  itself then, whatever its tilt. Call it again when the light, the camera's field of view, the scene, map size or filter change.
+ *  @param light   the component of a directional, spot or point light. Spot and point lights must not be clustered
+ *  @throws Error  another light, a directional one without a camera, a clustered one, no receivers, options that do not fit, a
+ *                 map of too few texels for the filter */
+export function fit_bias(light: object, options?: FitOptions): Fitted;

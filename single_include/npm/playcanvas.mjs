@@ -14,6 +14,9 @@ import {
 } from 'playcanvas';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
 import { further_arguments, must } from './options.mjs';
+import { in_use } from './playcanvas_fit.mjs';
+
+export { fit_bias } from './playcanvas_fit.mjs';
 
 const where = 'playcanvas: install', known = 'playcanvas must have the shadow chunks of 2.23';
 const lights_of_entities = ['an array of light components, such as [entity.light]',
@@ -136,6 +139,7 @@ export function install(device, options = {}) {
     const all = { ...kinds, [kind]: asked };
     chunks.add(with_filters(name, own, all));
     installed.set(device, { own, kinds: all });
+    in_use.set(device, all);
 }
 
 /** Restores PlayCanvas' own text, byte for byte. */
@@ -143,6 +147,7 @@ export function uninstall(device) {
     check_device('playcanvas: uninstall', device);
     chunks_of(device).add(installed.get(device)?.own ?? {});
     installed.delete(device);
+    in_use.delete(device);
 }
 
 /** Gives a directional light a size in the world: our filters take penumbraSize as the tangent of half its angle. */

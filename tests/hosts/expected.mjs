@@ -39,6 +39,10 @@ const playcanvas_pcss = 'umbrage/playcanvas: install: lights must be directional
 const fits = { host: 'three', filters: [],
     said: { wrong: 'none', striped: 'directional.default spot.default point.default', soft_wrong: 'none' } };
 
+/** fit_bias: nothing is falsely dark but what it says, and no caster is lost; with the engine's defaults lights have stripes. */
+const few = { filters: [], said: { wrong: 'none' } };  // for each change; tests/hosts/run tries all
+const biases = { ...few, said: { ...few.said, striped: 'directional.default spot.default point.default cascades.default' } };
+
 /** What users change after the first frame, a point light, and discs that rotate from frame to frame. */
 const changes = { host: 'three', filters: [], said: { wrong: 'none', point: 'true', frames: '0 differ, noise in one' } };
 const changes_webgpu = { ...changes, said: { ...changes.said, still: 'true', words: 'umbrage/three/webgpu: shadow_filter: the light must have '
@@ -73,8 +77,13 @@ export const expected = {
     three_fit: { ...fits, flags: webgl },
     three_webgpu_fit: { ...fits, flags: webgpu },
     'three_webgpu_fit#webgl': { ...fits, flags: webgl },
+    babylon_bias: { ...biases, host: '@babylonjs/core', flags: webgpu },
+    'babylon_bias#webgl': { ...biases, host: '@babylonjs/core', flags: webgl },
+    'babylon_bias#few': { ...few, host: '@babylonjs/core', flags: webgl },
     babylon: { ...babylon, flags: webgpu },
     'babylon#webgl': { ...babylon, flags: webgl },
+    'playcanvas_bias#webgl': { ...biases, host: 'playcanvas', flags: webgl },
+    'playcanvas_bias#few': { ...few, host: 'playcanvas', flags: webgl },
     playcanvas: { ...playcanvas, flags: webgpu },
     'playcanvas#webgl': {
         ...playcanvas, flags: webgl,

@@ -58,11 +58,16 @@ function first_hit(objects, from, along, nearest, farthest, front = false) {
  *  @param texel        of a point, in world units
  *  @param reach        of the filter, in texels
  *  @param detachment   that was promised, in world units; undefined: nothing was, and pixels are judged by fewer rays
+ *  @param slip         by which the engine moves casters, and with them the edges of shadows: pixels so near to one are counted apart.
+ *                      Under a spot or a point light casters are halfway to it at most
+ *  @param clear_angle  between normal and light, beyond which pixels within the filter of a hard edge are counted apart
  *  @param shift        by which the engine moves a receiver along its normal, and with it the shadow's edge sidewards
  *  @param scale        of the world
- *  @return             {lit, falsely_dark, dark, falsely_lit, lost}; lost: lit under casters above twice the detachment */
-export function judge({ width, height, objects, ray, visibility, to_light, texel, reach, detachment, shift, scale }) {
-    const count = { lit: 0, falsely_dark: 0, dark: 0, falsely_lit: 0, lost: 0 }, step = 3, eps = 1e-5 * scale;
+ *  @return             {lit, falsely_dark, at_edges, moved, dark, falsely_lit, lost, detached}; lost: lit under casters above
+ *                      twice the detachment; detached: the highest caster over a pixel that is lit under it, in texels */
+export function judge({ width, height, objects, ray, visibility, to_light, texel, reach, detachment, shift, scale,
+    slip = 0, clear_angle = Math.PI / 2 }) {
+    const count = { lit: 0, falsely_dark: 0, at_edges: 0, moved: 0, dark: 0, falsely_lit: 0, lost: 0, detached: 0 }, step = 3, eps = 1e-5 * scale;
     const hit_of = (x, y) => first_hit(objects, ...ray(x, y), 0, Infinity, true);
     for (let y = 1; y < height - 1; y += step)
         for (let x = 1; x < width - 1; x += step) {
@@ -75,23 +80,35 @@ export function judge({ width, height, objects, ray, visibility, to_light, texel
             const facing = dot(normal, light);
             if (seen === undefined || facing < 0.02) continue;
             const right = unit(cross(light, Math.abs(light[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), up = cross(right, light);
-            const rings = (radii, directions) => {
-                let [blocked, tried, lowest] = [0, 0, Infinity];
+            const rings = (radii, directions, more = 0) => {
+                let [blocked, tried, lowest, highest] = [0, 0, Infinity, 0];
                 for (let k = 0; k <= radii; ++k)
                     for (let i = 0; i < (k ? directions : 1); ++i) {
-                        const turn = i * 2 * Math.PI / directions + k, away = k / radii * (reach + 1.5) * texel(at);
+                        const turn = i * 2 * Math.PI / directions + k, away = k / radii * ((reach + 1.5) * texel(at) + more);
                         const ring = plus(right.map(v => v * away * Math.cos(turn)), up, away * Math.sin(turn));
                         const offset = plus(ring, plus(normal, light, -facing), shift);
                         const from = plus(plus(at, offset, 1), light, -dot(normal, offset) / facing);
                         const found = first_hit(objects, from, light, eps, distance);
                         ++tried, blocked += found !== undefined, lowest = Math.min(lowest, (found?.t ?? 0) * facing);
+                        highest = Math.max(highest, found?.t ?? 0);
                     }
-                return { blocked, tried, lowest };
+                return { blocked, tried, lowest, highest };
             };
-            const { blocked, tried, lowest } = rings(2, 8);
-            if (blocked === 0 && (seen > 0.99 || detachment === undefined || rings(8, 32).blocked === 0)) ++count.lit, count.falsely_dark += seen < 0.99;
-            if (blocked === tried && (seen < 0.01 || detachment === undefined || rings(8, 32).blocked === 257)) {
+            const by_edge = () => [1, 2, 3, 4].some(k => Array.from({ length: 16 }, (_, i) => i * Math.PI / 8 + k).some(turn => {
+                const away = k / 4 * (reach + 1.5) * texel(at), ring = plus(right.map(v => v * away * Math.cos(turn)), up, away * Math.sin(turn));
+                const on_plane = plus(at, plus(ring, light, -dot(normal, ring) / facing), 1), above = plus(on_plane, normal, eps);
+                return first_hit(objects, above, normal.map(v => -v), 0, 2 * eps) === undefined;
+            }));
+            const { blocked, tried, lowest, highest } = rings(2, 8), wider = distance < Infinity ? distance / (distance - highest) : 1;
+            if (blocked === 0 && (seen > 0.99 || detachment === undefined || rings(8, 32).blocked === 0)) {
+                const steep = Math.acos(facing) > clear_angle, wide = distance < Infinity ? 2 * slip : slip;
+                ++count.lit;
+                if (seen < 0.99)
+                    ++count[steep && by_edge() ? 'at_edges' : slip && rings(8, 32, wide).blocked > 0 ? 'moved' : 'falsely_dark'];
+            }
+            if (blocked === tried && (seen < 0.01 || detachment === undefined || rings(8, 32, slip * wider).blocked === 257)) {
                 ++count.dark, count.falsely_lit += seen > 0.01;
+                if (seen > 0.01) count.detached = Math.max(count.detached, lowest / texel(at));
                 count.lost += seen > 0.01 && detachment !== undefined && lowest > 2 * detachment + texel(at);
             }
         }
