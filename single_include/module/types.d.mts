@@ -126,6 +126,8 @@ export interface ShadowOptionsOf<L extends Language> {
     gather?: boolean;
     /** Form of the filter for a comparison sampler that filters linearly, as window_hardware3 of tent3: fewer fetches, tier C. */
     linear?: SnippetOf<L>;
+    /** No normal: umbrage_<name>(world) takes the triangle's own from derivatives, in a fragment shader, outside all branches. */
+    derivatives?: boolean;
     /** What block, map and sampler are bound to, 0 or above; set is WGSL's group or HLSL's space. Each shadow of a text has
      *  others, but for GLSL before 430 and 310 es, and Metal, whose texts have none. WGSL counts all three alike. */
     block?: number;

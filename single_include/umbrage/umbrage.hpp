@@ -23105,6 +23105,7 @@ struct interface_function {
     struct argument {
         std::string_view name;
         int components = 3;
+        bool derived = false;  ///< no parameter: the triangle's normal, of the derivatives of `world`
     };
     std::string_view name{};                     ///< umbrage_<name>_<shadow>; empty: umbrage_<shadow>
     std::string_view calls;                      ///< umbrage_<calls>_<shadow>
@@ -23132,13 +23133,14 @@ struct map_parameter {
 };
 
 /// Call of a function with all its arguments: `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+/// @param normal   the language's expression for a derived argument
 template <class Member>
 [[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
-                                         const std::string& sampler, const Member& member) {
+                                         const std::string& sampler, const char* normal, const Member& member) {
     std::string all;
     if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
     for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
-    for (const auto& a : f.arguments) all.append(", ").append(a.name);
+    for (const auto& a : f.arguments) all.append(", ").append(a.derived ? normal : a.name);
     return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
 }
 
@@ -23148,6 +23150,7 @@ template <class Type>
 [[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
     std::string all;
     for (const auto& a : f.arguments) {
+        if (a.derived) continue;
         const std::string name(a.name);
         all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
     }
@@ -23225,7 +23228,7 @@ struct declaration {
     };
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
-                         interface_call(i, f, i.prefix() + "_map", "", member));
+                         interface_call(i, f, i.prefix() + "_map", "", "cross(dFdx(world), dFdy(world))", member));
     all.text = std::move(out);
     return all;
 }
@@ -23254,7 +23257,7 @@ struct declaration {
     for (const interface_function& f : i.functions)
         out += with_head(
             name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
-            interface_call(i, f, i.prefix() + "_map", sampler,
+            interface_call(i, f, i.prefix() + "_map", sampler, "cross(ddx(world), ddy(world))",
                            [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
     all.text = std::move(out);
     return all;
@@ -23285,7 +23288,7 @@ struct declaration {
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f,
                          "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
-                         interface_call(i, f, i.prefix() + "_map", sampler,
+                         interface_call(i, f, i.prefix() + "_map", sampler, "cross(dpdx(world), dpdy(world))",
                                         [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
     all.text = std::move(out);
     return all;
@@ -23303,6 +23306,7 @@ struct declaration {
                          "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
                              (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
                          interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
+                                        "metal::cross(metal::dfdx(world), metal::dfdy(world))",
                                         [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
     return {std::move(out), {block}};
 }
@@ -29603,8 +29607,12 @@ template <class Setup, class Filter>
 // fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
 // and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
-// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same bits.
-// GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same
+// bits. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+//
+// bind(sun, "sun", {.derivatives = true}) takes no normal: umbrage_sun(world) has the triangle's own from the
+// derivatives of world on the screen. Call it in a fragment shader, outside all branches. WGSL refuses it elsewhere;
+// other languages leave the derivatives undefined there. GLSL 100 needs GL_OES_standard_derivatives.
 //
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
@@ -29622,6 +29630,7 @@ struct shadow_slots {
                                          ///< (default), array, depth_array or shadow_array
     bool gather = false;                 ///< reads 2x2 texels at once, with a sampler that clamps to the edge
     bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
+    bool derivatives = false;            ///< takes the triangle's normal from derivatives: umbrage_<name>(world)
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
@@ -29731,9 +29740,12 @@ template <class Setup, class Filter, class Encoding>
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
+    const interface_function::argument normal{"normal", 3, slots.derivatives};
     declared.functions = {{.calls = "shadow",
-                           .says = "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
-                           .arguments = {{"world"}, {"normal"}}}};
+                           .says = slots.derivatives
+                                       ? "visibility of a point of the world, 1.0 is lit; outside branches"
+                                       : "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
+                           .arguments = {{"world"}, normal}}};
     if (umbrage::detail::turning<Filter>) declared.functions[0].arguments.push_back({"pixel", 2});
     if (slots.debug) {
         declared.functions.push_back({.name = "probe",
@@ -29741,7 +29753,7 @@ template <class Setup, class Filter, class Encoding>
                                       .says = "debug color of a point of the world, as umbrage_probe_color says",
                                       .components = 3,
                                       .reads_map = false,
-                                      .arguments = {{"world"}, {"normal"}}});
+                                      .arguments = {{"world"}, normal}});
         declared.functions.push_back(
             {.name = "calibrate",
              .calls = "reading",

@@ -17,10 +17,10 @@ function made(use) {
         return null;
     }
 }
-function shadow_in(language, { kind, filter, encoding, direction, map, gather, linear, debug, slots: [block, texture, sampler, set] }) {
+function shadow_in(language, { kind, filter, encoding, direction, map, gather, linear, derivatives, debug, slots: [block, texture, sampler, set] }) {
     const { shadow, encodings, snippets, debug: debug_texts, ...all } = umbrage[language];
     return shadow('sun', { kind: all[kind], filter: snippets[filter], ...encoding && { encoding: encodings[encoding] },
-        map_size: 256, direction, ...map && { map }, ...gather && { gather }, ...linear && { linear: snippets[linear] }, block, texture, sampler, set, ...debug && { debug: debug_texts } });
+        map_size: 256, direction, ...map && { map }, ...gather && { gather }, ...linear && { linear: snippets[linear] }, ...derivatives && { derivatives }, block, texture, sampler, set, ...debug && { debug: debug_texts } });
 }
 
 let tried = 0, refused = 0, different = 0;

@@ -63,6 +63,7 @@ public:
         for (const named_texture& t : textures)
             if (slots.map == t.kind) out_ << ",\"map\":" << literal(t.name);
         if (slots.debug) out_ << ",\"debug\":true";
+        if (slots.derivatives) out_ << ",\"derivatives\":true";
         if (slots.gather) out_ << ",\"gather\":true";
         if (slots.linear) out_ << ",\"linear\":" << literal(glsl::linear_form_of(of.filter()).what->name);
         out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
@@ -111,7 +112,7 @@ void of_filters(writer& out, const umbrage::clip_space& clip) {
             out.add(kind, disc, {.map = t.kind});
             out.add(kind, tent, {.map = t.kind, .gather = true});
             out.add(kind, tent, {.map = t.kind, .linear = true, .debug = true});
-            out.add(kind, disc, {.map = t.kind, .linear = true});
+            out.add(kind, disc, {.map = t.kind, .linear = true, .derivatives = true});
         }
     });
 }
@@ -136,7 +137,7 @@ void of_debug(writer& out, const umbrage::clip_space& clip) {
         const auto add = [&](const auto& filter) {
             const umbrage::shadow of(light, glm::ivec2(shadow_size), filter);
             out.add(kind, of, {.debug = true});
-            out.add(kind, of, {.map = glsl::texture::array, .debug = true});
+            out.add(kind, of, {.map = glsl::texture::array, .derivatives = true, .debug = true});
         };
         add(umbrage::filters::tent<3>);
         add(umbrage::filters::disc{});

@@ -141,16 +141,16 @@ bool agree(version v, const scene& of, const Shadow& sun, const image<float>& ma
                                                  .clip = opengl_clip_space});
         return eye.projection * eye.view;
     }();
-    const std::string both =
-        "    vec3 flat_normal = cross(dFdx(world), dFdy(world));\n"
-        "    color = vec4(umbrage_sun(world, normal), umbrage_sun(world, flat_normal), 1.0, 1.0);\n";
-    const auto seen = draw(v, of, to_clip, shadowed, both);
+    const auto seen = draw(v, of, to_clip, shadowed, "    color = vec4(umbrage_sun(world, normal), 0.0, 1.0, 1.0);\n");
+    const tried derived = make("sun", sun, glsl::bind(sun, "sun", {.derivatives = true}), texels, map);
+    const auto without = draw(v, of, to_clip, derived, "    color = vec4(umbrage_sun(world), 0.0, 1.0, 1.0);\n");
     image<glm::vec4> places(picture);
     if (!old) places = draw(v, of, to_clip, shadowed, "    color = vec4(world, number);\n");
     int drawn = 0, in_shader = 0, from_cpp = 0, partly = 0;
     for (std::size_t i = 0; i < seen.texels().size(); ++i) {
-        const glm::vec4 is = seen.texels()[i], at = places.texels()[i];
-        if (!(is.z > 0.5f)) continue;
+        const glm::vec4 given = seen.texels()[i], at = places.texels()[i];
+        const glm::vec2 is(given.x, without.texels()[i].x);
+        if (!(given.z > 0.5f)) continue;
         ++drawn, partly += is.x < 1;
         in_shader += std::abs(is.x - is.y) > 0.1f;
         if (old) continue;

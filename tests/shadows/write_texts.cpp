@@ -155,8 +155,8 @@ void write_all(const fs::path& folder, clip_space clip) {
     add_spot(prefilters::msm{});
     const shadow lamp(shadow_scene::fitted(clip), {200, 300}, filters::box{.radius = 1});
     const shadow sun(shadow_scene::cascades(clip), {256, 256}, filters::disc{});
-    add(with_arrays, lamp, "lamp", {.map = glsl::texture::shadow});
-    add(with_arrays, sun, "sun", {.map = glsl::texture::depth_array});
+    add(with_arrays, lamp, "lamp", {.map = glsl::texture::shadow, .derivatives = true});
+    add(with_arrays, sun, "sun", {.map = glsl::texture::depth_array, .derivatives = true});
     add(with_arrays, shadow(shadow_scene::cascades<7>(clip), {256, 256}, filters::pcf_2x2{}), "eight",
         {.map = glsl::texture::shadow_array});
     add(plain, sun, "atlas");

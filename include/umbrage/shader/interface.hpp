@@ -44,6 +44,7 @@ struct interface_function {
     struct argument {
         std::string_view name;
         int components = 3;
+        bool derived = false;  ///< no parameter: the triangle's normal, of the derivatives of `world`
     };
     std::string_view name{};                     ///< umbrage_<name>_<shadow>; empty: umbrage_<shadow>
     std::string_view calls;                      ///< umbrage_<calls>_<shadow>
@@ -71,13 +72,14 @@ struct map_parameter {
 };
 
 /// Call of a function with all its arguments: `umbrage_shadow_sun(map, matrix, vector, world, normal)`.
+/// @param normal   the language's expression for a derived argument
 template <class Member>
 [[nodiscard]] std::string interface_call(const shader_interface& i, const interface_function& f, const std::string& map,
-                                         const std::string& sampler, const Member& member) {
+                                         const std::string& sampler, const char* normal, const Member& member) {
     std::string all;
     if (f.reads_map) all += ", " + map + (sampler.empty() ? "" : ", " + sampler);
     for (std::size_t m = f.reads_fields ? 0 : i.fields.size() - 2; m < i.fields.size(); ++m) all += ", " + member(m);
-    for (const auto& a : f.arguments) all.append(", ").append(a.name);
+    for (const auto& a : f.arguments) all.append(", ").append(a.derived ? normal : a.name);
     return "umbrage_" + std::string(f.calls) + "_" + i.name + "(" + all.substr(2) + ")";
 }
 
@@ -87,6 +89,7 @@ template <class Type>
 [[nodiscard]] std::string parameters_of(const interface_function& f, const Type& type, bool type_last = false) {
     std::string all;
     for (const auto& a : f.arguments) {
+        if (a.derived) continue;
         const std::string name(a.name);
         all += (all.empty() ? "" : ", ") + (type_last ? name + ": " + type(a.components) : type(a.components) + name);
     }
@@ -164,7 +167,7 @@ struct declaration {
     };
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f, type(f.components) + name_of(i, f) + "(" + parameters_of(f, type) + ")",
-                         interface_call(i, f, i.prefix() + "_map", "", member));
+                         interface_call(i, f, i.prefix() + "_map", "", "cross(dFdx(world), dFdy(world))", member));
     all.text = std::move(out);
     return all;
 }
@@ -193,7 +196,7 @@ struct declaration {
     for (const interface_function& f : i.functions)
         out += with_head(
             name_of(i, f), f, float_type(f.components) + name_of(i, f) + "(" + parameters_of(f, float_type) + ")",
-            interface_call(i, f, i.prefix() + "_map", sampler,
+            interface_call(i, f, i.prefix() + "_map", sampler, "cross(ddx(world), ddy(world))",
                            [&](std::size_t m) { return i.prefix() + "_" + std::string(i.fields[m].name); }));
     all.text = std::move(out);
     return all;
@@ -224,7 +227,7 @@ struct declaration {
     for (const interface_function& f : i.functions)
         out += with_head(name_of(i, f), f,
                          "fn " + name_of(i, f) + "(" + parameters_of(f, type, true) + ") -> " + type(f.components),
-                         interface_call(i, f, i.prefix() + "_map", sampler,
+                         interface_call(i, f, i.prefix() + "_map", sampler, "cross(dpdx(world), dpdy(world))",
                                         [&](std::size_t m) { return uniforms + "." + std::string(i.fields[m].name); }));
     all.text = std::move(out);
     return all;
@@ -242,6 +245,7 @@ struct declaration {
                          "inline " + float_type(f.components) + name_of(i, f) + "(constant " + block + "& block, " +
                              (f.reads_map ? map_and_sampler : "") + parameters_of(f, float_type) + ")",
                          interface_call(i, f, "map", map.sampler.empty() ? "" : "map_sampler",
+                                        "metal::cross(metal::dfdx(world), metal::dfdy(world))",
                                         [&](std::size_t m) { return "block." + std::string(i.fields[m].name); }));
     return {std::move(out), {block}};
 }

@@ -14,8 +14,12 @@
 // fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
 // and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
-// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same bits.
-// GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same
+// bits. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+//
+// bind(sun, "sun", {.derivatives = true}) takes no normal: umbrage_sun(world) has the triangle's own from the
+// derivatives of world on the screen. Call it in a fragment shader, outside all branches. WGSL refuses it elsewhere;
+// other languages leave the derivatives undefined there. GLSL 100 needs GL_OES_standard_derivatives.
 //
 // bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
 // umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
@@ -48,6 +52,7 @@ struct shadow_slots {
                                          ///< (default), array, depth_array or shadow_array
     bool gather = false;                 ///< reads 2x2 texels at once, with a sampler that clamps to the edge
     bool linear = false;                 ///< the comparison sampler filters linearly: it weights four texels a fetch
+    bool derivatives = false;            ///< takes the triangle's normal from derivatives: umbrage_<name>(world)
     bool debug = false;                  ///< adds umbrage_probe_<name> and umbrage_calibrate_<name>
 };
 
@@ -157,9 +162,12 @@ template <class Setup, class Filter, class Encoding>
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};
+    const interface_function::argument normal{"normal", 3, slots.derivatives};
     declared.functions = {{.calls = "shadow",
-                           .says = "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
-                           .arguments = {{"world"}, {"normal"}}}};
+                           .says = slots.derivatives
+                                       ? "visibility of a point of the world, 1.0 is lit; outside branches"
+                                       : "visibility of a point of the world, 1.0 is lit; a normal of zero is none",
+                           .arguments = {{"world"}, normal}}};
     if (umbrage::detail::turning<Filter>) declared.functions[0].arguments.push_back({"pixel", 2});
     if (slots.debug) {
         declared.functions.push_back({.name = "probe",
@@ -167,7 +175,7 @@ template <class Setup, class Filter, class Encoding>
                                       .says = "debug color of a point of the world, as umbrage_probe_color says",
                                       .components = 3,
                                       .reads_map = false,
-                                      .arguments = {{"world"}, {"normal"}}});
+                                      .arguments = {{"world"}, normal}});
         declared.functions.push_back(
             {.name = "calibrate",
              .calls = "reading",

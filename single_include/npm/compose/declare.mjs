@@ -11,10 +11,10 @@ const prefix = i => `umbrage_${i.name}`;
 /** A declared parameter under another name: "sampler2D map" as "sampler2D umbrage_sun_map". */
 const renamed = (declaration, from, to) => declaration.startsWith(`${from}:`) ? declaration.replace(from, to)
     : declaration.replace(` ${from}`, ` ${to}`);
-/** Call of a function with all its arguments: the map, the block's members, and its own. */
-const call = (i, f, map, sampler, members) => `umbrage_${f.calls}_${i.name}(${[
+/** Call of a function with all its arguments: the map, the block's members, and its own. `normal`: of the derivatives. */
+const call = (i, f, map, sampler, members, normal) => `umbrage_${f.calls}_${i.name}(${[
     ...f.reads_map ? [map, ...sampler ? [sampler] : []] : [], ...f.reads_fields ? members : members.slice(-2),
-    ...f.arguments.map(([name]) => name)].join(', ')})`;
+    ...f.arguments.map(([name, , derived]) => derived ? normal : name)].join(', ')})`;
 const with_head = (name, f, head, called) => `\n// ${name}: ${f.says}\n` + laid_out(`${head} {\n    return ${called};\n}\n`);
 const name_of = (i, f) => f.name === '' ? prefix(i) : `umbrage_${f.name}_${i.name}`;
 /** What a text declares, and what no other shadow of it may have: names, the functions' first, and slots. */
@@ -22,7 +22,7 @@ const declared = (i, names, slots, text) => ({ text, slots, names: [...i.functio
 const names_of_fields = i => i.fields.map(({ name }) => `${prefix(i)}_${name}`);
 /** The shadow's functions: a head of type and parameters, and the call. */
 const functions = (i, head, called) => i.functions.map(f => with_head(name_of(i, f), f, head(name_of(i, f), f), called(f))).join('');
-const joined = (f, one) => f.arguments.map(([name, components]) => one(name, components)).join(', ');
+const joined = (f, one) => f.arguments.filter(([, , derived]) => !derived).map(([name, components]) => one(name, components)).join(', ');
 const float_type = components => components === 1 ? 'float' : `float${components}`;
 
 export function declare_in_glsl(i, { map }, version) {
@@ -44,7 +44,7 @@ export function declare_in_glsl(i, { map }, version) {
         '\n' + (has_blocks ? `${head}${lines.join('')}};\n` : `uniform ${high}vec4 ${block}[${vectors}];\n`)
         + `${binds ? `layout(binding = ${i.texture}) ` : ''}uniform ${renamed(map, 'map', texture)};\n`
         + functions(i, (name, f) => `${type(f.components)} ${name}(${joined(f, (own, n) => `${type(n)} ${own}`)})`,
-            f => call(i, f, texture, '', members)));
+            f => call(i, f, texture, '', members, 'cross(dFdx(world), dFdy(world))')));
 }
 
 export function declare_in_hlsl(i, { map, sampler }) {
@@ -57,7 +57,7 @@ export function declare_in_hlsl(i, { map, sampler }) {
         + `${renamed(map, 'map', texture)}${slot('t', i.texture)};\n`
         + (sampler && `${renamed(sampler, 'map_sampler', own_sampler)}${slot('s', i.sampler)};\n`)
         + functions(i, (name, f) => `${float_type(f.components)} ${name}(${joined(f, (own, n) => `${float_type(n)} ${own}`)})`,
-            f => call(i, f, texture, own_sampler, names_of_fields(i))));
+            f => call(i, f, texture, own_sampler, names_of_fields(i), 'cross(ddx(world), ddy(world))')));
 }
 
 export function declare_in_wgsl(i, { map, sampler }) {
@@ -70,7 +70,7 @@ export function declare_in_wgsl(i, { map, sampler }) {
         + `${slot(i.texture)} ${renamed(map, 'map', texture)};\n`
         + (sampler && `${slot(i.sampler)} ${renamed(sampler, 'map_sampler', own_sampler)};\n`)
         + functions(i, (name, f) => `fn ${name}(${joined(f, (own, n) => `${own}: ${type(n)}`)}) -> ${type(f.components)}`,
-            f => call(i, f, texture, own_sampler, i.fields.map(({ name }) => `${uniforms}.${name}`))));
+            f => call(i, f, texture, own_sampler, i.fields.map(({ name }) => `${uniforms}.${name}`), 'cross(dpdx(world), dpdy(world))')));
 }
 
 export function declare_in_msl(i, { map, sampler }) {
@@ -79,5 +79,6 @@ export function declare_in_msl(i, { map, sampler }) {
     return declared(i, [block], [], `\nstruct ${block} {\n${lines.join('')}};\n`
         + functions(i, (name, f) => `inline ${float_type(f.components)} ${name}(constant ${block}& block, `
             + (f.reads_map ? `${map}${sampler && `, ${sampler}`}, ` : '') + `${joined(f, (own, n) => `${float_type(n)} ${own}`)})`,
-        f => call(i, f, 'map', sampler && 'map_sampler', i.fields.map(({ name }) => `block.${name}`))));
+        f => call(i, f, 'map', sampler && 'map_sampler', i.fields.map(({ name }) => `block.${name}`),
+            'metal::cross(metal::dfdx(world), metal::dfdy(world))')));
 }

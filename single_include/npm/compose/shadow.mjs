@@ -6,7 +6,7 @@ import { all_fields, frame_in, vertex_in } from './frame.mjs';
 
 const must = /*#__PURE__*/ must_in('shadow');
 const defaults = { kind: undefined, filter: undefined, encoding: undefined, map_size: undefined, direction: 'forward', map: undefined,
-    gather: false, linear: undefined, block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
+    gather: false, linear: undefined, derivatives: false, block: 0, texture: 1, sampler: 2, set: 0, debug: undefined };
 const terms = [{ name: 'terms', matrix: false }, { name: 'filter_terms', matrix: false }];  // what every block ends with
 
 /** shadow() of a language. */
@@ -17,7 +17,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(typeof options === 'object' && options !== null, 'options must be an object', options);
     for (const key of Object.keys(options))
         must(key in defaults, `options must have no properties but ${Object.keys(defaults).join(', ')}`, key);
-    const { kind, filter, encoding = depth32f, map_size, direction, gather, linear, block, texture, sampler, set, debug, ...rest }
+    const { kind, filter, encoding = depth32f, map_size, direction, gather, linear, derivatives, block, texture, sampler, set, debug, ...rest }
         = { ...defaults, ...options };
     must(kind?.language === language && kind.maps !== undefined, `kind must be a light of ${language.name}, as spot_light`, kind);
     must(filter?.language === language && filter.filter?.in_shadow === true, `filter must be one that a shadow takes, of ${language.name}`, filter);
@@ -44,7 +44,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
     const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow');
-    must(gather === false || gather === true, 'gather must be true or false', gather);
+    for (const [key, value] of Object.entries({ gather, derivatives })) must(typeof value === 'boolean', `${key} must be true or false`, value);
     must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
     must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);
     if (linear !== undefined) {
@@ -70,7 +70,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     for (const text of texts) check(hooks, text, map);
     const item = bound(hooks, umbrage_shadow, name, map, texts);
     const fields = [...all_fields(kind.maps, soft), ...terms];
-    const declares = { name, fields, block, texture, sampler, set, functions: functions_of(turns, debug) };
+    const declares = { name, fields, block, texture, sampler, set, functions: functions_of(turns, debug, derivatives) };
     const texel = is_moments ? filter.filter : encoding;
     return {
         ...item,
@@ -92,12 +92,13 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
 };
 
 /** The functions that a text declares for a shadow. */
-const functions_of = (turns, debug) => [
-    { name: '', calls: 'shadow', says: 'visibility of a point of the world, 1.0 is lit; a normal of zero is none', components: 1,
-        reads_map: true, reads_fields: true, arguments: [['world', 3], ['normal', 3], ...turns ? [['pixel', 2]] : []] },
+const functions_of = (turns, debug, derived) => [
+    { name: '', calls: 'shadow', components: 1,
+        says: `visibility of a point of the world, 1.0 is lit; ${derived ? 'outside branches' : 'a normal of zero is none'}`,
+        reads_map: true, reads_fields: true, arguments: [['world', 3], ['normal', 3, derived], ...turns ? [['pixel', 2]] : []] },
     ...debug ? [
         { name: 'probe', calls: 'point_color', says: 'debug color of a point of the world, as umbrage_probe_color says', components: 3,
-            reads_map: false, reads_fields: true, arguments: [['world', 3], ['normal', 3]] },
+            reads_map: false, reads_fields: true, arguments: [['world', 3], ['normal', 3, derived]] },
         { name: 'calibrate', calls: 'reading', components: 1, reads_map: true, reads_fields: false, arguments: [['number', 1]],
             says: 'what a calibration map is read as: 0.0 right, 1.0 empty, 2.0 dark, 3.0 upside down,\n'
                 + '//   4.0 another map, 5.0 compared the wrong way round, 6.0 too coarse, 7.0 other depths' }] : []];
