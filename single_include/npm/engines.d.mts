@@ -44,6 +44,26 @@ export interface Bias extends Judged {
     readonly defaults: Judged;
 }
 
+export type Vector = readonly [number, number, number];
+
+/** A map's light, as an engine's formula sees it. */
+export interface Light {
+    readonly texel: number;
+    readonly range: number;
+    readonly reach: number;
+    /** A square of texels, half of whose side is given, or a disc of points. */
+    readonly filter: { readonly half?: number; readonly points?: number; readonly radius?: number; readonly spiral?: boolean };
+}
+
+/** A triangle's plane: normal and to_light have length 1, cosine is theirs, slope that of its depth along the map's axes,
+ *  the larger one. */
+export interface Plane {
+    readonly normal: Vector;
+    readonly to_light: Vector;
+    readonly cosine: number;
+    readonly slope: number;
+}
+
 export interface EngineFacts {
     readonly title: string;
     /** Of the engine, or the commit of the files that were read. */
@@ -56,9 +76,17 @@ export interface EngineFacts {
     /** What the engine calls the radius of a filter, if it has one. */
     readonly radius?: string;
     readonly settings: { readonly [name: string]: { readonly initial: number; readonly most?: number } };
+    /** Step of the depths that its maps hold, as a share of the range. Without it, floats. */
+    readonly stored?: number;
+    /** World vectors by which settings move a receiver, or a triangle that casts, before depths are compared. */
+    moves(settings: { readonly [name: string]: number }, light: Light, plane: Plane): { readonly receiver?: Vector; readonly caster?: Vector };
 }
 
 export const engines: { readonly [engine in Engine]: EngineFacts };
+
+/** What the formulas see of a map: for pictures of them.
+ *  @throws Error  as engine_bias */
+export function light_of(options: DirectionalMap): Light;
 
 /** Numbers for the engine's own bias settings: the smallest of four digits with which no plane stripes itself, at any tilt
  *  up to 89 degrees. An engine whose settings end before that gets their ends, and `lacking` says what is missing.

@@ -61,8 +61,11 @@ export const engines = {
         radius: 'shadow_blur',
         stored: sixteen_bits,
         settings: { shadow_normal_bias: { initial: 2, most: 10 }, shadow_bias: { initial: 0.1, most: 10 } },
-        numbers: ({ offset, error, texel, range, blur }) => ({ shadow_normal_bias: offset / texel,
-            shadow_bias: (left_by_sideways * offset + error) / (range * blur) * 100 }),
+        numbers({ offset, error, texel, range, blur }) {
+            const sideways = Math.min(offset, 10 * texel), tilt = 75 * Math.PI / 180;  // beyond, a slider that ends too early has lost
+            const along = Math.max(left_by_sideways * offset, Math.tan(tilt) * (offset - sideways * Math.sin(tilt)));
+            return { shadow_normal_bias: sideways / texel, shadow_bias: (along + error) / (range * blur) * 100 };
+        },
         moves({ shadow_normal_bias, shadow_bias }, { texel, range, blur }, { normal, to_light, cosine }) {
             const sideways = sum(normal, scaled(to_light, -cosine));
             return { receiver: sum(scaled(sideways, shadow_normal_bias * texel), scaled(to_light, shadow_bias / 100 * range * blur)) };

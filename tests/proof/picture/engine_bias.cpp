@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The npm package's engine_bias against rays: engines as emulated, with the settings that it gives, with too little of
-// them, and with the engines' defaults. Prints a table, and returns 1 where a lit receiver is dark under the settings that
+// them, and with the engines' defaults. Prints a table. Returns 1 where a lit receiver is dark under the settings that
 // it gives, or under others that it calls free of acne, and where too little is enough.
 //
 //     engine_bias NUMBERS      lines that tests/package/engines_test.mjs wrote
