@@ -142,7 +142,7 @@ export function falsely_dark(engine: EngineFacts, light: Light, settings: { read
         const fetch = (i: number, j: number) =>
             stored(depth + moved + (((i + 0.5 - x) * normal[0] + (j + 0.5 - y) * normal[1]) / cosine) * texel);
         const lit = filtered(light, fetch, x + receiver[0] / texel, y + receiver[1] / texel, depth - receiver[2], 2 * Math.PI * random());
-        if (lit < 0.999) ++dark;
+        if (lit < 0.9999) ++dark;
     }
     return dark / count;
 }

@@ -4,11 +4,15 @@
 // them, and with the engines' defaults. Prints a table. Returns 1 where a lit receiver is dark under the settings that
 // it gives, or under others that it calls free of acne, and where too little is enough.
 //
-//     engine_bias NUMBERS      lines that tests/package/engines_test.mjs wrote
+//     engine_bias NUMBERS RESULTS
+//
+// NUMBERS has the lines that tests/package/engines_test.mjs wrote. RESULTS gets the shares of lone planes that are
+// dark by default, for the emulation of the site.
 //
 // Lone planes, tilted by up to 89 degrees, which nothing else shades: every receiver must be lit. Houses with eaves,
 // where a receiver must be lit if 33 rays reach the light, from its plane as far around as the filter looks.
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <random>
@@ -137,8 +141,9 @@ struct street {
     return found;
 }
 
-int run(const std::string& path) {
+int run(const std::string& path, const std::string& results) {
     std::mt19937 random(7);
+    std::ofstream shares(results);
     const street s;
     std::map<std::string, count> short_of;  // engine -> lone planes with too little
     bool good = true;
@@ -157,6 +162,9 @@ int run(const std::string& path) {
                     r.map_size, r.width, r.range, r.kind.c_str(), r.first, r.second, planes.percent(), seen.percent(),
                     r.lacking);
         if (has_houses && seen.all < 500) good = false, std::printf("only %.0f receivers of houses\n", seen.all);
+        if (r.kind == "defaults")
+            shares << r.engine << '\t' << r.filter << '\t' << r.map_size << '\t' << r.width << '\t' << r.range << '\t'
+                   << planes.percent() / 100 << '\n';
         if (r.lacking == 0 && planes.dark + seen.dark > 0)
             good = false, std::printf("WRONG: %.0f planes, %.0f houses are dark\n", planes.dark, seen.dark);
     }
@@ -165,6 +173,7 @@ int run(const std::string& path) {
                     planes.percent(), planes.dark > 0 ? "" : ": it is enough");
         good = good && planes.dark > 0;
     }
+    if (!shares.flush()) good = false, std::printf("cannot write %s\n", results.c_str());
     return good ? 0 : 1;
 }
 
@@ -172,6 +181,6 @@ int run(const std::string& path) {
 }  // namespace proof::picture
 
 int main(int count, char** arguments) {
-    if (count != 2) return std::fprintf(stderr, "usage: engine_bias NUMBERS\n"), 2;
-    return proof::picture::run(arguments[1]);
+    if (count != 3) return std::fprintf(stderr, "usage: engine_bias NUMBERS RESULTS\n"), 2;
+    return proof::picture::run(arguments[1], arguments[2]);
 }
