@@ -46,8 +46,14 @@ await visit(async ({ open, check, picture, axe }) => {
     for (const part of ['"map_size=1000"', '"width=nine"', '"gone=1"', 'cannot end all acne', 'texels are missing'])
         check(told.includes(part), `the page does not say ${part}: ${told}`);
     check((await page.inputValue('#filter')) === 'Soft Ultra' && (await page.inputValue('#sun')) === '20', 'what was right is lost');
+    const { limits, map_sizes, read_state, write_state } = await state_module();
+    const sizes = await page.locator('#map_size option').evaluateAll(all => all.map(each => Number(each.value)));
+    check(JSON.stringify(sizes) === JSON.stringify(map_sizes), `the page has maps of ${sizes}, state.ts of ${map_sizes}`);
+    for (const [name, ends] of Object.entries(limits)) {
+        const own = await page.locator(`#${name}`).evaluate(field => [Number(field.min), Number(field.max)]);
+        check(JSON.stringify(own) === JSON.stringify(ends), `the page takes ${name} of ${own}, state.ts of ${ends}`);
+    }
     await page.context().close();
-    const { read_state, write_state } = await state_module();
     for (const engine of none) {
         const { state, refused } = read_state(`#engine=${engine}&width=3&range=7&sun=45&map_size=512`);
         check(refused.length === 0 && JSON.stringify(read_state(write_state(state)).state) === JSON.stringify(state), `${engine}: a state is lost`);

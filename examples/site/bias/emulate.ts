@@ -62,7 +62,7 @@ const stored_by = (engine: EngineFacts, { range }: Light) => {
 };
 
 /** The axes of a map under a light whose up is the world's. */
-export function axes_of(to_light: Vector): { x: Vector; y: Vector } {
+function axes_of(to_light: Vector): { x: Vector; y: Vector } {
     const x = normalized(cross([0, 1, 0], to_light));
     return { x, y: cross(to_light, x) };
 }
