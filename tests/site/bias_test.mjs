@@ -64,7 +64,7 @@ await visit(async ({ open, check, picture, axe }) => {
     await ready(page);
     check((await cell(page, 'defaults_all')) === '100.0 %', `three.js' defaults: ${await cell(page, 'defaults_all')}`);
     const colors = side => page.evaluate(side => {
-        const canvas = document.getElementById(`${side}_picture`), found = new Set();
+        const canvas = document.getElementById(`picture_${side}`), found = new Set();
         const { data } = canvas.getContext('2d').getImageData(canvas.width * 0.1, canvas.height * 0.75, 40, 40);  // the lit floor
         for (let i = 0; i < data.length; i += 4) found.add(data[i]);
         return found.size;

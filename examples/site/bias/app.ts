@@ -43,7 +43,7 @@ function show_side(side: 'these' | 'defaults', judged: Judged): void {
         edges: edges >= 89 ? 'all' : `up to ${Math.round(edges)}°`,
     };
     for (const [name, text] of Object.entries(cells)) by_id(`${side}_${name}`).textContent = text;
-    draw(by_id<HTMLCanvasElement>(`${side}_picture`), engine, light, settings, state.sun);
+    draw(by_id<HTMLCanvasElement>(`picture_${side}`), engine, light, settings, state.sun);
 }
 
 function options_of({ engine, filter, radius, map_size, width, range }: State) {

@@ -20,7 +20,7 @@ export async function pages(context) {
 const number = (name, words, low, high) => `<label class="field of_engine">${words}
 <input type="number" id="${name}" min="${low}" max="${high}" step="any" required></label>`;
 const row = (name, words) => `<tr><th scope="row">${words}</th><td id="these_${name}"></td><td id="defaults_${name}"></td></tr>`;
-const picture = (side, words) => `<figure><canvas id="${side}_picture" width="432" height="288" role="img" aria-label="A floor, a board and a post under the light, ${words}"></canvas>
+const picture = (side, words) => `<figure><canvas id="picture_${side}" width="432" height="288" role="img" aria-label="A floor, a board and a post under the light, ${words}"></canvas>
 <figcaption>${words}</figcaption></figure>`;
 
 const body = `
