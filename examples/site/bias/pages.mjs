@@ -51,7 +51,8 @@ ${row('floor', 'falsely dark, on this floor alone')}
 ${row('detachment', 'shadows are detached by up to')}
 ${row('edges', 'faces that are free beside their edges')}
 </tbody></table></div>
-<p>Of a light with cascades, give the coarsest one. Settings in texels then suit all of them.</p>
+<p>A lit face can be dark along its foot, where the filter sees the floor. A larger bias hides that, and detaches shadows.
+Of a light with cascades, give the coarsest one. Settings in texels then suit all of them.</p>
 <h2>Where the formula is from</h2>
 <p><span id="version"></span> does: <code id="formula"></code></p>
 <ul id="sources"></ul>
