@@ -9,6 +9,7 @@ const sections = [
     ['snippets/', 'Snippets'],
     ['reference/', 'Reference'],
     ['museum.html', 'Museum'],
+    ['bias.html', 'Bias'],
 ];
 
 /// The way from the page at `path` to the root of the site: './', '../', '../../' ...

@@ -116,11 +116,14 @@ function cascades_of({ receivers, view, inner, axes }, seen, texel) {
     return { finer, pay: finer >= 2 && texel >= 2 * row };
 }
 
-/** The normal offset in a map of parallel light.
+/** The normal offset in a map of parallel light, in two parts: what the farthest texel of a filter needs on a plane along
+ *  the light, and what rounding needs on one that faces it.
  *  @param range    between its planes
- *  @param points   of receivers and casters; how far they are from the origin tells how coarse their coordinates are */
-export const parallel_offset = (reach, texel, range, points) =>
-    (reach + snapping) * texel + range * depth_error + largest(points, longest) * roundings;
+ *  @param points   of receivers and casters; how far they are from the origin tells how coarse their coordinates are
+ *  @param step     of stored depths, as a share of the range */
+export const parallel_parts = (reach, texel, range, points, step = depth_error) =>
+    [(reach + snapping) * texel, range * step + largest(points, longest) * roundings];
+export const parallel_offset = (...light) => parallel_parts(...light).reduce((sum, part) => sum + part);
 
 /** Box, planes and normal offset of a map of parallel light.
  *  @param axes        the map's x, y and the direction to the light, of length 1

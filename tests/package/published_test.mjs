@@ -33,7 +33,7 @@ async function required() {
     const require = createRequire(join(folder, 'x.cjs'));
 
     // By its name, as users write it: a package finds itself.
-    const entries = ['umbrage', 'umbrage/hlsl', 'umbrage/msl', 'umbrage/wgsl', 'umbrage/values', 'umbrage/three', 'umbrage/three/webgpu',
+    const entries = ['umbrage', 'umbrage/hlsl', 'umbrage/msl', 'umbrage/wgsl', 'umbrage/values', 'umbrage/engines', 'umbrage/three', 'umbrage/three/webgpu',
         'umbrage/babylon', 'umbrage/playcanvas'], all = {}, without = [];
     for (const entry of entries) {
         const file = require.resolve(entry);

@@ -84,6 +84,7 @@ wgsl.snippets['pcf_3x3'];
 const addons = `
 import { pcss16 } from 'umbrage';
 import * as babylon from 'umbrage/babylon';
+import { engine_bias, engines, type Bias } from 'umbrage/engines';
 import * as playcanvas from 'umbrage/playcanvas';
 import { fit_shadow, install, set_light_size, uninstall, type Fitted } from 'umbrage/three';
 import { fit_shadow as fit_in_webgpu, shadow_filter } from 'umbrage/three/webgpu';
@@ -97,6 +98,13 @@ export const numbers: number[] = [fitted.texels_per_unit, fitted.detachment ?? 0
 set_light_size({}, 0.1);
 // @ts-expect-error no size
 set_light_size({});
+const bias: Bias = engine_bias({ engine: 'godot', map_size: 2048, width: 40, range: 100 });
+numbers.push(bias.settings['shadow_bias'] ?? 0, bias.detachment, bias.striped?.[0] ?? 0, bias.defaults.lacking);
+export const title: string = engines.bevy.title;
+// @ts-expect-error no such engine
+engine_bias({ engine: 'unreal', map_size: 2048, width: 40, range: 100 });
+// @ts-expect-error no range
+engine_bias({ engine: 'godot', map_size: 2048, width: 40 });
 // @ts-expect-error no receivers
 fit_in_webgpu({}, { casters: [{ min: low, max: low }] });
 // @ts-expect-error no such option

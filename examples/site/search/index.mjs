@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Things that the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
+import { known_as as known_as_bias } from '../bias/pages.mjs';
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';
@@ -19,6 +20,7 @@ export async function search_index(context) {
     };
     return [
         ...known_as.map(names => [names, kinds.known, 'start.html', 'Start']),
+        [known_as_bias, kinds.known, 'bias.html', 'Bias'],
         ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address, here.join(', ')]),
         ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [
             name,

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -26,6 +25,7 @@
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
 
+#include "discs.hpp"
 #include "light_maps.hpp"
 #include "receivers.hpp"
 #include "rows.hpp"
@@ -33,21 +33,12 @@
 
 namespace proof::picture {
 
-/// Rotation by interleaved gradient noise, radians.
-/// @cite   Jimenez: Next generation post processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014
-[[nodiscard]] inline double noise_rotation(glm::ivec2 pixel) {
-    const double along = 0.06711056 * (pixel.x + 0.5) + 0.00583715 * (pixel.y + 0.5);
-    return 2 * std::numbers::pi * glm::fract(52.9829189 * glm::fract(along));
-}
-
 /// Mean of bilinear comparisons at the points of a rotated Vogel disk.
 [[nodiscard]] inline float vogel_look(const light_maps& maps, const drawn_maps& drawn, const receiver& r, map_point at,
                                       int points, double radius) {
     float sum = 0;
-    for (int i = 0; i < points; ++i) {
-        const double distance = radius * std::sqrt((i + 0.5) / points);
-        const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0)) + noise_rotation(r.pixel);
-        const glm::vec3 tap(at + distance * glm::dvec3(std::cos(angle), std::sin(angle), 0));
+    for (const glm::dvec2& p : vogel_points(points, radius, noise_rotation(r.pixel))) {
+        const glm::vec3 tap(at + glm::dvec3(p, 0));
         sum += look(maps, drawn, umbrage::filters::pcf_2x2{}, r.place.number, tap);
     }
     return sum / float(points);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -64,12 +65,13 @@ struct tally {
     return {.position = s.eye + s.at, .direction = s.look_at - s.eye, .tan_half_x = 0.8, .tan_half_y = 0.45};
 }
 
-/// Rays of one scene to one light.
+/// Rays of one scene to one light, from a disc around a receiver on its plane.
 class ray_judge {
 public:
-    ray_judge(const ray_tree& tree, const light_maps& maps) : tree_(&tree), maps_(&maps) {
+    ray_judge(const ray_tree& tree, const light_maps& maps, std::initializer_list<double> radii)
+        : tree_(&tree), maps_(&maps) {
         disc_.emplace_back(0.0);
-        for (const double radius : {1.5, 3.2})
+        for (const double radius : radii)
             for (int i = 0; i < 8; ++i) {
                 const double angle = 0.25 * std::numbers::pi * i;
                 disc_.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
@@ -119,15 +121,17 @@ private:
 using place_function = std::function<umbrage::map_place(glm::vec3 position, glm::vec3 normal)>;
 
 /// Receivers that a camera of 480 x 270 pixels sees, that face the light and lie 8 texels or more inside their map.
-/// @param step   pixels from one receiver to the next, along each axis
+/// @param step    pixels from one receiver to the next, along each axis
+/// @param radii   texels from the receiver, at which eight rays each tell what is lit and dark around it
 [[nodiscard]] inline std::vector<receiver> visible_receivers(const scene& s, const ray_tree& tree,
                                                              const light_maps& maps, const place_function& place_of,
-                                                             int step) {
+                                                             int step,
+                                                             std::initializer_list<double> radii = {1.5, 3.2}) {
     constexpr int width = 480, height = 270;
     const umbrage::frustum<double> camera = camera_of(s);
     const glm::dvec3 ahead = glm::normalize(camera.direction), x = glm::normalize(glm::cross(ahead, camera.up)),
                      y = glm::cross(x, ahead);
-    const ray_judge rays(tree, maps);
+    const ray_judge rays(tree, maps, radii);
     const std::vector<glm::dvec3> shared = shared_normals(s);
     std::vector<receiver> found;
     for (int j = step / 2; j < height; j += step)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Settings as a line of code for the engine.
+import type { Engine } from '../../../single_include/npm/engines.mjs';
+
+type Settings = { readonly [name: string]: number };
+
+const assigned = (settings: Settings, before: string, after: string): string =>
+    Object.entries(settings).map(([name, value]) => `${before}${name} = ${value}${after}`).join('\n');
+
+/** Numbers of floats in Rust have a point. */
+const in_rust = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
+
+export const code_of: Record<Engine, (settings: Settings) => string> = {
+    three: settings => assigned(settings, 'light.shadow.', ';'),
+    godot: settings => assigned(settings, 'light.', ''),
+    unity_urp: ({ depthBias, normalBias }) =>
+        `light.GetUniversalAdditionalLightData().usePipelineSettings = false;\nlight.shadowBias = ${depthBias}f;\nlight.shadowNormalBias = ${normalBias}f;`,
+    bevy: settings => `DirectionalLight {\n${Object.entries(settings).map(([name, value]) => `    ${name}: ${in_rust(value)},\n`).join('')}    ..default()\n}`,
+    filament: settings => assigned(settings, 'options.', 'f;'),
+};

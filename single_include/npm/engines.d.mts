@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// Types of engine_bias, which umbrage/engines exports.
+
+export type Engine = 'three' | 'godot' | 'unity_urp' | 'bevy' | 'filament';
+
+/** A directional light's shadow map, or one of its cascades. */
+export interface DirectionalMap {
+    readonly engine: Engine;
+    /** Texels of the map's side, of one cascade: in Godot with 4 splits half of directional_shadow/size. */
+    readonly map_size: number;
+    /** World units that the map covers from side to side. Of cascades, the coarsest one's. */
+    readonly width: number;
+    /** World units between the map's near and far plane. */
+    readonly range: number;
+    /** As the engine calls it; engines[engine].filters has all. Without it, the engine's default. */
+    readonly filter?: string;
+    /** three.js' light.shadow.radius, Godot's shadow_blur. Without it, 1. */
+    readonly radius?: number;
+    /** Largest coordinate of what the map shows, in world units from the origin. Without it, width. */
+    readonly extent?: number;
+}
+
+export interface Judged {
+    /** Numbers by the names of the engine's settings. */
+    readonly settings: { readonly [name: string]: number };
+    /** World units: a caster nearer than this over a surface may cast no shadow on it. */
+    readonly detachment: number;
+    /** Texels by which the settings miss what a plane needs at its worst tilt. 0: no plane stripes itself. */
+    readonly lacking: number;
+    /** Degrees up to which a face is free beside its edges too, where the filter sees another face. 90, but for an engine that
+     *  moves casters by their slope: there a steeper face can be dark as far from its edges as the filter reaches. */
+    readonly edges: number;
+    /** Degrees between a plane's normal and the light, the least and the most that lack some. */
+    readonly striped?: readonly [number, number];
+}
+
+export interface Bias extends Judged {
+    /** World units of a texel. */
+    readonly texel: number;
+    /** Texels from a receiver to the farthest texel that the filter compares. */
+    readonly reach: number;
+    /** The engine's defaults, judged alike. */
+    readonly defaults: Judged;
+}
+
+export type Vector = readonly [number, number, number];
+
+/** A map's light, as an engine's formula sees it. */
+export interface Light {
+    readonly texel: number;
+    readonly range: number;
+    readonly reach: number;
+    /** A square of texels, half of whose side is given, or a disc of points. */
+    readonly filter: { readonly half?: number; readonly points?: number; readonly radius?: number; readonly spiral?: boolean };
+}
+
+/** A triangle's plane: normal and to_light have length 1, cosine is theirs, slope that of its depth along the map's axes,
+ *  the larger one. */
+export interface Plane {
+    readonly normal: Vector;
+    readonly to_light: Vector;
+    readonly cosine: number;
+    readonly slope: number;
+}
+
+export interface EngineFacts {
+    readonly title: string;
+    /** Of the engine, or the commit of the files that were read. */
+    readonly version: string;
+    /** Public files that the formula is from. */
+    readonly sources: readonly string[];
+    readonly formula: string;
+    /** By name, the engine's default first. */
+    readonly filters: { readonly [name: string]: object };
+    /** What the engine calls the radius of a filter, if it has one. */
+    readonly radius?: string;
+    readonly settings: { readonly [name: string]: { readonly initial: number; readonly most?: number } };
+    /** Step of the depths that its maps hold, as a share of the range. Without it, floats. */
+    readonly stored?: number;
+    /** World vectors by which settings move a receiver, or a triangle that casts, before depths are compared. */
+    moves(settings: { readonly [name: string]: number }, light: Light, plane: Plane): { readonly receiver?: Vector; readonly caster?: Vector };
+}
+
+export const engines: { readonly [engine in Engine]: EngineFacts };
+
+/** What the formulas see of a map: for pictures of them.
+ *  @throws Error  as engine_bias */
+export function light_of(options: DirectionalMap): Light;
+
+/** Numbers for the engine's own bias settings: the smallest of four digits with which no plane stripes itself, at any tilt
+ *  up to 89 degrees. An engine whose settings end before that gets their ends, and `lacking` says what is missing.
+ *  @throws Error  another engine, a number or a filter that it does not take */
+export function engine_bias(options: DirectionalMap): Bias;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// The bias page: its numbers are the package's, for each engine and filter; it copies them, keeps its state in the address,
+// says what is wrong in one, and draws acne with three.js' defaults and none with its settings.
+import { createRequire } from 'node:module';
+import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { layout_shift } from './shift.mjs';
+import { address_of, copied, visit } from './visit.mjs';
+
+const sources = path => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const { engine_bias, engines } = await import(sources('single_include/npm/engines.mjs'));
+
+await visit(async ({ open, check, picture, axe }) => {
+    const ready = page => page.waitForSelector('#bias:not(.loading)');
+    const cell = (page, name) => page.locator(`#${name}`).textContent();
+    const shown = async (page, settings) => page.waitForFunction(text => document.getElementById('these_settings').textContent === text,
+        Object.entries(settings).map(([name, value]) => `${name} ${value}`).join(', '), { timeout: 20000 });
+    const none = ['three', 'godot', 'unity_urp', 'bevy', 'filament'];
+    check(JSON.stringify(Object.keys(engines)) === JSON.stringify(none), `the engines are ${Object.keys(engines)}`);
+
+    let page = await open('bias.html');
+    await ready(page);
+    check((await layout_shift(page)) < 0.05, 'the page shifts as it loads');
+    await page.fill('#width', '12.5');
+    for (const engine of none) {
+        await page.selectOption('#engine', engine);
+        await page.selectOption('#filter', Object.keys(engines[engine].filters).at(-1));
+        const filter = await page.inputValue('#filter'), map = { engine, filter, map_size: 2048, width: 12.5, range: 100 };
+        await shown(page, engine_bias(map).settings).catch(() => check(false, `${engine}, ${filter}: other numbers than the package's`));
+        for (const share of ['these_all', 'these_floor'])
+            check((await cell(page, share)) === '0 %', `${engine}, ${filter}: ${await cell(page, share)} are dark`);
+    }
+    const text = await copied(page, '#copy');
+    check(text.includes('options.normalBias = ') && text === (await cell(page, 'code')), `what was copied is ${text}`);
+    const link = await copied(page, '#link');
+    check(link === (await address_of(page)) && link.includes('#engine=filament') && link.includes('width=12.5'), `the link is ${link}`);
+    await page.fill('#width', '-1');
+    check((await address_of(page)) === link, 'a width below 0 is taken');
+
+    // What an address has wrong is told, what is right is kept.
+    page = await open('bias.html#engine=godot&filter=Soft+Ultra&radius=4&map_size=1000&width=nine&gone=1&sun=20');
+    await ready(page);
+    const told = await cell(page, 'notice');
+    for (const part of ['"map_size=1000"', '"width=nine"', '"gone=1"', 'cannot end all acne', 'texels are missing'])
+        check(told.includes(part), `the page does not say ${part}: ${told}`);
+    check((await page.inputValue('#filter')) === 'Soft Ultra' && (await page.inputValue('#sun')) === '20', 'what was right is lost');
+    const { limits, map_sizes, read_state, write_state } = await state_module();
+    const sizes = await page.locator('#map_size option').evaluateAll(all => all.map(each => Number(each.value)));
+    check(JSON.stringify(sizes) === JSON.stringify(map_sizes), `the page has maps of ${sizes}, state.ts of ${map_sizes}`);
+    for (const [name, ends] of Object.entries(limits)) {
+        const own = await page.locator(`#${name}`).evaluate(field => [Number(field.min), Number(field.max)]);
+        check(JSON.stringify(own) === JSON.stringify(ends), `the page takes ${name} of ${own}, state.ts of ${ends}`);
+    }
+    await page.context().close();
+    for (const engine of none) {
+        const { state, refused } = read_state(`#engine=${engine}&width=3&range=7&sun=45&map_size=512`);
+        check(refused.length === 0 && JSON.stringify(read_state(write_state(state)).state) === JSON.stringify(state), `${engine}: a state is lost`);
+    }
+
+    // Stripes of three.js' defaults are in its picture, and not in the other.
+    page = await open('bias.html#engine=three&map_size=1024&width=40&range=100&sun=40');
+    await ready(page);
+    check((await cell(page, 'defaults_all')) === '100.0 %', `three.js' defaults: ${await cell(page, 'defaults_all')}`);
+    const colors = side => page.evaluate(side => {
+        const canvas = document.getElementById(`picture_${side}`), found = new Set();
+        const { data } = canvas.getContext('2d').getImageData(canvas.width * 0.1, canvas.height * 0.75, 40, 40);  // the lit floor
+        for (let i = 0; i < data.length; i += 4) found.add(data[i]);
+        return found.size;
+    }, side);
+    check((await colors('these')) === 1, `the lit floor has ${await colors('these')} colors`);
+    check((await colors('defaults')) > 5, `the striped floor has ${await colors('defaults')} colors`);
+    await page.context().close();
+
+    for (const [hash, width, dark] of [['', 1280, false], ['#engine=unity_urp', 390, true], ['#engine=other', 390, false]]) {
+        page = await open(`bias.html${hash}`, { width, dark });
+        await ready(page);
+        const room = await page.evaluate(() => document.documentElement.scrollWidth);
+        check(room <= width, `the page is ${room} pixels wide in a window of ${width}`);
+        check((await page.locator('#no_numbers').isVisible()) === (hash === '#engine=other'), `${hash}: how to measure is shown wrongly`);
+        await picture(page, `bias_${hash.slice(8) || 'godot'}_${width}`);
+        await axe(page);
+        await page.context().close();
+    }
+});
+
+/// state.ts, which needs no browser.
+async function state_module() {
+    const load = createRequire(join(resolve(process.argv[3]), 'x.js'));
+    const { outputFiles } = await load('esbuild').build({ entryPoints: [sources('examples/site/bias/state.ts')], bundle: true, format: 'esm', write: false });
+    return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
+}
