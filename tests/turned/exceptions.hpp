@@ -11,8 +11,8 @@
 
 namespace turned {
 
-/// Lines `program | code | turns | reason`. The code is a part of the program's line that holds the number; the turns are
-/// names, or `any`. The program may be `*`.
+/// Lines `program | code | turns | reason`. The code is a part of the program's line that holds the number. The turns
+/// are names, or `any`. The program may be `*`.
 class exceptions {
 public:
     /// @throws std::runtime_error   a file that is not there, or a line of another form

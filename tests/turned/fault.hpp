@@ -15,37 +15,33 @@ enum class fault {
     none,
     position_dropped,
     direction_axis_dropped,
-    cone_default,
-    far_plane_default,
+    cone_narrowed,
+    far_plane_nearer,
     receivers_shrunk,
     camera_default,
-    scene_shrunk,
-    bulb_border_dropped,
-    bulb_far_plane_default,
-    sizes_exchanged,
+    border_default,
+    bulb_far_plane_nearer,
     triangle_dropped,
     index_off_by_one,
     normal_dropped,
     map_one_texel_off,
-    bias_towards_light,
+    bias_of_wrong_sign,
     origin_dropped
 };
-inline constexpr std::array<std::string_view, 17> fault_names{"none",
-                                                              "a light's position: x is dropped",
-                                                              "a light's direction: z is dropped",
+inline constexpr std::array<std::string_view, 15> fault_names{"none",
+                                                              "a light's position: one axis is dropped",
+                                                              "a light's direction: one axis is dropped",
                                                               "a spot's cone: a sixth of it",
-                                                              "a spot's far plane: a tenth of it",
+                                                              "a spot's far plane: a third of it",
                                                               "a fit's receivers: the half of them",
                                                               "cascades: the camera's position is dropped",
-                                                              "cascades: the scene is shrunk",
-                                                              "a point light: one map's border less",
-                                                              "a point light: its far plane is a tenth",
-                                                              "a map's sides are exchanged",
+                                                              "a point light: the default as its border",
+                                                              "a point light's far plane: a tenth of it",
                                                               "a mesh: its last triangle is dropped",
                                                               "a mesh: each index is one more",
                                                               "a lookup: the normal is dropped",
                                                               "a drawn map: one texel off",
-                                                              "a lookup: nearer to the light",
+                                                              "a lookup: a bias of the wrong sign",
                                                               "a shadow's origin is dropped"};
 inline fault planted_fault = fault::none;
 [[nodiscard]] inline bool is_planted(fault f) { return planted_fault == f; }
@@ -54,8 +50,8 @@ template <class T>
 [[nodiscard]] umbrage::spot_light<T> planted(umbrage::spot_light<T> light) {
     if (is_planted(fault::position_dropped)) light.position.x = 0;
     if (is_planted(fault::direction_axis_dropped)) light.direction.z = 0;
-    if (is_planted(fault::cone_default)) light.outer_angle_radians /= 6;
-    if (is_planted(fault::far_plane_default)) light.z_far /= 3;
+    if (is_planted(fault::cone_narrowed)) light.outer_angle_radians /= 6;
+    if (is_planted(fault::far_plane_nearer)) light.z_far /= 3;
     return light;
 }
 template <class T>
@@ -79,7 +75,6 @@ template <class T>
 [[nodiscard]] umbrage::cascade_fit<T> planted(umbrage::cascade_fit<T> fit) {
     if (is_planted(fault::direction_axis_dropped)) fit.direction.z = 0;
     if (is_planted(fault::camera_default)) fit.camera.position = glm::vec<3, T>(0);
-    if (is_planted(fault::scene_shrunk)) fit.scene.low *= T(0.2), fit.scene.high *= T(0.2);
     return fit;
 }
 template <class T>
@@ -89,9 +84,9 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] umbrage::point_light<T> planted(umbrage::point_light<T> light) {
-    if (is_planted(fault::position_dropped)) light.position.y += T(0.5);
-    if (is_planted(fault::bulb_border_dropped)) light.border -= 1;
-    if (is_planted(fault::bulb_far_plane_default)) light.z_far /= 10;
+    if (is_planted(fault::position_dropped)) light.position.y = 0;
+    if (is_planted(fault::border_default)) light.border = 0;
+    if (is_planted(fault::bulb_far_plane_nearer)) light.z_far /= 10;
     return light;
 }
 template <class Other>

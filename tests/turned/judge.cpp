@@ -80,7 +80,7 @@ drawn_shadow::ruling drawn_shadow::rule(const joints::receiver& r) const {
         all = is_first || all == here ? here : verdict::none;
         is_first = false;
     });
-    const bool is_unheld = !is_in && light.promises && light.promises(glm::dvec3(r.point) + origin);
+    const bool is_unheld = (!is_in || beyond >= 1) && light.promises && light.promises(glm::dvec3(r.point) + origin);
     if (beyond > 0 && all == verdict::dark) return {verdict::none, is_unheld};
     return {all, is_unheld};
 }
@@ -138,7 +138,7 @@ void drawn_shadow::judge(glm::vec3 point, glm::vec3 normal, float v) const {
     const double length = double(glm::length(normal));
     const bool is_position = umbrage::is_finite(point.x) && umbrage::is_finite(point.y) && umbrage::is_finite(point.z);
     if (!(length > 0) || !std::isfinite(length) || !is_position) return add_visibility("visibility", v);
-    // The receiver is on a surface of its own, which casts nothing. The triangle that it lies on is hidden by its plane.
+    // The receiver is on a surface of its own, which casts nothing. Its plane hides the triangle that it lies on.
     drawn_shadow with_own = *this;
     const glm::dvec3 n = glm::normalize(glm::dvec3(normal)), p(point);
     const glm::dvec3 u = glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Judge of a program's shadows: rays from receivers to the light that the program gave, among the triangles that it drew.
+// Judge of a program's shadows: rays from receivers to the light that the program gave, among the triangles that it
+// drew.
 #pragma once
 
 #include <cstddef>

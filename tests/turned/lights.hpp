@@ -64,12 +64,12 @@ template <class T>
 [[nodiscard]] given_light cascades_of(const umbrage::cascade_fit<T>& fit, T begin, T end) {
     given_light sun{{false, -glm::dvec3(fit.direction)}};
     umbrage::frustum<T> camera = fit.camera;
-    camera.z_near = begin, camera.z_far = end;
-    const umbrage::polyhedron seen = intersection(camera, fit.scene);
-    sun.promises = [seen](glm::dvec3 p) {
-        for (const auto& face : seen.faces())
+    camera.z_near = begin, camera.z_far = begin + T(0.8) * (end - begin);  // the last cascade fades
+    const umbrage::polyhedron body = intersection(camera, fit.scene);
+    sun.promises = [body](glm::dvec3 p) {
+        for (const auto& face : body.faces())
             if (!(glm::dot(face.plane, glm::dvec4(p, 1)) > 1e-3 * (1 + glm::length(p)))) return false;
-        return !seen.empty();
+        return !body.empty();
     };
     return sun;
 }

@@ -73,7 +73,7 @@ public:
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
-        : base(turned::planted(light), planted_size(map_size), filter, encoding, planted_origin(origin)),
+        : base(turned::planted(light), map_size, filter, encoding, planted_origin(origin)),
           drawn_(std::make_shared<turned::drawn_shadow>(
               turned::drawn_shadow{turned::facts_of(static_cast<const base&>(*this), origin),
                                    turned::given(light),
@@ -124,16 +124,13 @@ public:
     }
 
 private:
-    [[nodiscard]] static glm::ivec2 planted_size(glm::ivec2 size) {
-        return turned::is_planted(turned::fault::sizes_exchanged) ? glm::ivec2(size.y, size.x) : size;
-    }
     [[nodiscard]] static glm::dvec3 planted_origin(glm::dvec3 origin) {
         return turned::is_planted(turned::fault::origin_dropped) ? glm::dvec3(0) : origin;
     }
     [[nodiscard]] float look(image_view<const texel> map, glm::vec3 world, glm::vec3 normal, glm::ivec2 pixel) const {
         if (turned::is_planted(turned::fault::normal_dropped)) normal = glm::vec3(0);
-        if (turned::is_planted(turned::fault::bias_towards_light))
-            world += 0.02f * glm::normalize(glm::vec3(drawn_->light.rays.way(glm::dvec3(world))));
+        if (turned::is_planted(turned::fault::bias_of_wrong_sign))
+            world -= 0.02f * glm::normalize(glm::vec3(drawn_->light.rays.way(glm::dvec3(world))));
         return base::operator()(map, world, normal, pixel);
     }
     void judge(image_view<float> depths) const {
