@@ -43,6 +43,12 @@ function of_default({ type, value }) {
         given => Array.isArray(given) && given.length === value.length && Array.from(given).every(is_float)];
 }
 
+const is_radius = value => Number.isInteger(value) && value >= 0 && value <= 4095;
+
+/** What a softness must be, as the C++ library has it of penumbra_params. */
+const softness = ['[per_code, min_radius, max_radius], the first from 0 to 4096, the others integers in order from 0 to 4095',
+    ([per_code, min, max]) => per_code >= 0 && per_code <= 4096 && is_radius(min) && is_radius(max) && min <= max];
+
 /** A filter's arguments behind the receiver: defaults, and those that the user gave. */
 export function checked_arguments(where, filter, given = {}) {
     must(where, is_object(given), 'arguments must be an object', given);
@@ -57,6 +63,7 @@ export function checked_arguments(where, filter, given = {}) {
         const { name, value } = argument, [words, holds] = of_default(argument);
         all[name] = name in own ? own[name] : value;
         must(where, holds(all[name]), `arguments.${name} must be ${words}`, all[name]);
+        if (name === 'softness') must(where, softness[1](all[name]), `arguments.softness must be ${softness[0]}`, all[name]);
     }
     return { own, all };
 }

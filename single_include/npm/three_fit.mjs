@@ -111,6 +111,19 @@ function fit_sun(light, { receivers, casters, camera, reach }) {
     return { texel, offset: parallel_offset(reach, texel, Math.max(...ranges), [...receivers, ...casters].flat()) };
 }
 
+/** Refuses a light whose own numbers would make the map's matrix NaN. */
+function check_light(light) {
+    const { mapSize, radius } = light.shadow, size = [mapSize.x, mapSize.y];
+    must(where, size.every(n => Number.isInteger(n) && n > 0), 'light.shadow.mapSize must be two integers above 0', size);
+    must(where, Number.isFinite(radius), 'light.shadow.radius must be finite', radius);
+    for (const [name, object] of [['light', light], ['light.target', light.target]]) {
+        if (!object) continue;
+        object.updateWorldMatrix(true, false);
+        must(where, object.matrixWorld.elements.every(Number.isFinite), `${name} must be at a finite place in the world`,
+            array_of(object.position));
+    }
+}
+
 /** Sets the light's own shadow camera, normalBias and bias for the filter in use. */
 export function fit_shadow(light, options = {}) {
     const kinds = ['isDirectionalLight', 'isSpotLight', 'isPointLight', 'isSunLight'];
@@ -120,6 +133,8 @@ export function fit_shadow(light, options = {}) {
     must(where, options.receivers !== undefined, 'receivers must be objects of three.js, finite boxes, or an array of them', undefined);
     must(where, !light.isSunLight || options.camera, 'camera must be given for a SunLight', options.camera);
     const { shadow } = light, { camera: own, mapSize } = shadow, { steady = false, camera } = options;
+    check_light(light);
+    const distance = light.distance > 0 ? light.distance : Infinity;  // as three.js' shaders read it
     const receivers = solids(options.receivers, 'receiveShadow');
     must(where, receivers.length > 0, 'receivers must have a visible mesh with receiveShadow', 'none');
     const casters = solids(options.casters ?? options.receivers, 'castShadow');
@@ -139,16 +154,17 @@ export function fit_shadow(light, options = {}) {
     } else if (light.isPointLight) {
         light.updateWorldMatrix(true, false);
         const position = array_of(own.position.setFromMatrixPosition(light.matrixWorld));
-        fit = enough(fit_cube({ ...common, size: mapSize.x, reach, position, distance: light.distance || Infinity }));
-        set = { near: fit.near, far: light.distance || fit.far };
+        fit = enough(fit_cube({ ...common, size: mapSize.x, reach, position, distance }));
+        set = { near: fit.near, far: distance < Infinity ? distance : fit.far };
     } else if (light.isSpotLight) {
         must(where, light.angle > 0 && light.angle <= 1.5, 'light.angle must be above 0 and at most 1.5 radians', light.angle);
         if (!light.map) shadow.aspect = mapSize.y / mapSize.x;  // else a map higher than wide cuts the cone's sides
         const tangent = Math.tan(light.angle), aspect = mapSize.x / mapSize.y * shadow.aspect;
         fit = enough(fit_cone({ ...common, ...view_of(light), tangents: [tangent * aspect, tangent],
-            distance: light.distance || Infinity, narrow: !light.map && !steady }));
+            distance, narrow: !light.map && !steady }));
         shadow.focus = Math.atan(tangent * fit.width) / light.angle;
-        set = { near: fit.near, far: light.distance || fit.far, aspect, fov: 360 / Math.PI * light.angle * shadow.focus };
+        set = { near: fit.near, far: distance < Infinity ? distance : fit.far, aspect,
+            fov: 360 / Math.PI * light.angle * shadow.focus };
     } else {
         const { axes, position } = view_of(light);
         fit = enough(fit_parallel({ ...common, axes, steady }));

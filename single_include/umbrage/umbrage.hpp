@@ -29065,6 +29065,7 @@ public:
     /// @throws std::invalid_argument  depths or a map of another size
     template <class ParallelFor = serial>
     void store(image_view<const float> depths, image_view<texel> map, ParallelFor&& parallel = {}) const {
+        detail::require_size(depths.size, size(), "shadow::store", "depths.size", "the shadow's size()");
         detail::require_size(map.size, size(), "shadow::store", "map.size", "the shadow's size()");
         if constexpr (prefilter<Filter>) encode_moments(depths, map, filter_, parallel);
         else encode(depths, map, encoding_, parallel);

@@ -159,7 +159,7 @@ const refused = (where, head, what, call, part) => {
 
 /** Options that every addon refuses; filters are those of a language, option is the name that the addon has for one. */
 function refuses_options(where, head, option, { box, disc16, pcss16, saturate, vsm }, call) {
-    const floats = 'must be 3 finite floats of 32 bits; got';
+    const floats = 'must be 3 finite floats of 32 bits; got', softness = 'in order from 0 to 4095; got';
     for (const [options, part] of [
         [null, 'options must be an object; got null'],
         [{ [option]: pcss16, argument: {} }, 'options must have no properties but '],
@@ -173,6 +173,11 @@ function refuses_options(where, head, option, { box, disc16, pcss16, saturate, v
         [{ [option]: pcss16, arguments: { rotation: [64, 0] } }, 'arguments must be among (softness) of pcss16; got rotation'],
         [{ [option]: pcss16, arguments: { softness: [1, 2] } }, `arguments.softness ${floats} [1, 2]`],
         [{ [option]: pcss16, arguments: { softness: [1, , 2] } }, `arguments.softness ${floats} [1, undefined, 2]`],
+        [{ [option]: pcss16, arguments: { softness: [-1, 16, 96] } }, `${softness} [-1, 16, 96]`],
+        [{ [option]: pcss16, arguments: { softness: [5000, 16, 96] } }, `${softness} [5000, 16, 96]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, 96, 16] } }, `${softness} [0.0625, 96, 16]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, 16, 96.5] } }, `${softness} [0.0625, 16, 96.5]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, -16, 96] } }, `${softness} [0.0625, -16, 96]`],
         [{ [option]: disc16, arguments: { radius: [3] } }, 'arguments.radius must be a finite float of 32 bits; got [3]'],
         [{ [option]: disc16, arguments: { radius: 1e39 } }, 'arguments.radius must be a finite float of 32 bits; got 1e+39'],
         [{ [option]: disc16, arguments: { radius: null } }, 'arguments.radius must be a finite float of 32 bits; got null'],

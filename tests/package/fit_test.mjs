@@ -146,6 +146,12 @@ function floor_camera() {
     tiny.shadow.mapSize.set(4, 4);
     own.shadow.filterNode = () => {};
     spot.angle = 1.55;
+    /** A light with one of its own numbers changed. */
+    const light_with = change => {
+        const light = new THREE.DirectionalLight();
+        change(light);
+        return () => fit_shadow(light, { receivers: box });
+    };
     const group = new THREE.Group(), objects = 'objects of three.js, finite boxes, or an array of them';
     for (const [what, call, part] of [
         ['no light', () => fit_shadow({}, { receivers: box }), 'light must be a DirectionalLight, SpotLight, PointLight or SunLight; got an object'],
@@ -163,12 +169,19 @@ function floor_camera() {
         ['a reach', () => fit_shadow(sun, { receivers: box, reach: -1 }), 'reach must be a finite number of texels, 0 or more; got -1'],
         ["someone else's filter", () => fit_shadow(own, { receivers: box }), "reach must be given for a filterNode that is not this package's"],
         ['a tiny map', () => fit_shadow(tiny, { receivers: box }), 'light.shadow.mapSize must have more texels for a filter that reaches 2.4; got [4, 4]'],
+        ['a size of NaN', light_with(light => light.shadow.mapSize.setX(NaN)), 'light.shadow.mapSize must be two integers above 0; got [NaN, 512]'],
+        ['a radius of NaN', light_with(light => { light.shadow.radius = NaN; }), 'light.shadow.radius must be finite; got NaN'],
+        ['a place of NaN', light_with(light => light.position.setY(NaN)), 'light must be at a finite place in the world; got [0, NaN, 0]'],
+        ['a target of NaN', light_with(light => light.target.position.setX(NaN)), 'light.target must be at a finite place in the world; got [NaN, 0, 0]'],
         ['a wide spot', () => fit_shadow(spot, { receivers: box }), 'light.angle must be above 0 and at most 1.5 radians; got 1.55'],
     ]) {
         let said = 'accepted';
         try { call(); } catch (error) { said = error.message; }
         check(`${what}: ${said}`, said.startsWith('umbrage/three: fit_shadow: ') && said.includes(part));
     }
+    const endless = new THREE.PointLight();
+    endless.distance = -5;  // three.js' shaders take it for none
+    check('a distance below 0 is none', fit_shadow(endless, { receivers: box }).far > 0);
     check("someone else's filter with its reach", fit_shadow(own, { receivers: box, reach: 3 }).reach === 3);
 }
 {  // a light's size

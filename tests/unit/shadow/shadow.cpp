@@ -237,6 +237,8 @@ TEST_CASE("shadow: bad input") {
           "near planes and huge coordinates overflow.");
     image<float> other({32, 32});
     CHECK(refused([&] { s.draw(other, mesh); }).starts_with("umbrage::shadow::draw: depths.size must be"));
+    CHECK(refused([&] { s.store(other, map); }).starts_with("umbrage::shadow::store: depths.size must be"));
+    CHECK(refused([&] { s.store(map, other); }).starts_with("umbrage::shadow::store: map.size must be"));
     const image<glm::vec3> points({4, 4});
     CHECK(refused([&] {
               s.visibility(map, points, image<glm::vec3>({4, 5}), other);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs the programs of pages with each of their numbers changed, and says what became of them:
+//     turned --sample 500 LIST     so many changes of all programs, spread evenly
+//     turned --all LIST            every change
+//     turned --faults LIST         each planted fault, of which all must be seen
+//     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN)
+// A run is a process of its own, so that one that crashes or hangs is a result too.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exceptions.hpp"
+#include "program.hpp"
+#include "run.hpp"
+
+namespace {
+
+using namespace turned;
+
+constexpr std::array turns{turn::twice, turn::half, turn::thousandth, turn::zero, turn::negative, turn::nan};
+
+struct job {
+    const program* of;
+    int place;
+    turn what;
+};
+
+std::vector<job> all_jobs() {
+    std::vector<job> all;
+    for (const program& p : programs())
+        for (std::size_t i = 0; i < p.places.size(); ++i)
+            for (const turn t : turns) all.push_back({&p, int(i), t});
+    return all;
+}
+
+std::string described(const job& j) {
+    const place& at = j.of->places[std::size_t(j.place)];
+    std::string text(at.text);
+    const auto column = std::size_t(at.column);
+    text.insert(column + std::size_t(at.size), "]").insert(column, "[");
+    text.erase(0, text.find_first_not_of(' '));
+    return j.of->name + ' ' + std::to_string(j.place) + ' ' + std::to_string(int(j.what)) + " (line " +
+           std::to_string(at.line) + ", " + std::string(turn_names[std::size_t(j.what)]) + "): " + text;
+}
+
+/// What a change's outcome counts as.
+std::string verdict_of(const job& j, const outcome& o, const exceptions& listed) {
+    const bool may_be_refused = j.what != turn::twice && j.what != turn::half;
+    switch (o.how) {
+        case ending::no_change: return "no change";
+        case ending::right: return o.decided > 0 ? "right by rays" : "ran, nothing to trace";
+        case ending::refused:
+            if (may_be_refused) return "refused by name";
+            break;
+        default: break;
+    }
+    return listed.has(*j.of, j.place, j.what) ? "listed" : "WRONG";
+}
+
+bool prove(const std::vector<job>& jobs, const exceptions& listed) {
+    std::map<std::string, std::size_t> counts;
+    std::size_t lit = 0, dark = 0, kept_back = 0;
+    for (const job& j : jobs) {
+        const place& at = j.of->places[std::size_t(j.place)];
+        if (std::string_view(at.why) != "turned") {
+            ++counts[std::string("kept: ") + at.why], ++kept_back;
+            continue;
+        }
+        const outcome o = run(*j.of, {j.place, j.what});
+        const std::string v = verdict_of(j, o, listed);
+        ++counts[v], lit += o.lit, dark += o.dark;
+        kept_back += v == "listed";
+        if (v == "WRONG") std::printf("%s\n    %s\n", described(j).c_str(), o.message.c_str());
+    }
+    for (const auto& [what, count] : counts) std::printf("%-24s %6zu\n", what.c_str(), count);
+    const double share = double(kept_back) / double(jobs.size());
+    std::printf("%zu changes, %zu receivers lit and %zu dark by rays; %.1f %% are exceptions\n", jobs.size(), lit, dark,
+                100 * share);
+    return counts["WRONG"] == 0 && share <= 0.1;
+}
+
+/// The programs as their pages have them must be right, and the rays must have something to say.
+bool prove_unchanged() {
+    bool all_right = true;
+    std::size_t lit = 0, dark = 0;
+    for (const program& p : programs()) {
+        const outcome o = run(p, {});
+        lit += o.lit, dark += o.dark;
+        if (o.how == ending::right) continue;
+        std::printf("%s as it is: %s\n", p.name.c_str(), o.message.c_str());
+        all_right = false;
+    }
+    std::printf("%zu programs as they are: %zu receivers lit and %zu dark by rays\n", programs().size(), lit, dark);
+    return all_right && lit > 500 && dark > 500;
+}
+
+/// A fault is seen in the programs as they are, or where a number is twice what it was and no exception allows for it.
+bool plant_faults(const exceptions& listed) {
+    bool all_seen = true;
+    for (std::size_t f = 1; f < fault_names.size(); ++f) {
+        planted_fault = fault(f);
+        std::string found;
+        for (const program& p : programs()) {
+            const outcome o = run(p, {});
+            if (o.how != ending::right && found.empty()) found = p.name + ": " + o.message;
+        }
+        for (const job& j : all_jobs()) {
+            if (!found.empty()) break;
+            if (j.what != turn::twice) continue;
+            const outcome o = run(*j.of, {j.place, j.what});
+            if (verdict_of(j, o, listed) == "WRONG") found = described(j) + ": " + o.message;
+        }
+        std::printf("%-44.*s %s\n", int(fault_names[f].size()), fault_names[f].data(),
+                    found.empty() ? "NOT SEEN" : found.c_str());
+        all_seen = all_seen && !found.empty();
+    }
+    return all_seen;
+}
+
+std::vector<job> sample_of(std::vector<job> all, std::size_t count) {
+    std::vector<job> some;
+    for (std::size_t i = 0; i < count && i < all.size(); ++i) some.push_back(all[i * all.size() / count]);
+    return some;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);
+    std::ranges::sort(programs(), {}, &program::name);
+    const std::string_view what = argc > 1 ? argv[1] : "";
+    if (what == "--faults" && argc == 3) return plant_faults(exceptions(argv[2])) ? 0 : 1;
+    if (argc == 4 && !what.starts_with("--")) {
+        for (const program& p : programs())
+            if (p.name == what) {
+                const outcome o = run(p, {std::atoi(argv[2]), turn(std::atoi(argv[3]))});
+                std::printf("%zu lit, %zu dark: %s\n", o.lit, o.dark, o.message.c_str());
+                return o.how == ending::right || o.how == ending::refused ? 0 : 1;
+            }
+    }
+    const bool is_sample = what == "--sample" && argc == 4;
+    if (is_sample || (what == "--all" && argc == 3)) {
+        const exceptions listed(argv[argc - 1]);
+        const bool is_right = prove_unchanged();
+        const std::vector<job> all = all_jobs();
+        const bool is_proven = prove(is_sample ? sample_of(all, std::strtoul(argv[2], nullptr, 10)) : all, listed);
+        return is_right && is_proven ? 0 : 1;
+    }
+    std::puts("usage: turned --sample N LIST | --all LIST | --faults LIST | PROGRAM PLACE TURN");
+    return 2;
+}

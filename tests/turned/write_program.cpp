@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes a page's C++, or a whole program, with its numbers taken from a table at run time:
+//     write_program ID PAGE.md OUT.cpp        or: write_program ID PROGRAM.cpp OUT.cpp
+// A block with a main is a function, as tests/readme has it. Other blocks of a page are one function in their order.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "literals.hpp"
+
+namespace {
+
+using namespace turned;
+
+std::string read(const char* path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(std::string("no file ") + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Code of a page, and the line it begins at.
+struct block {
+    std::string code;
+    int line;
+};
+
+std::vector<block> blocks_of(const std::string& page) {
+    std::vector<block> all;
+    std::istringstream lines(page);
+    bool is_code = false;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (is_code && line == "```") is_code = false;
+        else if (is_code) all.back().code += line + '\n';
+        else if (line == "```cpp") all.push_back({"", number + 1}), is_code = true;
+    }
+    return all;
+}
+
+class writer {
+public:
+    void add(const block& b) {
+        const std::vector<token> tokens = tokens_of(b.code);
+        const std::vector<literal> numbers = literals_of(b.code, tokens);
+        std::string text;
+        bool has_main = false;
+        std::size_t next = 0, copied = 0;
+        const auto put = [&](const token& t, const std::string& instead) {
+            text += b.code.substr(copied, t.at - copied) + instead;
+            copied = t.at + t.size;
+        };
+        for (const token& t : tokens) {
+            const std::string own = b.code.substr(t.at, t.size);
+            if (t.kind == token_kind::directive) {
+                if (own.starts_with("#include <")) includes_ += own + '\n';
+                put(t, "");
+            } else if (next < numbers.size() && numbers[next].at == t.at) {
+                put(t, turned_number(b, numbers[next++]));
+            } else if (t.kind == token_kind::word && own == "main") {
+                const std::string name = "program_" + std::to_string(programs_++);
+                put(t, name), has_main = true;
+                calls_ += "    " + name + "();\n";
+            }
+        }
+        if (has_main)
+            put({token_kind::sign, tokens.back().at, 1}, "return 0;\n}");  // which the last brace may leave out
+        text += b.code.substr(copied);
+        if (has_main) functions_ += text + '\n';
+        else body_ += text + watched_values(b.code, tokens) + '\n';
+    }
+
+    [[nodiscard]] std::string program(const std::string& id) const {
+        std::string name = id;
+        for (char& c : name)
+            if (c == '.' || c == '-') c = '_';
+        return "// SPDX-License-Identifier: MIT\n" + includes_ + "#include \"program.hpp\"\n\nnamespace turned_" +
+               name + " {\nnamespace umbrage = ::watched;\nnamespace {\n\n" + functions_ + "void code() {\n" + body_ +
+               "}\n\nconst bool known = ::turned::add({\"" + id + "\", {\n" + places_ + "}, [] {\n" + calls_ +
+               "    code();\n}});\n\n}  // namespace\n}  // namespace turned_" + name + "\n";
+    }
+
+private:
+    std::string turned_number(const block& b, const literal& l) {
+        const std::size_t from = b.code.rfind('\n', l.at) + 1;  // npos + 1 is 0
+        const std::string line = b.code.substr(from, b.code.find('\n', l.at) - from);
+        const auto lines = std::count(b.code.begin(), b.code.begin() + std::ptrdiff_t(l.at), '\n');
+        places_ += "    {" + std::to_string(b.line + lines) + ", " + std::to_string(l.at - from) + ", " +
+                   std::to_string(l.size) + ", \"" + std::string(name_of(l.why)) + "\", R\"~~(" + line + ")~~\"},\n";
+        const std::string own = b.code.substr(l.at, l.size), place = std::to_string(count_++);
+        return l.why == kept::no ? "::turned::number(" + place + ", " + own + ")" : own;
+    }
+    /// Pages name floats `dark` and `lit`, which are visibilities.
+    [[nodiscard]] static std::string watched_values(const std::string& code, std::vector<token> tokens) {
+        std::erase_if(tokens, [](const token& t) { return t.kind == token_kind::text; });
+        std::string calls;
+        bool is_float = false;
+        int depth = 0;
+        const auto text = [&](std::size_t i) { return std::string_view(code).substr(tokens[i].at, tokens[i].size); };
+        for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+            const std::string_view s = text(i);
+            if (s == "{" || s == "(") ++depth;
+            if (s == "}" || s == ")") --depth;
+            if (depth == 0 && (i == 0 || text(i - 1) == ";")) is_float = s == "float";
+            if (depth == 0 && is_float && (s == "dark" || s == "lit") && text(i + 1) == "=")
+                calls += "::turned::add_visibility(\"" + std::string(s) + "\", " + std::string(s) + ");\n";
+        }
+        return calls;
+    }
+
+    std::string includes_, functions_, body_, places_, calls_;
+    int programs_ = 0, count_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 4) return 2;
+    const std::string text = read(argv[2]);
+    writer w;
+    if (std::string_view(argv[2]).ends_with(".md"))
+        for (const block& b : blocks_of(text)) w.add(b);
+    else w.add({text, 1});
+    std::ofstream(argv[3]) << w.program(argv[1]);
+    return 0;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "write_program: %s\n", e.what());
+    return 1;
+}
