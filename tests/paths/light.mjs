@@ -6,9 +6,12 @@ import { camera, lights, picture, scene_box } from './scene.mjs';
 const moved = (p, by) => p?.map((x, i) => x + by[i]);
 const moved_box = (box, by) => ({ low: moved(box.low, by), high: moved(box.high, by) });
 
+/** Of setups that C++ alone has: those whose texels are as large. */
+const like = { tight_cascades: 'cascades', warped_light: 'directional_light' };
+
 /** What shadow() takes, of a language's module. */
 export const shadow_options = ({ shadow, encodings, snippets, ...all }, path) => ({
-    kind: all[path.setup], filter: snippets[path.filter], map_size: path.map_size, direction: path.direction, map: path.map,
+    kind: all[like[path.setup] ?? path.setup], filter: snippets[path.filter], map_size: path.map_size, direction: path.direction, map: path.map,
     ...path.encoding !== 'moments' && { encoding: encodings[path.encoding] } });
 
 /** Where its light stands, relative to the origin; undefined of a sun. */

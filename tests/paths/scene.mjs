@@ -87,6 +87,8 @@ export const lights = {
     spot_light: { from: high, given: { position: high, direction: [-5, -10, -4], outer_angle_radians: 0.72, z_near: 3, z_far: 24 } },
     directional_light: { along: direction, given: { direction, receivers: scene_box, casters: scene_box } },
     cascades: { along: direction, given: { ...cascaded, cascades: 4 } },
+    tight_cascades: { along: direction, given: cascaded },  // of C++ alone, as a warped light
+    warped_light: { along: direction, given: { direction, receivers: scene_box, casters: scene_box } },
     cascades_8: { along: direction, given: { ...cascaded, cascades: 6 } },
     warped_cascades: { along: direction, given: { ...cascaded, cascades: 3 } },
     adaptive_pages: { along: direction, given: { direction, scene: scene_box } },

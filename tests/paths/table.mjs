@@ -3,7 +3,7 @@
 // The paths of paths.txt: what each page or program draws, frame by frame.
 import { readFileSync } from 'node:fs';
 
-const sizes = { spot_light: 1024, directional_light: 1024, cascades: 512, cascades_8: 512, warped_cascades: 512, adaptive_pages: 72,
+const sizes = { spot_light: 1024, directional_light: 1024, cascades: 512, tight_cascades: 512, warped_light: 1024, cascades_8: 512, warped_cascades: 512, adaptive_pages: 72,
     point_light: 512, tetrahedron_light: 1024, dual_paraboloid_light: 1024 };
 const far = [650_000, 120, -3_000];
 
