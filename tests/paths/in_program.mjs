@@ -8,10 +8,14 @@ import { join } from 'node:path';
 import { light_from, light_values } from './light.mjs';
 import { camera, picture, vertices } from './scene.mjs';
 
+/** Position and normal of each point that the camera sees, six floats. */
+const seen_floats = ({ points, normals }) => new Float32Array(points.flatMap((w, i) =>
+    (i % 4 === 3 && w ? [...points.slice(i - 3, i), ...normals.slice(i - 3, i)] : [])));
+
 /** What a program is told of a frame. */
 function job_of(frame, { shadow, clip, seen, edge_angle }, at) {
     const { camera: range, scene, receivers, clip: _clip, points: _points, normals: _normals, ...light } = light_values(frame, shadow, clip, seen);
-    const files = { casters: vertices(light_from(frame), edge_angle), receivers: vertices() }, world = camera(clip, frame.origin);
+    const files = { casters: vertices(light_from(frame), edge_angle), receivers: vertices(), seen: seen_floats(seen) }, world = camera(clip, frame.origin);
     const { low, high } = scene ?? receivers ?? { low: [], high: [] };
     const lines = { ...light, along: light.direction, ...frame, low, high, picture, view: world.view, projection: world.projection, camera_near: world.z_near,
         camera_far: world.z_far, to_clip: camera({ ...clip, direction: 'forward' }).to_clip };

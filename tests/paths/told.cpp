@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "told.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -35,16 +36,21 @@ adaptive_maps pages_of(const job& j, const clip_space& clip, int size, int gutte
                                               .side = 1.01 * glm::distance(scene.low, scene.high),
                                               .scene = scene,
                                               .clip = clip});
-    const glm::dmat4 to_root = page_matrix(root);
-    const glm::dvec3 eye = camera_of(j, clip).position;
-    std::vector<page_receiver> seen;
-    for (double x = -9.5; x < 10; x += 0.5)
-        for (double z = -9.5; z < 10; z += 0.5) {
-            const glm::dvec3 p = j.point("origin") + glm::dvec3(x, 0, z);
-            seen.push_back({glm::vec2(shadow_coordinate(to_root, p)), float(8000 / glm::distance(p, eye))});
-        }
+    const light_space<double> camera{j.matrix("view"), j.matrix("projection"), clip};
+    const auto to_root = page_matrix(root), coarsest = texture_matrix(root, glm::ivec2(size - 2 * gutter)),
+               to_pixels = texture_matrix(camera, glm::ivec2(j.numbers("picture")[0], j.numbers("picture")[1]));
+    std::vector<page_receiver> receivers;
+    const std::vector<glm::vec3> seen = j.vertices("seen");
+    for (std::size_t i = 0; i < seen.size(); i += 2) {
+        const glm::dvec3 position = j.point("origin") + glm::dvec3(seen[i]), normal(seen[i + 1]);
+        const double facing = glm::dot(normal, -glm::normalize(j.point("along")));
+        if (!(facing > 0)) continue;
+        const double extent = longest_extent(pixels_per_texel(coarsest, to_pixels, position, normal));
+        receivers.push_back(
+            {glm::vec2(shadow_coordinate(to_root, position)), float(std::min(1.0, 4 * facing) * extent)});
+    }
     page_cache cache({.slots = {8, 8}, .deepest_level = adaptive_maps::deepest_level});
-    static_cast<void>(cache.update(seen));
+    static_cast<void>(cache.update(receivers));
     return {root, cache, {.texels = size - 2 * gutter, .gutter = gutter}};
 }
 
