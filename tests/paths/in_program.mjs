@@ -14,11 +14,13 @@ const seen_floats = ({ points, normals }) => new Float32Array(points.flatMap((w,
 
 /** What a program is told of a frame. */
 function job_of(frame, { shadow, clip, seen, edge_angle }, at) {
-    const { camera: range, scene, receivers, clip: _clip, points: _points, normals: _normals, ...light } = light_values(frame, shadow, clip, seen);
-    const files = { casters: vertices(light_from(frame), edge_angle), receivers: vertices(), seen: seen_floats(seen) }, world = camera(clip, frame.origin);
+    const { camera: range, scene, receivers, clip: _clip, points: _points, normals: _normals, ...light } =
+        light_values(frame, shadow, clip, seen);
+    const files = { casters: vertices(light_from(frame), edge_angle), receivers: vertices(), seen: seen_floats(seen) };
+    const world = camera(clip, frame.origin);
     const { low, high } = scene ?? receivers ?? { low: [], high: [] };
-    const lines = { ...light, along: light.direction, ...frame, low, high, picture, view: world.view, projection: world.projection, camera_near: world.z_near,
-        camera_far: world.z_far, to_clip: camera({ ...clip, direction: 'forward' }).to_clip };
+    const lines = { ...light, along: light.direction, ...frame, low, high, picture, view: world.view,
+        projection: world.projection, camera_near: world.z_near, camera_far: world.z_far, to_clip: camera({ ...clip, direction: 'forward' }).to_clip };
     for (const [name, floats] of Object.entries(files)) writeFileSync(`${at}.${name}`, floats), lines[name] = `${at}.${name}`;
     return Object.entries(lines).filter(([, value]) => value !== undefined)
         .map(([name, value]) => `${name} ${Array.isArray(value) ? value.join(' ') : value}\n`).join('');

@@ -23,11 +23,16 @@ export function seen_by_camera() {
 function texel_in(matrix, [columns, rows], p, light) {
     const at = q => {
         const [x, y, z, w] = [0, 1, 2, 3].map(i => matrix[i] * q[0] + matrix[4 + i] * q[1] + matrix[8 + i] * q[2] + matrix[12 + i]);
-        return { u: (x / w + 1) / 2 * columns, v: (y / w + 1) / 2 * rows, holds: w > 0 && Math.abs(x) < w && Math.abs(y) < w && Math.abs(z) <= w };
+        const holds = w > 0 && Math.abs(x) < w && Math.abs(y) < w && Math.abs(z) <= w;
+        return { u: (x / w + 1) / 2 * columns, v: (y / w + 1) / 2 * rows, holds };
     };
-    const middle = at(p), step = 1e-3, right = unit(cross(light, Math.abs(light[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), up = cross(right, light);
+    const middle = at(p), step = 1e-3;
+    const right = unit(cross(light, Math.abs(light[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), up = cross(right, light);
     if (!middle.holds) return undefined;
-    const [[a, b], [c, d]] = [right, up].map(way => { const q = at(plus(p, way, step)); return [(q.u - middle.u) / step, (q.v - middle.v) / step]; });
+    const [[a, b], [c, d]] = [right, up].map(way => {
+        const q = at(plus(p, way, step));
+        return [(q.u - middle.u) / step, (q.v - middle.v) / step];
+    });
     const trace = a * a + b * b + c * c + d * d, determinant = a * d - b * c;
     return 1 / Math.sqrt((trace - Math.sqrt(Math.max(0, trace * trace - 4 * determinant * determinant))) / 2);
 }

@@ -11,7 +11,8 @@ const like = { tight_cascades: 'cascades', warped_light: 'directional_light' };
 
 /** What shadow() takes, of a language's module. */
 export const shadow_options = ({ shadow, encodings, snippets, ...all }, path) => ({
-    kind: all[like[path.setup] ?? path.setup], filter: snippets[path.filter], map_size: path.map_size, direction: path.direction, map: path.map,
+    kind: all[like[path.setup] ?? path.setup], filter: snippets[path.filter], map_size: path.map_size,
+    direction: path.direction, map: path.map,
     ...path.encoding !== 'moments' && { encoding: encodings[path.encoding] } });
 
 /** Where its light stands, relative to the origin; undefined of a sun. */
@@ -20,8 +21,10 @@ export const light_from = path => lights[path.setup].from && moved(lights[path.s
 /** What values() takes.
  *  @param seen   {points, normals} that the camera sees, for pages */
 export function light_values(path, shadow, clip, seen) {
-    const { given } = lights[path.setup], { origin, shift, setup } = path, { view, projection, z_near, z_far } = camera(clip, origin);
-    const far = origin.some(x => x), border = Math.ceil(shadow.settings.filter.filter.reach) + 2, world = moved_box(scene_box, origin);
+    const { given } = lights[path.setup], { origin, shift, setup } = path;
+    const { view, projection, z_near, z_far } = camera(clip, origin);
+    const far = origin.some(x => x);
+    const border = Math.ceil(shadow.settings.filter.filter.reach) + 2, world = moved_box(scene_box, origin);
     return {
         clip, ...given, ...far && { origin },
         ...given.position && { position: moved(moved(given.position, shift), origin) },
@@ -29,7 +32,8 @@ export function light_values(path, shadow, clip, seen) {
         ...given.scene && { scene: world },
         ...given.receivers && { receivers: world, casters: world },
         ...given.scene && { camera: { view, projection, z_near, z_far } },
-        ...setup === 'adaptive_pages' && { picture, gutter: border, points: seen.points.map((x, i) => x + (i % 4 < 3 ? origin[i % 4] : 0)), normals: seen.normals },
+        ...setup === 'adaptive_pages' && { picture, gutter: border, normals: seen.normals,
+            points: seen.points.map((x, i) => x + (i % 4 < 3 ? origin[i % 4] : 0)) },
         ...['point_light', 'tetrahedron_light', 'dual_paraboloid_light'].includes(setup) && { border },
         ...path.arguments && { filter: path.arguments },
     };

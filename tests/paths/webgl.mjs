@@ -6,8 +6,8 @@ import { opengl_clip_space } from '/package/values.mjs';
 import { camera, picture, vertices } from './scene.mjs';
 import { light_from, light_values, shadow_options } from './light.mjs';
 
-const internal = { R32F: ['RED', 'FLOAT'], RG8: ['RG', 'UNSIGNED_BYTE'], RGB8: ['RGBA', 'UNSIGNED_BYTE', 'RGBA8'], RGBA8: ['RGBA', 'UNSIGNED_BYTE'],
-    RG32F: ['RG', 'FLOAT'], RGBA32F: ['RGBA', 'FLOAT'] };
+/** What a format is stored in where the API does not draw into it. */
+const stored = { RGB8: 'RGBA8' };
 
 /** One canvas, over as many frames as a path has. */
 export class page {
@@ -53,10 +53,11 @@ ${old ? '#define color gl_FragColor' : 'out vec4 color;'}\nvoid main() { ${fragm
         gl.bindTexture(kind, made);
         for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(kind, filter, gl.NEAREST);
         for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(kind, wrap, gl.CLAMP_TO_EDGE);
-        const store = format => (layered ? gl.texStorage3D(kind, 1, format, width, height, target.layers) : gl.texStorage2D(kind, 1, format, width, height));
-        if (is_depth) store(gl[{ depth32f: 'DEPTH_COMPONENT32F', depth24: 'DEPTH_COMPONENT24', depth16: 'DEPTH_COMPONENT16' }[settings.encoding]]);
+        const store = format => (layered ? gl.texStorage3D(kind, 1, format, width, height, target.layers)
+            : gl.texStorage2D(kind, 1, format, width, height));
+        if (is_depth) store(gl[settings.encoding.replace('depth', 'DEPTH_COMPONENT').toUpperCase()]);
         else if (this.old) gl.texImage2D(kind, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
-        else store(gl[internal[target.format][2] ?? target.format]);
+        else store(gl[stored[target.format] ?? target.format]);
         if (map.startsWith('shadow')) {
             gl.texParameteri(kind, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
             gl.texParameteri(kind, gl.TEXTURE_COMPARE_FUNC, settings.direction === 'reversed' ? gl.GEQUAL : gl.LEQUAL);
@@ -92,18 +93,22 @@ ${old ? '#define color gl_FragColor' : 'out vec4 color;'}\nvoid main() { ${fragm
     }
 
     /** One frame of a path: visibility of each pixel from above, 255 is lit.
-     *  @param tamper   a mistake of the page's, for tests of the judge */
-    frame(path, values, seen, tamper = given => given) {
+     *  @param fault   of faults.mjs */
+    frame(path, values, seen, fault) {
         const { gl, old } = this, clip = { ...opengl_clip_space, direction: path.direction };
         const sun = glsl.shadow('sun', shadow_options(glsl, path)), light = light_values(path, sun, clip, seen);
-        const { block, views, edge_angle, cleared = sun.cleared, compare } = tamper(values(sun, light), other => values(sun, { ...light, ...other }), { sun, light, frame: this });
+        const given = { cleared: sun.cleared, compare: undefined, ...values(sun, light) };
+        const { block, views, edge_angle, cleared, compare } = fault ? fault.make(given, { values, sun, light, path, glsl,
+            options: other => shadow_options(glsl, other),
+            before: light_values({ ...path, shift: [0.5, 0.3, -0.4] }, sun, clip, seen) }) : given;
         const { grid: [columns], map_size: [tile_width, tile_height], layers } = sun.target;
 
         // The depth pass
         const is_depth = path.map.startsWith('depth') || path.map.startsWith('shadow'), bends = path.setup === 'dual_paraboloid_light';
         const four = path.setup === 'tetrahedron_light';
         const depth = old ? 'clip_depth.x / clip_depth.y * 0.5 + 0.5' : 'gl_FragCoord.z';
-        const depth_pass = this.program([sun.vertex_pass(clip)], [...is_depth ? [] : [sun.depth_pass], ...four ? [glsl.snippets.tetrahedron_face_of] : []],
+        const items = [...is_depth ? [] : [sun.depth_pass], ...four ? [glsl.snippets.tetrahedron_face_of] : []];
+        const depth_pass = this.program([sun.vertex_pass(clip)], items,
             `umbrage_vertex_sun(to_clip, position, anchor${bends ? ', number' : ''})`,
             (four ? `if (umbrage_tetrahedron_face_of(floor(gl_FragCoord.xy), ${tile_width}.0) != number) discard;\n` : '')
             + (is_depth ? '' : `color = umbrage_write_sun(${depth});`));
@@ -122,7 +127,8 @@ ${old ? '#define color gl_FragColor' : 'out vec4 color;'}\nvoid main() { ${fragm
 
         // The picture
         const turns = path.filter.match(/^(disc|pcss|dpcf)/) ? ', gl_FragCoord.xy' : '';
-        const view = this.program([], [sun], 'to_clip * vec4(position, 1.0)', `color = vec4(vec3(umbrage_sun(world, normal${turns})), 1.0);`);
+        const view = this.program([], [sun], 'to_clip * vec4(position, 1.0)',
+            `color = vec4(vec3(umbrage_sun(world, normal${turns})), 1.0);`);
         const count = this.give_vertices(vertices());
         gl.useProgram(view);
         gl.uniformMatrix4fv(gl.getUniformLocation(view, 'to_clip'), false, new Float32Array(camera(opengl_clip_space).to_clip));

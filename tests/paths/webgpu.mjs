@@ -27,6 +27,10 @@ export class page {
     texture(format, [width, height], layers, flags) {
         return this.device.createTexture({ size: [width, height, layers], format, usage: flags });
     }
+    group(pipeline, number, ...resources) {
+        return this.device.createBindGroup({ layout: pipeline.getBindGroupLayout(number),
+            entries: resources.map((resource, binding) => ({ binding, resource })) });
+    }
     pipeline(module, [vertex, fragment], format, depth_format, direction) {
         return this.device.createRenderPipeline({
             layout: 'auto',
@@ -38,14 +42,15 @@ export class page {
     }
 
     /** One frame of a path: visibility of each pixel from above, 255 is lit. */
-    async frame(path, values, seen, tamper = given => given) {
+    async frame(path, values, seen) {
         const { device } = this, { map, direction, setup } = path, clip = { ...webgpu_clip_space, direction };
         const sun = wgsl.shadow('sun', { ...shadow_options(wgsl, path), set: 1 }), light = light_values(path, sun, clip, seen);
-        const { block, views, edge_angle } = tamper(values(sun, light));
+        const { block, views, edge_angle } = values(sun, light);
         const { grid: [columns], map_size: [tile_width, tile_height], layers, size, format } = sun.target;
         const is_depth = map.startsWith('depth') || map.startsWith('shadow'), compares = map.startsWith('shadow');
         const bends = setup === 'dual_paraboloid_light', four = setup === 'tetrahedron_light';
-        const depth_format = is_depth ? depth_formats[sun.settings.encoding] : 'depth32float', color_format = is_depth ? undefined : formats[format];
+        const depth_format = is_depth ? depth_formats[sun.settings.encoding] : 'depth32float';
+        const color_format = is_depth ? undefined : formats[format];
         const far = direction === 'reversed' ? 0 : 1, [red, green, blue, alpha] = sun.cleared;
 
         // The depth pass
@@ -68,13 +73,15 @@ struct pass_uniforms { to_clip: mat4x4f, anchor: vec4f, number: f32 }
         views.forEach(({ to_clip, anchor }, i) => {
             const layer = layers > 1 ? i : 0, tile = layers > 1 || four ? 0 : i, op = i === 0 || layers > 1 ? 'clear' : 'load';
             const pass = commands.beginRenderPass({
-                colorAttachments: colors ? [{ view: layer_of(colors, layer), loadOp: op, storeOp: 'store', clearValue: [red, green, blue, alpha] }] : [],
-                depthStencilAttachment: { view: layer_of(depths, is_depth ? layer : 0), depthClearValue: far, depthLoadOp: op, depthStoreOp: 'store' },
+                colorAttachments: colors
+                    ? [{ view: layer_of(colors, layer), loadOp: op, storeOp: 'store', clearValue: [red, green, blue, alpha] }] : [],
+                depthStencilAttachment: { view: layer_of(depths, is_depth ? layer : 0), depthClearValue: far,
+                    depthLoadOp: op, depthStoreOp: 'store' },
             });
             pass.setPipeline(depth_pass);
             pass.setViewport(tile % columns * tile_width, Math.floor(tile / columns) * tile_height, tile_width, tile_height, 0, 1);
             const uniforms = this.buffer(new Float32Array([...to_clip, ...anchor, i, 0, 0, 0]), GPUBufferUsage.UNIFORM);
-            pass.setBindGroup(0, device.createBindGroup({ layout: depth_pass.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: uniforms } }] }));
+            pass.setBindGroup(0, this.group(depth_pass, 0, { buffer: uniforms }));
             pass.setVertexBuffer(0, caster_buffer);
             pass.draw(casters.length / 6);
             pass.end();
@@ -91,15 +98,15 @@ struct corner { @builtin(position) place: vec4f, @location(0) world: vec3f, @loc
         const drawn = this.texture('rgba8unorm', picture, 1, usage.target | usage.copied), floor = vertices();
         const pass = commands.beginRenderPass({
             colorAttachments: [{ view: drawn.createView(), loadOp: 'clear', storeOp: 'store', clearValue: [0, 0, 1, 1] }],
-            depthStencilAttachment: { view: this.texture('depth32float', picture, 1, usage.target).createView(), depthClearValue: 1, depthLoadOp: 'clear', depthStoreOp: 'store' },
+            depthStencilAttachment: { view: this.texture('depth32float', picture, 1, usage.target).createView(),
+                depthClearValue: 1, depthLoadOp: 'clear', depthStoreOp: 'store' },
         });
         pass.setPipeline(view);
         const matrix = this.buffer(new Float32Array(camera({ ...clip, direction: 'forward' }).to_clip), GPUBufferUsage.UNIFORM);
-        pass.setBindGroup(0, device.createBindGroup({ layout: view.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: matrix } }] }));
+        pass.setBindGroup(0, this.group(view, 0, { buffer: matrix }));
         const layered = map.includes('array'), maps = (colors ?? depths).createView({ dimension: layered ? '2d-array' : '2d' });
-        pass.setBindGroup(1, device.createBindGroup({ layout: view.getBindGroupLayout(1), entries: [
-            { binding: 0, resource: { buffer: this.buffer(block, GPUBufferUsage.UNIFORM) } }, { binding: 1, resource: maps },
-            ...compares ? [{ binding: 2, resource: device.createSampler({ compare: direction === 'reversed' ? 'greater-equal' : 'less-equal' }) }] : []] }));
+        const sampler = compares && device.createSampler({ compare: direction === 'reversed' ? 'greater-equal' : 'less-equal' });
+        pass.setBindGroup(1, this.group(view, 1, { buffer: this.buffer(block, GPUBufferUsage.UNIFORM) }, maps, ...sampler ? [sampler] : []));
         pass.setVertexBuffer(0, this.buffer(floor, GPUBufferUsage.VERTEX));
         pass.draw(floor.length / 6);
         pass.end();
