@@ -113,8 +113,9 @@ struct image {
                                                .arrayLayers = layers,
                                                .usage = usage}),
           memory(g.allocate(handle.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal)),
-          all{f == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor, 0, 1, 0,
-              layers},
+          all{usage & vk::ImageUsageFlagBits::eDepthStencilAttachment ? vk::ImageAspectFlagBits::eDepth
+                                                                      : vk::ImageAspectFlagBits::eColor,
+              0, 1, 0, layers},
           format(f),
           on(&g) {
         handle.bindMemory(*memory, 0);

@@ -115,4 +115,4 @@ export function judge({ width, height, objects, ray, visibility, to_light, texel
     return count;
 }
 
-export { cross, dot, minus, plus, unit };
+export { cross, dot, first_hit, minus, plus, unit };

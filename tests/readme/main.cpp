@@ -14,7 +14,7 @@
 //     readme --proof REPORTS PROOF.md prints a line for each implementation; all of it goes to PROOF.md
 //
 // A section stands between `<!-- begin: primitives bias -->` and `<!-- end -->`. Its name may be primitives, names or
-// index, of the folders of include/umbrage that follow, encodings or filters.
+// index, of the folders of include/umbrage that follow, encodings, filters or paths.
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -42,13 +42,15 @@ void write(const fs::path& path, const std::string& text) {
     if (!(std::ofstream(path) << text).flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-std::string section(const std::vector<readme::page>& pages, const fs::path& page, const fs::path& include,
+std::string section(const std::vector<readme::page>& pages, const fs::path& page, const fs::path& root,
                     const std::string& name, const std::vector<std::string>& folders) {
+    const fs::path include = root / "include/umbrage";
     if (name == "primitives") return readme::primitives(include, folders);
     if (name == "names") return readme::names(page, include, folders);
     if (name == "index") return readme::index(pages, include, folders);
     if (name == "encodings") return readme::encodings();
     if (name == "filters") return readme::filters();
+    if (name == "paths") return readme::paths(root / "tests/paths/paths.txt");
     throw std::runtime_error("no section has the name '" + name + "'");
 }
 
@@ -64,8 +66,7 @@ std::string with_sections(const readme::page& p, const std::vector<readme::page>
         std::vector<std::string> folders{std::istream_iterator<std::string>(words), {}};
         const std::string name = folders.at(0);
         folders.erase(folders.begin());
-        out += page.substr(copied, line_end + 1 - copied) +
-               section(pages, root / p.path, root / "include/umbrage", name, folders);
+        out += page.substr(copied, line_end + 1 - copied) + section(pages, root / p.path, root, name, folders);
         copied = close;
     }
     return out + page.substr(copied);

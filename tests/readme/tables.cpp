@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <map>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
@@ -148,6 +151,32 @@ std::string index(const std::vector<page>& pages, const std::filesystem::path& i
             }
         }
     return list;
+}
+
+std::string paths(const std::filesystem::path& list) {
+    static const std::map<std::string, std::string> called{
+        {"webgl1", "WebGL 1"}, {"webgl2", "WebGL 2"},   {"webgpu", "WebGPU"},      {"opengl", "OpenGL 3.3"},
+        {"vulkan", "Vulkan"},  {"glsl110", "GLSL 110"}, {"hlsl", "Vulkan by HLSL"}};
+    std::ifstream in(list);
+    std::string table =
+        "| light | filter | encoding | map | depth | with | drawn in |\n|---|---|---|---|---|---|---|\n";
+    const auto head = table.size();
+    for (std::string line; std::getline(in, line);) {
+        if (line.empty() || line.starts_with('#')) continue;
+        std::istringstream words(line);
+        std::string word;
+        for (int column = 0; column < 6 && words >> word; ++column)
+            table += (column == 0 ? "| " : " | ") + (word == "-" ? "" : column < 4 ? code(word) : word);
+        std::string apis;
+        while (words >> word) {
+            const auto name = called.find(word.substr(0, word.find('*')));
+            if (name == called.end()) throw std::runtime_error(list.string() + ": no API is called " + word);
+            apis += (apis.empty() ? "" : ", ") + name->second;
+        }
+        table += " | " + apis + " |\n";
+    }
+    if (table.size() == head) throw std::runtime_error("no paths in " + list.string());
+    return table;
 }
 
 }  // namespace readme

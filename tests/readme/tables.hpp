@@ -40,4 +40,7 @@ struct family {
 [[nodiscard]] std::string encodings();
 [[nodiscard]] std::string filters();
 
+/// The shadows that graphics APIs draw, and which of them: a row for each line of a list.
+[[nodiscard]] std::string paths(const std::filesystem::path& list);
+
 }  // namespace readme
