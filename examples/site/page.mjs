@@ -6,6 +6,7 @@ import { escape } from './context.mjs';
 const sections = [
     ['start.html', 'Start'],
     ['proof/', 'Proof'],
+    ['check/', 'Check a shader'],
     ['snippets/', 'Snippets'],
     ['reference/', 'Reference'],
     ['museum.html', 'Museum'],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Things that the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
+import { known_as as check_known_as } from '../check/words.mjs';
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';
@@ -19,6 +20,7 @@ export async function search_index(context) {
     };
     return [
         ...known_as.map(names => [names, kinds.known, 'start.html', 'Start']),
+        ...check_known_as.map(names => [names, kinds.known, 'check/', 'Check a shader']),
         ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address, here.join(', ')]),
         ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [
             name,
