@@ -52,9 +52,9 @@ struct verdict {
     std::string outside{};   ///< what lookups outside the map give; empty for codecs
     std::vector<finding> slips{};
     std::vector<finding> but{};
-    std::size_t inputs = 0;     ///< compared with `expected` as it is, without slips
-    std::size_t same_bits = 0;  ///< of these, with the same bits
-    std::size_t explained = 0;  ///< of these, as function and slips give them, but for what `but` lists
+    std::size_t inputs = 0;             ///< compared with `expected` as it is, without slips
+    std::size_t same_bits = 0;          ///< of these, with the same bits
+    std::size_t explained = 0;          ///< of these, as function and slips give them, but for what `but` lists
     std::optional<difference> first{};  ///< from `expected`
     footprint seen{};                   ///< of filters
 };

@@ -161,7 +161,8 @@ private:
             const bool same = same_bits(expected, got);
             found_.same_bits += same;
             const bool differs = slipped ? std::abs(expected - got) > 0x1p-22f : !same;
-            if (differs && !found_.first) found_.first = {{}, {}, b.inputs[i], out[i], {expected, 0, 0, 0}};
+            if (differs && !found_.first)
+                found_.first = {{}, {}, b.inputs[i], vec4(out[i].x, 0, 0, 0), {expected, 0, 0, 0}};
         }
         if (best.same < inputs)
             found_.but.push_back({"rounding", "sums are rounded otherwise: off by up to " + shortened(best.worst)});

@@ -38,7 +38,7 @@ public:
         for (std::size_t i = 0; i < out.size(); ++i) {
             const float wanted = k_.wanted(b, b.inputs[i]), got = out[i].x;
             if (slipped ? beside(k_.wanted, b, b.inputs[i], got) : same_bits(wanted, got)) continue;
-            k_.found->first = {b.size, b.map, b.inputs[i], out[i], {wanted, 0, 0, 0}};
+            k_.found->first = {b.size, b.map, b.inputs[i], glm::vec4(out[i].x, 0, 0, 0), {wanted, 0, 0, 0}};
             return;
         }
     }

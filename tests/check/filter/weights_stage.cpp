@@ -160,7 +160,8 @@ private:
             const auto differs = [&] {
                 return slipped ? !beside(k_.wanted, b, b.inputs[i], got) : !same_bits(wanted, got);
             };
-            if (!k_.worst && differs()) k_.worst = {b.size, b.map, b.inputs[i], out[i], vec4(wanted, 0, 0, 0)};
+            if (!k_.worst && differs())
+                k_.worst = {b.size, b.map, b.inputs[i], vec4(out[i].x, 0, 0, 0), vec4(wanted, 0, 0, 0)};
         }
         if (weights)
             v.but.push_back({"weights",

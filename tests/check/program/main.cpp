@@ -5,12 +5,10 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "backend.hpp"
-#include "guest_text.hpp"
+#include "runs.hpp"
 
 namespace {
 
@@ -49,14 +47,9 @@ struct options {
     bool json = false, exact = false, list = false;
 };
 
-/// Ends the program with status 2.
-struct called_wrongly : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 std::string read(const std::string& file) {
     std::ifstream in(file);
-    if (!in) throw called_wrongly("cannot read " + file);
+    if (!in) throw cannot_run("cannot read " + file);
     std::stringstream all;
     all << in.rdbuf();
     return all.str();
@@ -67,7 +60,7 @@ options parse(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         const auto value = [&]() -> std::string {
-            if (++i == argc) throw called_wrongly(std::string(word) + " needs a value");
+            if (++i == argc) throw cannot_run(std::string(word) + " needs a value");
             return argv[i];
         };
         if (word == "--call") o.guest.call = value();
@@ -81,14 +74,13 @@ options parse(int argc, char** argv) {
         else if (word == "--map") o.guest.uniforms[0] = value();
         else if (word == "--linear-map") o.guest.uniforms[1] = value();
         else if (word == "--shadow-map") o.guest.uniforms[2] = value();
-        else if (word.starts_with("--")) throw called_wrongly("there is no option " + std::string(word));
+        else if (word.starts_with("--")) throw cannot_run("there is no option " + std::string(word));
         else if (o.guest.file.empty()) o.guest.file = word;
-        else throw called_wrongly("one file at a time, not " + std::string(word));
+        else throw cannot_run("one file at a time, not " + std::string(word));
     }
     if (o.list) return o;
-    if (o.guest.file.empty()) throw called_wrongly("which file?");
-    if (o.guest.call.empty())
-        throw called_wrongly("--call says how the function is called, such as 'shadow(map, uv, z)'");
+    if (o.guest.file.empty()) throw cannot_run("which file?");
+    if (o.guest.call.empty()) throw cannot_run("--call says how the function is called, such as 'shadow(map, uv, z)'");
     o.guest.text = read(o.guest.file);
     o.guest.in = dialect_of(o.guest.file, o.guest.text);
     o.guest.is = o.kind == "filter"   ? subject::filter
@@ -97,7 +89,7 @@ options parse(int argc, char** argv) {
                                       : subject_of(o.guest.call);
     const auto known = names(o.guest.is);
     if (const std::string& is = o.expected.is; !is.empty() && std::ranges::find(known, is) == known.end())
-        throw called_wrongly("--is knows no " + is + " of this kind; --list has the names");
+        throw cannot_run("--is knows no " + is + " of this kind; --list has the names");
     return o;
 }
 
@@ -109,41 +101,11 @@ void list() {
     }
 }
 
-parity::backends backends_for(const options& o) {
-    using parity::dialect;
-    const auto or_else = [&](const char* usual) { return o.on.empty() ? std::string(usual) : o.on; };
-    if (o.guest.in.in == dialect::hlsl) return parity::vulkan_backends(or_else("lavapipe"));
-    if (o.guest.in.in == dialect::wgsl) return parity::vulkan_backends(or_else("naga"));
-    if (o.guest.in.in == dialect::msl) throw called_wrongly("Metal cannot be run here");
-    return parity::egl_backends(or_else("llvmpipe"));
-}
-
-verdict investigate(const options& o, parity::backend& on) {
-    const parity::entry e = make_entry(o.guest);
-    investigation question(o.guest.is, o.expected);
-    std::uint64_t serial = 0;
-    while (std::optional<batch> b = question.next()) {
-        parity::texels map((glm::max)(b->size, glm::ivec2(1)));
-        for (std::size_t i = 0; i < b->map.size(); ++i)
-            map[{static_cast<int>(i) % b->size.x, static_cast<int>(i) / b->size.x}] = glm::vec4(b->map[i]);
-        parity::job j{.what = &e, .classes = {}, .x = {}, .count = b->inputs.size(), .serial = ++serial};
-        if (!e.maps.empty()) j.map = &map;
-        j.x[0] = b->inputs;
-        try {
-            question.answer(on.run(o.guest.in, j, j.count));
-        } catch (const std::runtime_error& error) { throw called_wrongly(explained(o.guest, e, error.what())); }
-    }
-    return question.result();
-}
-
 int run(const options& o) {
-    const parity::backends all = backends_for(o);
-    if (all.empty()) throw called_wrongly("nothing here runs " + parity::name(o.guest.in));
+    const parity::backends all = implementations(o.guest.in, o.on);
+    if (all.empty()) throw cannot_run("nothing here runs " + parity::name(o.guest.in));
     parity::backend& on = *all.front();
-    const auto dialects = on.dialects();
-    if (std::ranges::find(dialects, o.guest.in) == dialects.end())
-        throw called_wrongly(on.name() + " does not run " + parity::name(o.guest.in));
-    const verdict v = investigate(o, on);
+    const verdict v = investigate(o.guest, o.expected, on);
     if (o.json) std::cout << json(v) << '\n';
     else
         std::cout << o.guest.file << ": " << o.guest.call << "\n"
@@ -159,7 +121,7 @@ int main(int argc, char** argv) {
         const options o = parse(argc, argv);
         if (o.list) return list(), 0;
         return run(o);
-    } catch (const called_wrongly& error) {
+    } catch (const cannot_run& error) {
         std::cerr << "umbrage-check: " << error.what() << '\n';
         if (argc < 2) std::cerr << '\n' << usage;
         return 2;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "runs.hpp"
+
+#include <algorithm>
+#include <deque>
+
+namespace check {
+
+parity::backends implementations(parity::dialect d, const std::string& on) {
+    using parity::dialect;
+    const auto or_else = [&](const char* usual) { return on.empty() ? std::string(usual) : on; };
+    switch (d.in) {
+        case dialect::hlsl: return parity::vulkan_backends(or_else("lavapipe"));
+        case dialect::wgsl: return parity::vulkan_backends(or_else("naga"));
+        case dialect::msl: return {};
+        default: return parity::egl_backends(or_else("llvmpipe"));
+    }
+}
+
+verdict investigate(const guest_text& g, const expectation& expected, parity::backend& on) {
+    static std::deque<parity::entry> kept;  // back ends know entries by their places, and inputs by their numbers
+    static std::uint64_t serial = 0;
+    const parity::entry& e = kept.emplace_back(make_entry(g));
+    const auto dialects = on.dialects();
+    if (std::ranges::find(dialects, g.in) == dialects.end())
+        throw cannot_run(on.name() + " does not run " + parity::name(g.in));
+    investigation question(g.is, expected);
+    while (std::optional<batch> b = question.next()) {
+        parity::texels map((glm::max)(b->size, glm::ivec2(1)));
+        for (std::size_t i = 0; i < b->map.size(); ++i)
+            map[{static_cast<int>(i) % b->size.x, static_cast<int>(i) / b->size.x}] = glm::vec4(b->map[i]);
+        parity::job j{.what = &e, .classes = {}, .x = {}, .count = b->inputs.size(), .serial = ++serial};
+        if (!e.maps.empty()) j.map = &map;
+        j.x[0] = b->inputs;
+        try {
+            question.answer(on.run(g.in, j, j.count));
+        } catch (const std::runtime_error& error) { throw cannot_run(explained(g, e, error.what())); }
+    }
+    return question.result();
+}
+
+}  // namespace check

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What a user reads who did something wrong, and what follows from a file.
+#include "on_llvmpipe.hpp"
+
+using namespace check;
+
+namespace {
+
+std::string words_of(const std::string& text, const std::string& call) {
+    try {
+        return check::text(of_glsl(text, call));
+    } catch (const cannot_run& error) { return error.what(); }
+}
+
+bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("messages: the user's own lines, and what helps") {
+    if (!llvmpipe()) return;
+    const std::string good =
+        "float shadow(sampler2D m, vec2 uv, float z) {\n    return z <= texture(m, uv).r ? 1.0 : 0.0;\n}\n";
+    CHECK(says(words_of(good, "shadow(map, uv, z)"), "is hard"));
+    CHECK(says(words_of("\n\nfloat shadow(sampler2D m) { return tixture(m, vec2(0.0)).r; }\n", "shadow(map)"),
+               "guest.frag:3"));
+    CHECK(says(words_of(good, "shadow(map, uv)"),
+               "shadow takes 3 arguments, (sampler2D m, vec2 uv, float z); the call gives it 2"));
+    CHECK(says(words_of(good, "shadowed(map, uv, z)"), "guest.frag has no function shadowed; it has shadow"));
+    CHECK(says(words_of("// a\n#include <common>\n" + good, "shadow(map, uv, z)"),
+               "line 2 needs another text, #include <common>"));
+    CHECK(says(words_of(good, "shadow(map, uv, z"), "the call"));
+}
+
+TEST_CASE("languages: by ending and #version") {
+    using parity::version;
+    CHECK(dialect_of("a.wgsl", "") == parity::dialect::wgsl);
+    CHECK(dialect_of("a.hlsl", "") == parity::dialect::hlsl);
+    CHECK(dialect_of("a.frag", "// x\n#version 300 es\n") == version::v300_es);
+    CHECK(dialect_of("a.frag", "#version 450 core\n") == version::v450);
+    CHECK(dialect_of("a.glsl", "float f(sampler2D s) { return texture2D(s, vec2(0.0)).r; }") == version::v120);
+    CHECK(dialect_of("a.glsl", "float f(float x) { return x; }") == version::v330);
+}
+
+TEST_CASE("kinds: by what the call uses") {
+    CHECK(subject_of("shadow(map, uv, z)") == subject::filter);
+    CHECK(subject_of("ShadowCalculation(vec4(uv, z, 1.0))") == subject::filter);
+    CHECK(subject_of("pack(z)") == subject::pack);
+    CHECK(subject_of("unpack(c.abgr)") == subject::unpack);
+}
