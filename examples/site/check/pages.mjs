@@ -85,6 +85,7 @@ export async function pages(context) {
             .filter(([, { place }]) => /^(filter|depth)\//.test(place))
             .map(([name, { place }]) => [name, `${header_page(place)}#${name}`]),
     );
+    context.copy('examples/site/check/page.css', 'check/page.css');
     context.copy(join(context.wasm('check'), 'check.wasm'), 'check/check.wasm');
     for (const script of ['main', 'worker']) await context.bundle(`check/${script}.ts`, `check/${script}.js`);
     return [
@@ -95,6 +96,7 @@ export async function pages(context) {
                 title: 'Check a shader',
                 body: body(slip_rows(context).join('\n'), addresses),
                 scripts: ['check/main.js'],
+                styles: ['check/page.css'], // which no other page has to load
                 description:
                     'Paste a shadow function in GLSL or WGSL. Your GPU finds out which one it is, and what is wrong.',
             }),
