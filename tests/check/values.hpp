@@ -28,8 +28,8 @@ struct value_table {
     std::vector<float> expected{};
 };
 
-/// Rows of numbers, the last of each what is expected: CSV lines, or JSON's arrays in an array. 0x and eight digits are a
-/// float's bits. A first CSV line without numbers is a header.
+/// Rows of numbers, the last of each what is expected: CSV lines, or JSON's arrays in an array. 0x and eight digits are
+/// a float's bits. A first CSV line without numbers is a header.
 /// @return   an empty table, and why in `error`, where rows differ in length or have none or over four arguments
 [[nodiscard]] value_table read_table(std::string_view text, std::string& error);
 
