@@ -11,7 +11,7 @@ import { join, resolve } from 'node:path';
 import { make_context } from './context.mjs';
 
 const [out, node_modules, work, museum] = process.argv.slice(2).map(path => resolve(path));
-const parts = ['scene', 'start', 'proof', 'reference', 'museum', 'snippets', 'bias', 'search'];
+const parts = ['scene', 'start', 'proof', 'check', 'reference', 'museum', 'snippets', 'bias', 'search'];
 
 rmSync(out, { recursive: true, force: true });
 const context = await make_context({ out, node_modules, work, museum });

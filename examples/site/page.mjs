@@ -6,6 +6,7 @@ import { escape } from './context.mjs';
 const sections = [
     ['start.html', 'Start'],
     ['proof/', 'Proof'],
+    ['check/', 'Check a shader'],
     ['snippets/', 'Snippets'],
     ['reference/', 'Reference'],
     ['museum.html', 'Museum'],
@@ -27,8 +28,9 @@ const to_repository = server && repository ? ` · <a href="${escape(`${server}/$
 /// @param description  one sentence, for search engines
 /// @param body         HTML of the main part
 /// @param scripts      modules to load, relative to the root of the site
+/// @param styles       style sheets of this page alone, in the same way
 /// @return             the HTML of the whole page
-export function page({ path, title, description, body, scripts = [] }) {
+export function page({ path, title, description, body, scripts = [], styles = [] }) {
     const up = way_up(path);
     const links = sections.map(([to, name]) => {
         const here = path.startsWith(to) ? ' aria-current="page"' : '';
@@ -44,7 +46,7 @@ export function page({ path, title, description, body, scripts = [] }) {
 <title>${escape(title)} · umbrage</title>
 ${published ? `<link rel="canonical" href="${escape(published + path.replace(/index\.html$/, ''))}">` : ''}
 <link rel="icon" href="${up}icon.svg">
-<link rel="stylesheet" href="${up}style.css">
+${['style.css', ...styles].map(style => `<link rel="stylesheet" href="${up}${style}">`).join('\n')}
 ${['search.js', ...scripts].map(script => `<script type="module" src="${up}${script}"></script>`).join('\n')}
 </head>
 <body data-root="${up}">

@@ -131,7 +131,7 @@ struct entry {
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
     /// Binding of a map without a name. Its depth takes the first channels: "...(value.xy...)".
     umbrage::glsl::binding map_kind{.outside = umbrage::outside_map::clamped};
-    std::string preamble{};         ///< ahead of the snippets
+    std::string preamble{};          ///< ahead of the snippets
     std::optional<guest> visitor{};  ///< with it `call` is printed as it is, in every language
     target output = target::rgba32f;
     bool bits = false;      ///< a denormal must not act as zero

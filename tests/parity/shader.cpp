@@ -85,7 +85,9 @@ bool entry::runs_in(dialect d) const {
 }
 
 bool declares(const entry& e, const std::string& map) {
-    return e.visitor && std::ranges::find(e.visitor->declares, map) != e.visitor->declares.end();
+    if (!e.visitor) return false;
+    const auto& all = e.visitor->declares;
+    return std::find(all.begin(), all.end(), map) != all.end();  // emscripten's library has no std::ranges::find
 }
 
 std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in) {

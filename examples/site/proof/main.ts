@@ -2,10 +2,11 @@
 //
 // The page: its controls, its address, and a section for each API.
 import { copy } from '../clipboard';
+import { element, number } from '../elements';
 import { start } from './runner';
 import type { Run } from './runner';
 import type { News } from './run';
-import { element, number, Section } from './section';
+import { Section } from './section';
 import { apis, read_state, write_state } from './state';
 import type { Api, Plan } from './state';
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The results of one API: the probe's line, the headline, and a table for each verdict.
+import { element, number } from '../elements';
 import { api_names } from './gpu';
 import type { Row } from './run';
 import type { Api } from './state';
 import type { Sum, Verdict } from './suite';
-
-/** An element with a class, and text or children. */
-export function element<K extends keyof HTMLElementTagNameMap>(tag: K, name = '', ...inside: (string | Node)[]): HTMLElementTagNameMap[K] {
-    const made = document.createElement(tag);
-    if (name) made.className = name;
-    made.append(...inside);
-    return made;
-}
-
-export const number = (n: number) => n.toLocaleString('en-US');
 
 /** Lines of the probe that decide which results can differ. */
 const first_lines = ['a * b + c', '(a + b) - a', 'denormals', 'NaN seen by', 'infinity', '-0'];

@@ -8,6 +8,7 @@ import { page } from '../page.mjs';
 
 const ways = [
     ['proof/', 'Prove it on your GPU', 'Every shader function runs here beside its C++ version, and the page counts the results that differ.'],
+    ['check/', 'Check your own shader', 'Paste a shadow function. Your GPU runs it beside C++, and the page names what is wrong with it.'],
     ['snippets/', 'Copy a shader function', 'Search by the name you know. GLSL, HLSL, WGSL and Metal.'],
     ['reference/', 'Read the reference', 'Every function with its units, edge cases, formula and source.'],
     ['museum.html', 'Visit the museum of bugs', 'Public shadow bugs, each beside the formula that passes.'],

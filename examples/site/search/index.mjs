@@ -2,6 +2,7 @@
 //
 // Things that the search box finds: names people use, shader functions, public names, headings of pages. One JSON file.
 import { known_as as known_as_bias } from '../bias/pages.mjs';
+import { known_as as known_as_check } from '../check/words.mjs';
 import { header_page } from '../reference/links.mjs';
 import { anchor, plain } from '../reference/markdown.mjs';
 import { model } from '../reference/model.mjs';
@@ -21,6 +22,7 @@ export async function search_index(context) {
     return [
         ...known_as.map(names => [names, kinds.known, 'start.html', 'Start']),
         [known_as_bias, kinds.known, 'bias.html', 'Bias'],
+        ...known_as_check.map(names => [names, kinds.known, 'check/', 'Check a shader']),
         ...known.map(({ names, here, address }) => [names.join(', '), kinds.known, address, here.join(', ')]),
         ...Object.values(texts.glsl.snippets).map(({ name, summary }) => [
             name,

@@ -18,7 +18,8 @@ struct codec {
     std::function<float(glm::vec4 channels)> decode;
 };
 
-/// All encodings of umbrage::encodings that have channels, in their order. Those with a choice of edge come three times.
+/// All encodings of umbrage::encodings that have channels, in their order. Those with a choice of edge come three
+/// times.
 [[nodiscard]] const std::vector<codec>& codecs();
 
 /// Bits of a channel, in the order in which they are tried.

@@ -80,7 +80,8 @@ private:
         // of the two results, which one is lit? A tie tells reversed depth from 1 in shadow
         const bool upwards = c.scale > 0;
         const float near_side = upwards ? a.before : a.behind, far_side = upwards ? a.behind : a.before;
-        const bool tie_is_near = !exact || (c.receiver_of(a.stored) == (upwards ? a.low : a.high));
+        const float tie = c.receiver_of(a.stored);  // receivers beside it may round to the same depth
+        const bool tie_is_near = !exact || (upwards ? tie <= a.low : tie >= a.high);
         const bool falls = near_side > far_side;
         c.reversed = !falls && !tie_is_near;
         c.strict = falls && !tie_is_near;

@@ -2,7 +2,6 @@
 #include "model.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -19,9 +18,9 @@ using glm::vec4;
 
 /// The next float towards -infinity. std::nextafter sets flags that WebAssembly lacks.
 float below(float v) {
-    const auto bits = std::bit_cast<std::int32_t>(v);
+    const auto bits = umbrage::detail::bit_cast<std::int32_t>(v);
     if (v == 0.0f) return -0x1p-126f;  // a denormal may act as zero
-    return std::bit_cast<float>(v > 0 ? bits - 1 : bits + 1);
+    return umbrage::detail::bit_cast<float>(v > 0 ? bits - 1 : bits + 1);
 }
 
 int wrapped(int i, int size) { return (i % size + size) % size; }

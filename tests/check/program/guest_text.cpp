@@ -117,6 +117,8 @@ std::string hints(const guest_text& g) {
         if (found && !fits)
             all += "hint: " + name + " takes " + takes + "; the call gives it " + std::to_string(given) + '\n';
     }
+    if (std::ranges::count(g.call, '(') != std::ranges::count(g.call, ')'))
+        all += "hint: the call's brackets do not match\n";
     std::smatch include;
     if (std::regex_search(g.text, include,
                           std::regex(R"((?:^|\n)[ \t]*(#[ \t]*(?:include|import|pragma glslify)\b[^\n]*))"))) {

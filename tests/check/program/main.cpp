@@ -19,6 +19,7 @@ constexpr const char* usage =
 
     umbrage-check FILE --call EXPRESSION [--is NAME] [--exact] [--json] [--kind filter|pack|unpack] [--on WHERE]
                   [--before TEXT] [--map UNIFORM] [--linear-map UNIFORM] [--shadow-map UNIFORM]
+    umbrage-check FILE --call 'f(c.x, c.y)' --values TABLE [--ulps N] [--json] [--on WHERE] [--before TEXT]
     umbrage-check --list
 
   FILE           .wgsl, .hlsl, else GLSL, by its #version
@@ -33,6 +34,9 @@ constexpr const char* usage =
   --exact        exit status 0 only for the same bits
   --json         one object in place of lines
   --kind         filter where the call uses a map or uv, unpack where it uses c, else pack
+  --values       any function against a table: rows of one to four arguments and what is expected, as CSV or JSON;
+                 c.x, c.y, c.z and c.w are the arguments. 0x and eight digits are a float's bits
+  --ulps         how far off a result may be, in units in the last place; 0
   --on           llvmpipe, softpipe or hardware for GLSL, lavapipe for HLSL, naga for WGSL
   --before       text ahead of the file's, such as an engine's #defines
   --map and others   uniform of the file that is to be this map
@@ -43,7 +47,8 @@ Exit status: 0 the same but for rounding and edges, 1 another function, 2 called
 struct options {
     guest_text guest{};
     expectation expected{};
-    std::string on{}, kind{};
+    std::string on{}, kind{}, values{};
+    std::uint64_t ulps = 0;
     bool json = false, exact = false, list = false;
 };
 
@@ -69,6 +74,8 @@ options parse(int argc, char** argv) {
         else if (word == "--json") o.json = true;
         else if (word == "--list") o.list = true;
         else if (word == "--kind") o.kind = value();
+        else if (word == "--values") o.values = value();
+        else if (word == "--ulps") o.ulps = std::stoull(value());
         else if (word == "--on") o.on = value();
         else if (word == "--before") o.guest.before = value();
         else if (word == "--map") o.guest.uniforms[0] = value();
@@ -87,6 +94,7 @@ options parse(int argc, char** argv) {
                  : o.kind == "pack"   ? subject::pack
                  : o.kind == "unpack" ? subject::unpack
                                       : subject_of(o.guest.call);
+    if (!o.values.empty()) o.guest.is = subject::unpack;  // four numbers in, no map
     const auto known = names(o.guest.is);
     if (const std::string& is = o.expected.is; !is.empty() && std::ranges::find(known, is) == known.end())
         throw cannot_run("--is knows no " + is + " of this kind; --list has the names");
@@ -101,10 +109,21 @@ void list() {
     }
 }
 
+int compare(const options& o, parity::backend& on) {
+    std::string error;
+    const value_table table = read_table(read(o.values), error);
+    if (!error.empty()) throw cannot_run(o.values + ": " + error);
+    const value_verdict v = compare_values(o.guest, table, o.ulps, on);
+    if (o.json) std::cout << json(v, o.ulps) << '\n';
+    else std::cout << o.guest.file << ": " << o.guest.call << '\n' << text(v, o.ulps);
+    return v.within == v.inputs ? 0 : 1;
+}
+
 int run(const options& o) {
     const parity::backends all = implementations(o.guest.in, o.on);
     if (all.empty()) throw cannot_run("nothing here runs " + parity::name(o.guest.in));
     parity::backend& on = *all.front();
+    if (!o.values.empty()) return compare(o, on);
     const verdict v = investigate(o.guest, o.expected, on);
     if (o.json) std::cout << json(v) << '\n';
     else

@@ -10,6 +10,7 @@
 #include <umbrage/filter/filters.hpp>
 
 #include "investigation.hpp"
+#include "values.hpp"
 
 using namespace check;
 using glm::ivec2;
@@ -85,4 +86,42 @@ TEST_CASE("an expected codec that is another one") {
     CHECK(v.how == agreement::other);
     CHECK(v.function == "base255");
     CHECK(v.expected == "threejs_rgba");
+}
+
+TEST_CASE("values: a table in either form, and what differs") {
+    std::string error;
+    for (const char* file :
+         {"x,y,sum\n0.5,0.25,0.75\n1,2,3\n0x3f800000,1,2\n", "[[0.5, 0.25, 0.75], [1, 2, 3],\n [1, 1, 2]]"}) {
+        const value_table table = read_table(file, error);
+        REQUIRE(error.empty());
+        CHECK(table.arguments == 2);
+        REQUIRE(table.inputs.size() == 3);
+        value_check question(table);
+        while (const auto b = question.next()) {
+            std::vector<vec4> outputs;
+            for (const vec4& x : b->inputs) outputs.push_back(vec4(x.x + (x.x == 1 ? 1 : x.y)));
+            question.answer(outputs);
+        }
+        CHECK(question.result().within == 2);
+        REQUIRE(question.result().first);
+        CHECK(question.result().first->input == vec4(1, 2, 0, 0));
+    }
+    CHECK(read_table("1, 2\n1\n", error).inputs.empty());
+    CHECK(error.starts_with("row 2 has 1 numbers"));
+}
+
+TEST_CASE("values: against C++, to the roundest input that differs") {
+    const auto expected = [](vec4 x) { return x.x * x.x; };
+    value_check question(expected, 1, vec4(0), vec4(8), 1);
+    while (const auto b = question.next()) {
+        std::vector<vec4> outputs;
+        for (const vec4& x : b->inputs) outputs.push_back(vec4(x.x > 3 ? x.x * x.x + 1 : x.x * x.x));
+        question.answer(outputs);
+    }
+    CHECK(question.result().within < question.result().inputs);
+    REQUIRE(question.result().first);
+    CHECK(question.result().first->input.x == 4);
+    CHECK(question.result().first->got.x == 17);
+    CHECK(ulps_between(1.0f, 1.0f + 0x1p-22f) == 2);
+    CHECK(ulps_between(-0.0f, 0.0f) == 0);
 }

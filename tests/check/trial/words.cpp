@@ -29,7 +29,7 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of(good, "shadowed(map, uv, z)"), "guest.frag has no function shadowed; it has shadow"));
     CHECK(says(words_of("// a\n#include <common>\n" + good, "shadow(map, uv, z)"),
                "line 2 needs another text, #include <common>"));
-    CHECK(says(words_of(good, "shadow(map, uv, z"), "the call"));
+    CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
 }
 
 TEST_CASE("languages: by ending and #version") {
