@@ -2,10 +2,10 @@
 #include "model.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/mat2x2.hpp>
 
 #include "../numbers.hpp"
@@ -19,9 +19,9 @@ using glm::vec4;
 
 /// The next float towards -infinity. std::nextafter sets flags that WebAssembly lacks.
 float below(float v) {
-    const auto bits = std::bit_cast<std::int32_t>(v);
+    const auto bits = glm::floatBitsToInt(v);
     if (v == 0.0f) return -0x1p-126f;  // a denormal may act as zero
-    return std::bit_cast<float>(v > 0 ? bits - 1 : bits + 1);
+    return glm::intBitsToFloat(v > 0 ? bits - 1 : bits + 1);
 }
 
 int wrapped(int i, int size) { return (i % size + size) % size; }
