@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <glm/common.hpp>
+
 #include "numbers.hpp"
 
 namespace check {
@@ -13,7 +15,7 @@ namespace {
 
 /// Bits of the significand that are not 0 at the end: what is left of a number's digits.
 int digits_of(float v) {
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(v) & 0x7FFFFFu;
+    const std::uint32_t bits = glm::floatBitsToUint(v) & 0x7FFFFFu;
     return bits == 0 ? 0 : 23 - std::countr_zero(bits);
 }
 
@@ -27,7 +29,7 @@ float rounded(float v, int digits) {
 
 float number(const std::string& word) {
     if (word.starts_with("0x") && word.size() == 10)
-        return std::bit_cast<float>(static_cast<std::uint32_t>(std::strtoul(word.c_str(), nullptr, 16)));
+        return glm::uintBitsToFloat(static_cast<std::uint32_t>(std::strtoul(word.c_str(), nullptr, 16)));
     return std::strtof(word.c_str(), nullptr);
 }
 
@@ -86,7 +88,7 @@ std::uint64_t ulps_between(float a, float b) {
     if (umbrage::is_nan(a) || umbrage::is_nan(b))
         return umbrage::is_nan(a) && umbrage::is_nan(b) ? 0 : std::uint64_t(1) << 32;
     const auto place = [](float v) {
-        const auto bits = std::bit_cast<std::uint32_t>(v);
+        const auto bits = glm::floatBitsToUint(v);
         const auto magnitude = static_cast<std::int64_t>(bits & 0x7FFFFFFFu);
         return bits >> 31 ? -magnitude : magnitude;
     };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/mat2x2.hpp>
 
 #include "../numbers.hpp"
@@ -18,9 +19,9 @@ using glm::vec4;
 
 /// The next float towards -infinity. std::nextafter sets flags that WebAssembly lacks.
 float below(float v) {
-    const auto bits = umbrage::detail::bit_cast<std::int32_t>(v);
+    const auto bits = glm::floatBitsToInt(v);
     if (v == 0.0f) return -0x1p-126f;  // a denormal may act as zero
-    return umbrage::detail::bit_cast<float>(v > 0 ? bits - 1 : bits + 1);
+    return glm::intBitsToFloat(v > 0 ? bits - 1 : bits + 1);
 }
 
 int wrapped(int i, int size) { return (i % size + size) % size; }
