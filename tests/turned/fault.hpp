@@ -18,7 +18,6 @@ enum class fault {
     cone_narrowed,
     far_plane_nearer,
     receivers_shrunk,
-    camera_default,
     border_default,
     bulb_far_plane_nearer,
     triangle_dropped,
@@ -28,13 +27,12 @@ enum class fault {
     bias_of_wrong_sign,
     origin_dropped
 };
-inline constexpr std::array<std::string_view, 15> fault_names{"none",
+inline constexpr std::array<std::string_view, 14> fault_names{"none",
                                                               "a light's position: one axis is dropped",
                                                               "a light's direction: one axis is dropped",
                                                               "a spot's cone: a sixth of it",
                                                               "a spot's far plane: a third of it",
                                                               "a fit's receivers: the half of them",
-                                                              "cascades: the camera's position is dropped",
                                                               "a point light: the default as its border",
                                                               "a point light's far plane: a tenth of it",
                                                               "a mesh: its last triangle is dropped",
@@ -74,7 +72,6 @@ template <class T>
 template <class T>
 [[nodiscard]] umbrage::cascade_fit<T> planted(umbrage::cascade_fit<T> fit) {
     if (is_planted(fault::direction_axis_dropped)) fit.direction.z = 0;
-    if (is_planted(fault::camera_default)) fit.camera.position = glm::vec<3, T>(0);
     return fit;
 }
 template <class T>

@@ -80,7 +80,7 @@ drawn_shadow::ruling drawn_shadow::rule(const joints::receiver& r) const {
         all = is_first || all == here ? here : verdict::none;
         is_first = false;
     });
-    const bool is_unheld = (!is_in || beyond >= 1) && light.promises && light.promises(glm::dvec3(r.point) + origin);
+    const bool is_unheld = !is_in && light.promises && light.promises(glm::dvec3(r.point) + origin);
     if (beyond > 0 && all == verdict::dark) return {verdict::none, is_unheld};
     return {all, is_unheld};
 }
