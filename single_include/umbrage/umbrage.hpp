@@ -29355,6 +29355,12 @@ namespace detail {
 /// Tolerance that separates known depths: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
+/// Distance of the read points from the middle of a map, texels. A map of another size has its blocks' border elsewhere,
+/// so the points lie beside it, as near as the filter allows.
+[[nodiscard]] inline glm::vec2 aside_of_middle(const shadow_terms& terms) {
+    return (glm::min)(glm::vec2(terms.reach + 2.0f), terms.map_size * 0.25f);
+}
+
 /// Largest error of a right reading, in depth: a power of two above the errors of encoding, rounding and bias, or
 /// coarse_tolerance. Prefilters turn a step of depth into a ramp, so their readings only separate known depths.
 template <class Setup, class Filter, class Encoding>
@@ -29423,7 +29429,8 @@ template <class Setup, class Filter, class Encoding>
     int right = 0, nearly = 0, lit = 0, dark = 0, turned = 0, flipped = 0, others = 0;
     for (int block = 0; block < 4; ++block) {
         const float row = block < 2 ? 0.0f : 1.0f, column = float(block) - 2.0f * row;
-        const glm::vec2 coord = terms.map_size * glm::vec2(0.25f + 0.5f * column, 0.25f + 0.5f * row);
+        const glm::vec2 side(2.0f * column - 1.0f, 2.0f * row - 1.0f);
+        const glm::vec2 coord = terms.map_size * 0.5f + side * detail::aside_of_middle(terms);
         float found = 0.0f, step = 0.5f;
         for (int i = 0; i < 20; ++i, step *= 0.5f) found = lit_at(coord, found + step) ? found + step : found;
         const auto is = [&](float of_block, float of_map, float within) {
@@ -29461,7 +29468,9 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
     for (int block = 0; block < 4; ++block) {
         UMBRAGE_HIGHP float row = block < 2 ? 0.0 : 1.0;
         UMBRAGE_HIGHP float column = float(block) - 2.0 * row;
-        UMBRAGE_HIGHP vec2 coord = vec2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        UMBRAGE_HIGHP vec2 side = vec2(2.0 * column - 1.0, 2.0 * row - 1.0);
+        UMBRAGE_HIGHP vec2 aside = min(vec2(terms.z + 2.0, terms.z + 2.0), vec2(terms.x, terms.y) * 0.25);
+        UMBRAGE_HIGHP vec2 coord = vec2(terms.x, terms.y) * 0.5 + side * aside;
         UMBRAGE_HIGHP float found = 0.0;
         UMBRAGE_HIGHP float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {

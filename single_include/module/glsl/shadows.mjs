@@ -524,7 +524,9 @@ UMBRAGE_HIGHP float umbrage_read_map(UMBRAGE_MAP map, UMBRAGE_HIGHP vec4 terms, 
     for (int block = 0; block < 4; ++block) {
         UMBRAGE_HIGHP float row = block < 2 ? 0.0 : 1.0;
         UMBRAGE_HIGHP float column = float(block) - 2.0 * row;
-        UMBRAGE_HIGHP vec2 coord = vec2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        UMBRAGE_HIGHP vec2 side = vec2(2.0 * column - 1.0, 2.0 * row - 1.0);
+        UMBRAGE_HIGHP vec2 aside = min(vec2(terms.z + 2.0, terms.z + 2.0), vec2(terms.x, terms.y) * 0.25);
+        UMBRAGE_HIGHP vec2 coord = vec2(terms.x, terms.y) * 0.5 + side * aside;
         UMBRAGE_HIGHP float found = 0.0;
         UMBRAGE_HIGHP float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {

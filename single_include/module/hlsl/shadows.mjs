@@ -499,7 +499,9 @@ float umbrage_read_map(UMBRAGE_MAP map, float4 terms, float4 filter_terms, float
     for (int block = 0; block < 4; ++block) {
         float row = block < 2 ? 0.0 : 1.0;
         float column = float(block) - 2.0 * row;
-        float2 coord = float2(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        float2 side = float2(2.0 * column - 1.0, 2.0 * row - 1.0);
+        float2 aside = min(float2(terms.z + 2.0, terms.z + 2.0), float2(terms.x, terms.y) * 0.25);
+        float2 coord = float2(terms.x, terms.y) * 0.5 + side * aside;
         float found = 0.0;
         float step_size = 0.5;
         for (int i = 0; i < 20; ++i) {

@@ -499,7 +499,9 @@ fn umbrage_read_map(UMBRAGE_MAP map, terms: vec4f, filter_terms: vec4f, number: 
     for (var block: i32 = 0; block < 4; block++) {
         let row: f32 = select(1.0, 0.0, block < 2);
         let column: f32 = f32(block) - 2.0 * row;
-        let coord: vec2f = vec2f(terms.x * (0.25 + 0.5 * column), terms.y * (0.25 + 0.5 * row));
+        let side: vec2f = vec2f(2.0 * column - 1.0, 2.0 * row - 1.0);
+        let aside: vec2f = min(vec2f(terms.z + 2.0, terms.z + 2.0), vec2f(terms.x, terms.y) * 0.25);
+        let coord: vec2f = vec2f(terms.x, terms.y) * 0.5 + side * aside;
         var found: f32 = 0.0;
         var step_size: f32 = 0.5;
         for (var i: i32 = 0; i < 20; i++) {
