@@ -2,8 +2,7 @@
 add_executable(check_engine $<TARGET_OBJECTS:umbrage_test_main> trial/engine.cpp)
 target_link_libraries(check_engine PRIVATE umbrage_test_flags umbrage_check_engine)
 target_precompile_headers(check_engine REUSE_FROM umbrage_test_headers)
-add_dependencies(trial check_engine)
-add_doctest(check/engine TRIAL COMMAND check_engine)
+add_doctest(check/engine COMMAND check_engine)
 
 add_executable(check_shaders $<TARGET_OBJECTS:umbrage_test_main> trial/slips.cpp trial/codec_slips.cpp trial/rewrites.cpp trial/snippets.cpp trial/words.cpp)
 target_link_libraries(check_shaders PRIVATE umbrage_test_flags umbrage_check_program)

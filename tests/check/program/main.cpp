@@ -2,11 +2,13 @@
 //
 // umbrage-check: which function of umbrage a shader's function is, and with which slips. `usage` says how it is called.
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "runs.hpp"
 
@@ -60,6 +62,14 @@ std::string read(const std::string& file) {
     return all.str();
 }
 
+std::uint64_t whole_number(const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw cannot_run("--ulps must be a whole number, 0 or above; got " + text);
+    return number;
+}
+
 options parse(int argc, char** argv) {
     options o;
     for (int i = 1; i < argc; ++i) {
@@ -75,7 +85,7 @@ options parse(int argc, char** argv) {
         else if (word == "--list") o.list = true;
         else if (word == "--kind") o.kind = value();
         else if (word == "--values") o.values = value();
-        else if (word == "--ulps") o.ulps = std::stoull(value());
+        else if (word == "--ulps") o.ulps = whole_number(value());
         else if (word == "--on") o.on = value();
         else if (word == "--before") o.guest.before = value();
         else if (word == "--map") o.guest.uniforms[0] = value();
@@ -137,6 +147,7 @@ int run(const options& o) {
 
 int main(int argc, char** argv) {
     try {
+        if (argc == 2 && std::string_view(argv[1]) == "--help") return std::cout << usage, 0;
         const options o = parse(argc, argv);
         if (o.list) return list(), 0;
         return run(o);
