@@ -47,12 +47,12 @@ TEST_CASE("bind: what cannot compile is refused, by argument and value") {
     refused(glsl::pcf_2x2, "a", stored_as(rgb24{}, {.gather = true}),
             "umbrage::glsl::bind: map.channels must be 1 or 2 where texels are gathered; got 3");
     CHECK_NOTHROW((void)bind(glsl::hard, "a", stored_as(rgb24{}, {.gather = true})));
-    refused(glsl::pcf_2x2, "a", {.gather = true, .receiver_plane = true},
-            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or have an own "
-            "comparison; got true");
+    refused(glsl::pcf_2x2, "a", {.texture = texture::shadow, .gather = true, .receiver_plane = true},
+            "umbrage::glsl::bind: map.receiver_plane must be false where a sampler gathers comparisons, or with an "
+            "own comparison; got true");
     refused(glsl::hard, "a", {.compare = "exp(40.0 * (stored - receiver))", .receiver_plane = true},
-            "umbrage::glsl::bind: map.receiver_plane must be false where texels are gathered or have an own "
-            "comparison; got true");
+            "umbrage::glsl::bind: map.receiver_plane must be false where a sampler gathers comparisons, or with an "
+            "own comparison; got true");
     refused(glsl::hard, "a", {.needs = {glsl::pcf_2x2}},
             "umbrage::glsl::bind: map.needs must be snippets that read no map; got \"pcf_2x2\"");
 }
