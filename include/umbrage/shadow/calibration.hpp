@@ -58,8 +58,8 @@ namespace detail {
 /// Tolerance that separates known depths: below half of their distance, with room for rounding.
 inline constexpr float coarse_tolerance = 1.0f / 72.0f;
 
-/// Distance of the read points from the middle of a map, texels. A map of another size has its blocks' border elsewhere,
-/// so the points lie beside it, as near as the filter allows.
+/// Distance of the read points from the middle of a map, texels. A map of another size has its blocks' border
+/// elsewhere, so the points lie beside it, as near as the filter allows.
 [[nodiscard]] inline glm::vec2 aside_of_middle(const shadow_terms& terms) {
     return (glm::min)(glm::vec2(terms.reach + 2.0f), terms.map_size * 0.25f);
 }

@@ -48,13 +48,17 @@ TEST_CASE("make_page_root: its square around its center, along the hint") {
 TEST_CASE("make_page_root, page_light: bad input") {
     const double inf = std::numeric_limits<double>::infinity();
     const auto with = [](auto change) {
-        umbrage::page_root<double> r{.scene = umbrage::bounding_box<double>{}, .clip = umbrage::cpu_clip_space};
+        umbrage::page_root<double> r{
+            .side = 1000, .scene = umbrage::bounding_box<double>{}, .clip = umbrage::cpu_clip_space};
         change(r);
         return complaint([&] { (void)umbrage::make_page_root(r); });
     };
     CHECK(with([](auto&) {}).empty());
     CHECK(with([](auto& r) { r.direction = {0, 0, 0}; }).starts_with("umbrage::make_page_root: direction "));
     CHECK(with([&](auto& r) { r.center = {0, inf, 0}; }).starts_with("umbrage::make_page_root: center "));
+    CHECK(with([](auto& r) {
+              r.side = umbrage::page_root<double>{}.side;
+          }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([](auto& r) { r.side = 0; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([&](auto& r) { r.side = inf; }).starts_with("umbrage::make_page_root: side "));
     CHECK(with([](auto& r) { r.side = 1e-8, r.center = {1e7, 0, 0}; }).starts_with("umbrage::make_page_root: side "));
@@ -63,9 +67,10 @@ TEST_CASE("make_page_root, page_light: bad input") {
     CHECK(with([&](auto& r) { r.scene = {{0, 0, 0}, {0, inf, 0}}; }).starts_with("umbrage::make_page_root: scene."));
     const auto light = [](const umbrage::page& p, const umbrage::page_size& size = {}) {
         return complaint([&] {
-            (void)umbrage::page_light(umbrage::make_page_root<float>(
-                                          {.scene = umbrage::bounding_box<float>{}, .clip = umbrage::cpu_clip_space}),
-                                      p, size);
+            (void)umbrage::page_light(
+                umbrage::make_page_root<float>(
+                    {.side = 1000, .scene = umbrage::bounding_box<float>{}, .clip = umbrage::cpu_clip_space}),
+                p, size);
         });
     };
     CHECK(light({15, 0, 32767}).empty());
