@@ -35,7 +35,6 @@ test:
 test-all:
 	@.ci/install test demo viewer gpu node engines browser site clang test-all newest-clang
 	cmake --workflow --preset test-all
-	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; fi
 	@tests/summary test-all
 
 unit:
