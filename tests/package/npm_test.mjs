@@ -90,7 +90,7 @@ try {
         check(`${path} is in it`, existsSync(join(installed, path)));
     const files = readdirSync(installed, { recursive: true, withFileTypes: true }).filter(entry => entry.isFile())
         .map(entry => join(entry.parentPath ?? entry.path, entry.name).slice(installed.length + 1));
-    const known = /^((LICENSE|README\.md|package\.json|wasm\/umbrage\.mjs)|(npm\/|npm\/compose\/|module\/(\w+\/)?)?\w+\.(d\.mts|mjs)|npm\/(README|engines)\.md|shaders\/(umbrage\.(hlsl|metal)|(glsl|wgsl)\/\w+\.(glsl|wgsl)))$/;
+    const known = /^((LICENSE|README\.md|package\.json|wasm\/umbrage\.mjs)|(npm\/|npm\/compose\/|module\/(\w+\/)?)?\w+\.(d\.mts|mjs)|npm\/(README|engines|fit)\.md|shaders\/(umbrage\.(hlsl|metal)|(glsl|wgsl)\/\w+\.(glsl|wgsl)))$/;
     check(`${files.length} files, none of them a stranger: ${files.filter(file => !known.test(file))}`, files.length > 600 && files.every(file => known.test(file)));
     check('LICENSE is in it', readFileSync(join(installed, 'LICENSE'), 'utf8') === readFileSync(join(root, 'LICENSE'), 'utf8'));
     const page = readFileSync(join(installed, 'README.md'), 'utf8').replace(/^```[^]*?^```/gm, '');
