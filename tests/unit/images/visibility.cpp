@@ -244,10 +244,11 @@ TEST_CASE("visibility: the map's direction holds, or the filter's where the enco
         return out[{1, 0}];
     };
     for (const auto own : {depth_direction::forward, depth_direction::reversed}) {
-        CHECK(of(depth32f{depth_direction::forward}, filters::hard{{own}}, 0.25f) == 0.0f);
-        CHECK(of(depth32f{depth_direction::reversed}, filters::hard{{own}}, 0.25f) == 1.0f);
-        CHECK(of(rgb24{.direction = depth_direction::reversed}, filters::hard{{own}}, 0.75f) == 0.0f);
-        CHECK(of(undirected{}, filters::hard{{own}}, 0.25f) == (own == depth_direction::forward ? 0.0f : 1.0f));
+        CHECK(of(depth32f{depth_direction::forward}, filters::hard{.direction = own}, 0.25f) == 0.0f);
+        CHECK(of(depth32f{depth_direction::reversed}, filters::hard{.direction = own}, 0.25f) == 1.0f);
+        CHECK(of(rgb24{.direction = depth_direction::reversed}, filters::hard{.direction = own}, 0.75f) == 0.0f);
+        CHECK(of(undirected{}, filters::hard{.direction = own}, 0.25f) ==
+              (own == depth_direction::forward ? 0.0f : 1.0f));
     }
     const auto own_callable = [](const auto& fetch, glm::vec2, float receiver) {
         return receiver <= fetch(glm::ivec2(0, 0)) ? 1.0f : 0.0f;
