@@ -75,7 +75,7 @@ void by_points(fuzz::input& in, image_view<const float> depths, const receiver_i
 void by_planes(fuzz::input& in, image_view<const float> depths, const receiver_images& all, const depth32f& encoding) {
     const receiver_planes planes{all.x, all.y, all.depth};
     compare(
-        in, depths, encoding, planes, all.x.size(), filters::box{in.within(0, 6), {encoding.direction}},
+        in, depths, encoding, planes, all.x.size(), filters::box{in.within(0, 6), encoding.direction},
         [&](glm::ivec2 p) { return all[p]; }, nullptr);
 }
 
@@ -84,7 +84,7 @@ void by_depths(fuzz::input& in, image_view<const float> depths, const receiver_i
     for (glm::length_t i = 0; i < 16; ++i)
         if (in.chance(3)) seen.matrix[i / 4][i % 4] = in.number(-1, 1);
     compare(
-        in, depths, encoding, seen, all.depth.size(), filters::hard{{encoding.direction}},
+        in, depths, encoding, seen, all.depth.size(), filters::hard{.direction = encoding.direction},
         [&](glm::ivec2 p) { return receiver_at(seen, p); }, nullptr);
 }
 
