@@ -80,7 +80,7 @@ TEST_CASE(
                 disc.direction = direction;
                 check(disc);
             }
-            for (const int radius : {0, 3, 4, 8}) check(umbrage::filters::box{radius, {direction}});
+            for (const int radius : {0, 3, 4, 8}) check(umbrage::filters::box{radius, direction});
         }
     }
 }
