@@ -24795,7 +24795,8 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 namespace umbrage::glsl::hooks {
 
-// What a gather gives. The language returns the texels at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+// One gather reads four texels, as comparisons or as depths. Languages return those at (0, 1), (1, 1), (1, 0) and
+// (0, 0), in this order; these functions put them into the order above.
 
 inline constexpr snippet gather_compared{
     .name = "gather", .summary = "gather, compared", .role = hook::gather, .source = R"GLSL(
@@ -24840,7 +24841,7 @@ UMBRAGE_HIGHP vec4 umbrage_gather(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
 }
 )GLSL"};
 
-// Texels outside the map: the sampler clamps to the edge of a texture, not to that of a region.
+// A sampler clamps to the edge of its texture. A map that is a region of one is clamped here.
 
 inline constexpr snippet gather_clamped{.name = "gather_clamped",
                                         .summary = "gather_clamped, by the sampler",
@@ -24875,7 +24876,7 @@ UMBRAGE_HIGHP vec4 umbrage_gather_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 }
 )GLSL"};
 
-// Comparisons.
+// The receiver is compared with four depths, unless the sampler did so.
 
 inline constexpr snippet gather_lit{.name = "gather_lit",
                                     .summary = "gather_lit, compared by the sampler",
@@ -24907,7 +24908,7 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 )GLSL"};
 
 inline constexpr snippet planed_compare{.name = "compare_along",
-                                        .summary = "compare_along",
+                                        .summary = "compare_along, along a plane",
                                         .needs = list<&compare>,
                                         .role = hook::chosen,
                                         .source = R"GLSL(
@@ -24936,7 +24937,7 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 }
 )GLSL"};
 
-// The border. Along a plane it is in the reference already.
+// Texels outside the map count as its border. Along a plane the depth that they are compared with lights them already.
 
 inline constexpr snippet gathered{.name = "lit_2x2",
                                   .summary = "lit_2x2, gathered",

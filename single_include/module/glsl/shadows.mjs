@@ -221,7 +221,7 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     return vec4(a, b, c, d);
 }
 ` };
-const compare_along = { name: "compare_along", role: "chosen", needs: [snippets.compare],
+const compare_along_along_a_plane = { name: "compare_along", role: "chosen", needs: [snippets.compare],
     text: `
 // umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
 UMBRAGE_HIGHP float umbrage_compare_along(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
@@ -230,7 +230,7 @@ UMBRAGE_HIGHP float umbrage_compare_along(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
     return umbrage_compare(UMBRAGE_REFERENCE, stored);
 }
 ` };
-const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along],
+const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along_along_a_plane],
     text: `
 // umbrage_gather_lit: visibility of four comparisons, along the receiver's plane
 UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
@@ -429,7 +429,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
         "gather_clamped, in a region": gather_clamped_in_a_region,
         "gather_lit, compared by the sampler": gather_lit_compared_by_the_sampler,
         "gather_lit, of depths": gather_lit_of_depths,
-        "compare_along": compare_along,
+        "compare_along, along a plane": compare_along_along_a_plane,
         "gather_lit, along a plane": gather_lit_along_a_plane,
         "lit_2x2, gathered": lit_2x2_gathered,
         "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,

@@ -208,7 +208,7 @@ fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32)
     return vec4f(a, b, c, d);
 }
 ` };
-const compare_along = { name: "compare_along", role: "chosen", needs: [snippets.compare],
+const compare_along_along_a_plane = { name: "compare_along", role: "chosen", needs: [snippets.compare],
     text: `
 // umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
 fn umbrage_compare_along(UMBRAGE_MAP map, size: vec2f, texel: vec2f, stored: f32) -> f32 {
@@ -216,7 +216,7 @@ fn umbrage_compare_along(UMBRAGE_MAP map, size: vec2f, texel: vec2f, stored: f32
     return umbrage_compare(UMBRAGE_REFERENCE, stored);
 }
 ` };
-const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along],
+const gather_lit_along_a_plane = { name: "gather_lit", role: "chosen", needs: [gather_clamped_by_the_sampler, compare_along_along_a_plane],
     text: `
 // umbrage_gather_lit: visibility of four comparisons, along the receiver's plane
 fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
@@ -405,7 +405,7 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
         "gather_clamped, in a region": gather_clamped_in_a_region,
         "gather_lit, compared by the sampler": gather_lit_compared_by_the_sampler,
         "gather_lit, of depths": gather_lit_of_depths,
-        "compare_along": compare_along,
+        "compare_along, along a plane": compare_along_along_a_plane,
         "gather_lit, along a plane": gather_lit_along_a_plane,
         "lit_2x2, gathered": lit_2x2_gathered,
         "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
