@@ -6,12 +6,12 @@
 // NAME_page.mjs exports done, a promise of {pictures: {name: data URL}, floats: {name: base64}, said: {name: text}}. All of
 // it goes to FOLDER. Exit status 1 when a receiver differs, or something was not said as expected; 77 without the host.
 import { execFileSync } from 'node:child_process';
-import { createReadStream, existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { dirname, extname, join, resolve } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { serve } from '../serve.mjs';
 import { expected } from './expected.mjs';
 import { height, map_size, width } from './scene.mjs';
 
@@ -24,24 +24,13 @@ for (const needed of ['playwright-core', wants.host])
     }
 const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
 
-const roots = { '/modules/': node_modules, '/package/': umbrage, '/': here };
-const types = { '.js': 'text/javascript', '.mjs': 'text/javascript' };
 const three = '/modules/three/build/three', imports = page_name.startsWith('three_webgpu')
     ? { three: `${three}.webgpu.js`, 'three/webgpu': `${three}.webgpu.js`, 'three/tsl': `${three}.tsl.js` }
     : { three: `${three}.module.js`, playcanvas: '/modules/playcanvas/build/playcanvas.mjs',
         '@babylonjs/core': '/modules/@babylonjs/core/index.js', '@babylonjs/core/': '/modules/@babylonjs/core/' };
 const html = `<script type="importmap">${JSON.stringify({ imports })}</script>
 <script type="module">window.done = import('/${page_name.split('#')[0]}_page.mjs').then(page => page.done);</script>\n`;
-const server = createServer((request, answer) => {
-    const url = decodeURI(request.url.split('?')[0]), root = Object.keys(roots).find(r => url.startsWith(r));
-    const file = join(roots[root], url.slice(root.length));
-    if (url === '/') return answer.writeHead(200, { 'content-type': 'text/html' }).end(html);
-    if (url === '/favicon.ico') return answer.writeHead(204).end();
-    if (!existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
-    answer.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' });
-    createReadStream(file).pipe(answer);
-}).listen(0, '127.0.0.1');
-await new Promise(ready => server.on('listening', ready));
+const { server, address } = await serve({ '/modules/': node_modules, '/package/': umbrage, '/': here }, html);
 
 const browser = await chromium.launch({ executablePath: process.env.UMBRAGE_CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', ...wants.flags] });
@@ -50,7 +39,7 @@ const complaints = [];
 page.on('console', m => { if (m.type() === 'error') complaints.push(m.text().slice(0, 2000)); });
 page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
 page.on('pageerror', e => complaints.push(String(e?.stack ?? e).slice(0, 2000)));
-await page.goto(`http://127.0.0.1:${server.address().port}/#${page_name.split('#')[1] ?? ''}`);
+await page.goto(`${address}/#${page_name.split('#')[1] ?? ''}`);
 const limit = new Promise((_, stop) => {
     setTimeout(() => stop(new Error(`${page_name} has not finished in 15 minutes`)), 900_000);
 });

@@ -4,25 +4,18 @@
 //     node drive.mjs PAGE ROOT NODE_MODULES PICTURE.png
 //
 // Exit status 1 when the page complains; 77 without a browser that has the API.
-import { createReadStream, existsSync, statSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { existsSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { extname, join, resolve } from 'node:path';
+import { join, resolve } from 'node:path';
+
+import { serve } from '../serve.mjs';
 
 const [page_name, root, node_modules, picture] = process.argv.slice(2);
 const skip = why => { console.log(`SKIPPED: ${why}`), process.exit(77); };
 if (!existsSync(join(node_modules, 'playwright-core'))) skip(`no playwright-core in ${node_modules}`);
 const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
 
-const types = { '.html': 'text/html', '.mjs': 'text/javascript', '.css': 'text/css' };
-const server = createServer((request, answer) => {
-    const file = join(root, decodeURI(request.url.split('?')[0]));
-    if (request.url === '/favicon.ico') return answer.writeHead(204).end();
-    if (!existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
-    answer.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' });
-    createReadStream(file).pipe(answer);
-}).listen(0, '127.0.0.1');
-await new Promise(ready => server.on('listening', ready));
+const { server, address } = await serve({ '/': root });
 
 // No set of flags gives WebGL and WebGPU together.
 const flags = page_name.includes('webgpu')
@@ -34,7 +27,7 @@ const page = await browser.newPage(), complaints = [];
 page.on('console', m => { if (['error', 'warning'].includes(m.type())) complaints.push(m.text()); });
 page.on('pageerror', e => complaints.push(String(e?.stack ?? e)));
 page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
-await page.goto(`http://127.0.0.1:${server.address().port}/examples/recipes/${page_name}`);
+await page.goto(`${address}/examples/recipes/${page_name}`);
 await page.waitForFunction(() => window.picture, null, { timeout: 60000 }).catch(error => complaints.push(error.message));
 if (!complaints.length) {
     const url = await page.evaluate(() => window.picture);

@@ -2,25 +2,18 @@
 //
 // Opens the page that compares a shader with C++ in Chromium: its function as it is, one with a slip, one misspelt.
 //     node drive.mjs ROOT NODE_MODULES CHROMIUM
-import { createReadStream, existsSync, statSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { extname, join, resolve } from 'node:path';
+import { join, resolve } from 'node:path';
+
+import { serve } from '../serve.mjs';
 
 const [root, node_modules, executablePath] = process.argv.slice(2);
 const skip = why => { console.log(`SKIPPED: ${why}`), process.exit(77); };
 if (!existsSync(join(node_modules, 'playwright-core'))) skip(`no playwright-core in ${node_modules}`);
 const { chromium } = createRequire(join(resolve(node_modules), 'x.js'))('playwright-core');
 
-const types = { '.html': 'text/html', '.mjs': 'text/javascript', '.css': 'text/css', '.json': 'application/json' };
-const server = createServer((request, answer) => {
-    const file = join(root, decodeURI(request.url.split('?')[0]));
-    if (request.url === '/favicon.ico') return answer.writeHead(204).end();
-    if (!existsSync(file) || !statSync(file).isFile()) return answer.writeHead(404).end();
-    answer.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain' });
-    createReadStream(file).pipe(answer);
-}).listen(0, '127.0.0.1');
-await new Promise(ready => server.on('listening', ready));
+const { server, address } = await serve({ '/': root });
 
 const browser = await chromium.launch({ executablePath,
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'] })
@@ -28,7 +21,7 @@ const browser = await chromium.launch({ executablePath,
 const page = await browser.newPage(), complaints = [];
 page.on('pageerror', e => complaints.push(String(e?.stack ?? e)));
 page.on('response', r => { if (r.status() >= 400) complaints.push(`${r.status()} ${r.url()}`); });
-await page.goto(`http://127.0.0.1:${server.address().port}/examples/small/test_your_shader.html`);
+await page.goto(`${address}/examples/small/test_your_shader.html`);
 await page.waitForFunction(() => document.querySelector('pre').textContent, null, { timeout: 60000 })
     .catch(error => complaints.push(error.message));
 
