@@ -42,6 +42,8 @@ namespace detail {
 
 /// Largest relative error of one rounding in binary32.
 inline constexpr double one_rounding = 0x1p-24;
+/// Distance by which rounding moves positions under parallel rays, in place of 1: there z does not add to the bound.
+inline constexpr float unmoved = 0x1p-40f;
 
 [[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
     return {m[0][row], m[1][row], m[2][row]};
@@ -133,26 +135,26 @@ inline void require_digits(double away, double extent) {
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
                 (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
-    // Largest sum of a row over the map's box, in w; and what does not grow with w: the anchor's share, and offsets.
-    // Under parallel rays w is 1, and offsets round with the texels and the depth themselves.
-    const bool parallel = rows[3] == glm::dvec3(0);
-    double sums[4]{}, fixed[4]{}, farthest = 0.0;
+    double farthest = 0.0, wide = 0.0;  // of the box' corners; the longest way in w
+    double sums[3]{}, fixed[3]{};       // largest sum of a row over the box; the anchor's share, and offsets
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
-        const double w = glm::dot(rows[3], p) + m[3][3];
-        for (glm::length_t r = 0; r < 4; ++r)
-            sums[r] = (glm::max)(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
+        wide = (glm::max)(wide, glm::length(p) / (glm::dot(rows[3], p) + m[3][3]));
+        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
         farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
-    for (glm::length_t r = 0; r < 4; ++r)
-        fixed[r] = one_rounding * (2.0 * magnitudes(rows[r], anchor) + (parallel ? 0.0 : 6.0 * std::abs(m[3][r])));
-    if (parallel) return {0.0, 1.0, (glm::max)(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
-    const auto texels = [&](const double* of) {
-        return (glm::max)(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
-    };
-    const auto depth = [](const double* of) { return of[2] + of[3]; };
-    return {1.0, (glm::max)(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
+    if (rows[3] == glm::dvec3(0)) {
+        for (glm::length_t r = 0; r < 3; ++r)
+            fixed[r] = one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor));
+        return {0.0, 1.0, (glm::max)(fixed[0], fixed[1]), fixed[2]};
+    }
+    // Where w varies, its rounding moves texels by their number, and depths by what they differ from the anchor's.
+    const glm::dvec2 size(map_size), far = glm::abs(glm::dvec2(m[3])) + size * std::abs(m[3][3]);
+    const glm::dvec2 texels(glm::length(rows[0]) + size.x, glm::length(rows[1]) + size.y);
+    const double offsets = (glm::max)(std::abs(m[3][3]), (glm::max)(far.x / texels.x, far.y / texels.y));
+    return {one_rounding * 10.0 * wide, one_rounding * (2.0 * away + 6.0 * offsets), (glm::max)(texels.x, texels.y),
+            glm::length(rows[2] - m[3][2] / m[3][3] * rows[3])};
 }
 
 /// Uniforms of a map for a given anchor.
@@ -160,10 +162,12 @@ inline void require_digits(double away, double extent) {
 [[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size) {
     const glm::dvec3 exact(anchor);
     glm::dmat4 m = moved_to(here, exact);
-    if (is_lens(m)) m /= glm::length(row_of(m, 3));
+    const double forward = glm::length(row_of(m, 3));
+    if (forward > 0.0) m /= forward;
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));
     out.rounding = glm::vec4(rounding_of(m, map_size, exact));
+    if (!(forward > 0.0)) out.rounding *= glm::vec4(1.0f, unmoved, 1.0f / unmoved, 1.0f / unmoved);
     out.anchor = glm::vec4(anchor, static_cast<float>(take_depth(m)));
     out.to_texels = glm::mat4(m);
     return out;
@@ -206,9 +210,9 @@ inline void require_digits(double away, double extent) {
 /// @return                                      its place in map 0, with weight 1
 /// @edge                                        behind the light: a place that every filter takes as lit
 /// @formula     place = (x, y, z) / w + (0, 0, anchor.w), where (x, y, z, w) = to_texels way. With i = 1 / w and
-///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |to_texels[3].z| i) + 8 u (|z| i +
-///              |anchor.w|): positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last
-///              term has the products, sums, divisions and stores of depths themselves, and those of plane_reference
+///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |z| i) + 8 u (|z| i + |anchor.w|):
+///              positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last term has the
+///              products, sums, divisions and stores of depths themselves, and those of plane_reference
 /// @exactness   C, n = 121: as receiver_slope of way, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place anchored_place(const glm::mat4& to_texels, const glm::mat4& planes,
                                                              const glm::vec4& anchor, const glm::vec4& rounding,
@@ -219,7 +223,7 @@ inline void require_digits(double away, double extent) {
     const bool before = !is_nan(c.w) && c.w > 0.0f;
     const float i = before ? 1.0f / c.w : 0.0f, z = c.z * i, steep = magnitude(slope.x) + magnitude(slope.y);
     const float moves = rounding.x + rounding.y * i;
-    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(to_texels[3].z) * i));
+    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(z)));
     return {.at = {before ? c.x * i : 65536.0f, c.y * i, z + anchor.w},
             .slope = slope,
             .rounding = off + (magnitude(z) + magnitude(anchor.w)) * (8.0f / 16777216.0f)};
@@ -231,15 +235,26 @@ struct depth_view {
     glm::vec4 anchor{0};   ///< xyz: position that is subtracted; w: share of w in z, 0 for parallel rays
 };
 
+namespace detail {
+
+/// View of a depth pass for a given anchor.
+/// @param here   light for positions as they are given
+[[nodiscard]] inline depth_view depth_view_at(const glm::vec3& anchor, const light_space<double>& here) {
+    glm::dmat4 m = moved_to(here.projection * here.view, glm::dvec3(anchor));
+    const bool parallel = row_of(m, 3) == glm::dvec3(0);
+    const double share = parallel ? 0.0 : take_depth(m);
+    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+}
+
+}  // namespace detail
+
 /// Makes the view of a light's depth pass.
 /// @param light    light of the map
 /// @param origin   origin of the positions, world units
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
-    const glm::vec3 anchor(detail::anchor_of(texture_matrix(here, glm::ivec2(1)), glm::ivec2(1)));
-    glm::dmat4 m = detail::moved_to(here.projection * here.view, glm::dvec3(anchor));
-    const double share = detail::is_lens(m) ? detail::take_depth(m) : 0.0;
-    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+    const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
+    return detail::depth_view_at(glm::vec3(detail::anchor_of(m, glm::ivec2(1))), here);
 }
 
 namespace detail {
@@ -308,7 +323,7 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
     UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
     return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
 }

@@ -60,7 +60,8 @@ struct map_grid {
 /// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
 /// anything.
 ///
-/// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
+/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes relative
+/// to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
 /// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
 /// filters that read farther. A setup that bends straight lines specializes bends_of.
 template <class Setup>

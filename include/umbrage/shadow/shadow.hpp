@@ -89,6 +89,8 @@ template <shadow_setup Setup>
     std::vector<depth_view> all;
     for (const light_space<double>& light : setup.lights())
         if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
+        else if constexpr (requires { setup.anchor(); })
+            all.push_back(depth_view_at(glm::vec3(setup.anchor() - origin), relative_to(origin, light)));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }
@@ -258,7 +260,7 @@ public:
     /// of slope to the bias.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
-    ///           takes the place of |slope|
+    ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
         requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
         float distance = 0.0f;
@@ -267,6 +269,7 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
+            if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;

@@ -69,6 +69,8 @@ struct warped_maps {
         require_cascades();
         return cascades.front().light.clip;
     }
+    /// Anchor of receivers and of vertices: what is near the camera needs the most digits.
+    [[nodiscard]] glm::dvec3 anchor() const { return position; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const warped_cascade<double>& c : cascades) all.push_back(c.light);
@@ -79,9 +81,8 @@ struct warped_maps {
         require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
-        u.anchor = glm::vec4(glm::vec3(position - origin), 0.0f);
-        const glm::dvec3 anchor(u.anchor);
-        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, anchor + origin - position)));
+        u.anchor = glm::vec4(glm::vec3(anchor() - origin), 0.0f);
+        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, glm::dvec3(u.anchor) + origin - position)));
         for (std::size_t i = 0; i < 4; ++i) {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
