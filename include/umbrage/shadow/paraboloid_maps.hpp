@@ -136,12 +136,12 @@ struct paraboloid_maps {
     template <class ParallelFor>
     void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances, glm::dvec3 origin,
               ParallelFor&& parallel) const {
-        auto here = light;
-        here.position -= origin;
+        auto here = light;  // of positions less its own: there the cuts of edges round least
+        here.position = glm::dvec3(0);
+        const glm::dvec3 from = light.position - origin;
         const light_space<double> space = make_dual_paraboloid_light(here);
         const light_space<float> single{glm::mat4(space.view), glm::mat4(space.projection), space.clip};
-        const tessellation to{.position = glm::vec3(here.position),
-                              .angle = float(paraboloid_edge_angle(light.map_size, light.border)),
+        const tessellation to{.angle = float(paraboloid_edge_angle(light.map_size, light.border)),
                               .range = float(light.range),
                               .depth_error = depth_error};
         const glm::ivec2 size(light.map_size);
@@ -149,11 +149,24 @@ struct paraboloid_maps {
         for (const glm::mat4& model : instances) {
             placed.clear();
             for (const glm::vec3& p : mesh.positions)
-                placed.emplace_back(glm::dvec3(glm::dmat4(model) * glm::dvec4(p, 1)));
+                placed.emplace_back(glm::dvec3(glm::dmat4(model) * glm::dvec4(p, 1)) - from);
             const auto cut = tessellate({placed, mesh.triangles}, to);
             for (const int map : {0, 1})
                 rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
         }
+    }
+    /// Depth by which a plane leaves its slope's straight line over some texels: distances along it grow as a secant.
+    [[nodiscard]] static float bend(const uniforms& u, const shadow_terms& terms, glm::vec3 world, glm::vec3 normal) {
+        const glm::dvec3 way(world - glm::vec3(u.position)), n(normal);
+        const double away = glm::length(way), depth = away * std::abs(double(u.position.w));
+        const bool turned = normal != glm::vec3(0);
+        const double facing = turned ? std::abs(glm::dot(n, way)) / (glm::length(n) * away) : 1.0;
+        // Radians of the diagonal of the reach: a texel has 2 (1 + |z|) of them over a map, and z turns with them.
+        const double most = std::sqrt(32.0) * double(terms.reach) / double(u.halves.x);
+        const double angle = most * (0.5 + 0.5 * (glm::min)(1.0, std::abs(way.z) / away + most));
+        const double tilt = std::acos((glm::min)(facing, 1.0));
+        if (!(tilt + angle < 1.5)) return 1.0f;
+        return float(depth * (facing / std::cos(tilt + angle) - 1.0 - angle * std::tan(tilt)));
     }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {

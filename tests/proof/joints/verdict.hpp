@@ -78,6 +78,13 @@ public:
         }
         return true;
     }
+    /// Depth by which the receiver's plane rises within the beam, or a surface that stops all rays.
+    [[nodiscard]] double own_rise(const proof::traced_map& map) const {
+        return rise(map, [](glm::dvec3 x) { return x; });
+    }
+    [[nodiscard]] double rise_of(const surface& s, const proof::traced_map& map) const {
+        return rise(map, [&](glm::dvec3 x) { return *hits(s, x); });
+    }
     /// Where the ray from a point to the light meets a surface.
     [[nodiscard]] std::optional<glm::dvec3> hits(const surface& s, glm::dvec3 x) const {
         const glm::dvec3 w = way(x);
@@ -93,6 +100,12 @@ public:
 
 private:
     [[nodiscard]] glm::dvec3 way(glm::dvec3 x) const { return light_.way(from_ + x); }
+    template <class Meet>
+    [[nodiscard]] double rise(const proof::traced_map& map, const Meet& meet) const {
+        double most = 0.0;
+        for (const glm::dvec3& x : corners_) most = std::max(most, map.depth(meet(x) + from_));
+        return most - map.depth(meet(glm::dvec3(0)) + from_);
+    }
 
     /// Leaves the part of a polygon where a function that is linear up to a positive factor is above 0.
     template <class Distance>
@@ -142,7 +155,8 @@ private:
         if (!b->is_stopped_by(all[k], map, clips)) continue;
         const std::optional<glm::dvec3> hit = b->hits(all[k], glm::dvec3(0));
         if (!hit) continue;
-        const double more = reach * steeper(map.slope(glm::vec3(all[k].normal), *hit + p));
+        double more = reach * steeper(map.slope(glm::vec3(all[k].normal), *hit + p));
+        if (map.bends()) more = std::max(0.0, b->rise_of(all[k], map) - b->own_rise(map));
         if (map.depth(p) - std::max(map.depth(*hit + p), 0.0) > stated + more) return verdict::dark;
     }
     return is_lit ? verdict::lit : verdict::none;
