@@ -171,6 +171,12 @@ TEST_CASE("anchored_map: near the origin rounding is a few units of the last pla
         for (const char* kind : {"spot", "cube"}) CHECK(try_tiles(kind, reversed, z_near, 0, tiles).bound < 30);
 }
 
+TEST_CASE("anchored_map: warped maps need few digits near the camera, and their bound does not take the whole box") {
+    const seen_tiles seen = try_tiles("warped cascades", cpu_clip_space, 0.05, 0, rounds(400));
+    CHECK(seen.need < 6);
+    CHECK(seen.bound < 200);
+}
+
 TEST_CASE("anchored_map: at a distance the bound is a few times what is needed") {
     for (const char* kind : {"spot", "directional"}) {
         const seen_tiles seen = try_tiles(kind, cpu_clip_space, 0.05, 600, rounds(1600));
