@@ -122,8 +122,8 @@ template <class Setup>
 /// Calls use(place) for each look at a map; what it returns is light beyond the last cascade's shadows.
 using place_list = std::function<float(glm::vec3, glm::vec3, const std::function<void(const umbrage::map_place&)>&)>;
 
-template <class Setup>
-[[nodiscard]] place_list places_of(const umbrage::shadow_uniforms<Setup>& u) {
+template <class Setup, int Matrices>
+[[nodiscard]] place_list places_of(const umbrage::shadow_uniforms<Setup, Matrices>& u) {
     return [u](glm::vec3 p, glm::vec3 n, const auto& use) {
         return umbrage::detail::blended(Setup::places(u.maps, u.terms, p, n), [&](const auto& place) {
             if (place.at == umbrage::outside_all_maps) return 1.0f;

@@ -257,12 +257,12 @@ public:
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
     /// (peter-panning). A caster farther above the point, if it is parallel to the surface or faces the light, darkens
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
-    /// of slope to the bias.
+    /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
     ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
-        requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
+        requires(!prefilter<Filter>) {
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
         const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;

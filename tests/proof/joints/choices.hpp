@@ -57,11 +57,12 @@ inline constexpr std::array<std::string_view, 17> setup_names{"spot",
                                                               "tetrahedron",
                                                               "paraboloids"};
 
-inline constexpr std::array<std::string_view, 5> filter_names{"hard", "pcf_2x2", "box", "window", "disc"};
+inline constexpr std::array<std::string_view, 6> filter_names{"hard", "pcf_2x2", "box", "window", "disc", "pcss"};
 /// The fourth is each filter's own (host_of_filter.hpp): compiling all with all takes minutes.
 inline constexpr std::array<std::string_view, 4> encoding_names{"depth32f", "depth16", "rg<11>", "another"};
 
-inline constexpr std::array<std::string_view, 5> own_encoding_names{"float_bits", "r16", "rgb24", "depth24", "rgb10"};
+inline constexpr std::array<std::string_view, 6> own_encoding_names{"float_bits", "r16",   "rgb24",
+                                                                    "depth24",    "rgb10", "threejs_rgba"};
 
 enum class scene_kind { room, outdoors, huge_ground };
 inline constexpr std::array<std::string_view, 3> scene_names{"room", "outdoors", "huge ground"};
@@ -70,6 +71,7 @@ inline constexpr std::array<std::string_view, 3> scene_names{"room", "outdoors",
 struct filter_choice {
     int number = 0, points = 16;
     double radius = 0;
+    double light_size = 0;  ///< of a filter that hardens contacts: the light's in the world, or a tangent
 };
 
 struct choices {
@@ -121,6 +123,7 @@ struct choices {
     c.seed = seed;
     c.setup = setup_kind(d.whole(0, int(setup_names.size()) - 1));
     c.filter = {d.whole(0, int(filter_names.size()) - 1), 8 << d.whole(0, 2), d.real(0, 1)};
+    if (c.setup == setup_kind::paraboloids && c.filter.number == 5) c.filter.number = 4;  // refused, as it is compiled
     c.encoding = d.whole(0, int(encoding_names.size()) - 1);
     c.clip = draw_clip_space(d);
     c.in_double = d.one_in(2);
@@ -128,6 +131,7 @@ struct choices {
     c.size = {int(d.spread(32, largest)), int(d.spread(32, largest))};
     if (d.one_in(3)) c.size.y = c.size.x;
     c.scale = d.one_in(4) ? 1 : d.spread(1e-6, 1e6);
+    c.filter.light_size = d.spread(0.003, 0.3) * (c.is_sun() ? 0.3 : c.scale);
     c.with_origin = d.one_in(3);
     c.away = d.one_in(5)     ? 0
              : c.with_origin ? d.spread(1, 1e7)

@@ -11,12 +11,17 @@ namespace {
 template <class Use>
 auto with_filter(const filter_choice& f, const Use& use) {
     using namespace umbrage::filters;
+    using umbrage::make_penumbra_params;
     switch (f.number) {
         case 0: return use(hard{});
         case 1: return use(pcf_2x2{});
         case 2: return use(box{.radius = int(f.radius * 4)});
         case 3: return use(window::values[std::size_t(f.radius * 9)]);
-        default: return use(disc{.points = f.points, .radius_texels = float(0.5 + 3.5 * f.radius)});
+        case 4: return use(disc{.points = f.points, .radius_texels = float(0.5 + 3.5 * f.radius)});
+        default: {
+            const auto least = float(0.5 + f.radius), most = float(1.5 + 6 * f.radius);
+            return use(pcss{.points = f.points, .softness = make_penumbra_params(float(f.light_size), least, most)});
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include <umbrage/depth/encodings.hpp>
+#include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
@@ -39,6 +40,10 @@ template <>
 struct fourth_of<umbrage::filters::disc> {
     using type = umbrage::rgb10;
 };
+template <>
+struct fourth_of<umbrage::filters::pcss> {
+    using type = umbrage::threejs_rgba;
+};
 template <class Filter>
 using fourth_encoding = typename fourth_of<Filter>::type;
 
@@ -52,5 +57,7 @@ using fourth_encoding = typename fourth_of<Filter>::type;
                                                        const umbrage::filters::window&);
 [[nodiscard]] std::unique_ptr<any_host> host_of_filter(const choices&, const lit_scene&, glm::dvec3 origin,
                                                        const umbrage::filters::disc&);
+[[nodiscard]] std::unique_ptr<any_host> host_of_filter(const choices&, const lit_scene&, glm::dvec3 origin,
+                                                       const umbrage::filters::pcss&);
 
 }  // namespace joints

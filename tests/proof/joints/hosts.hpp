@@ -19,6 +19,10 @@
 
 namespace joints {
 
+/// True for a filter that hardens contacts, which paraboloids refuse.
+template <class Filter>
+inline constexpr bool hardens = std::is_same_v<Filter, umbrage::filters::pcss>;
+
 template <class Setup, class Filter, class Encoding>
 class host final : public any_host {
 public:
@@ -54,7 +58,7 @@ public:
 private:
     /// Two encodings show every fault; more would only cost compile time.
     static constexpr bool gets_wrong =
-        std::is_same_v<Encoding, umbrage::depth32f> || std::is_same_v<Encoding, umbrage::depth16>;
+        !hardens<Filter> && (std::is_same_v<Encoding, umbrage::depth32f> || std::is_same_v<Encoding, umbrage::depth16>);
 
     shadow shadow_;
     glm::dvec3 origin_;
@@ -69,15 +73,19 @@ template <class Filter>
     using namespace umbrage;
     return std::visit(
         [&]<class Setup>(const Setup& setup) -> std::unique_ptr<any_host> {
-            const auto with = [&]<class Encoding>(const Encoding& encoding) -> std::unique_ptr<any_host> {
-                return std::make_unique<host<Setup, Filter, Encoding>>(
-                    shadow(setup, lit.map_size, filter, encoding, origin), origin);
-            };
-            switch (c.encoding) {
-                case 0: return with(depth32f{});
-                case 1: return with(depth16{});
-                case 2: return with(rg<11>{});
-                default: return with(fourth_encoding<Filter>{});
+            if constexpr (umbrage::has_bent_lines<Setup> && hardens<Filter>)
+                throw std::logic_error("joints: a paraboloid that hardens contacts was drawn");
+            else {
+                const auto with = [&]<class Encoding>(const Encoding& encoding) -> std::unique_ptr<any_host> {
+                    return std::make_unique<host<Setup, Filter, Encoding>>(
+                        shadow(setup, lit.map_size, filter, encoding, origin), origin);
+                };
+                switch (c.encoding) {
+                    case 0: return with(depth32f{});
+                    case 1: return with(depth16{});
+                    case 2: return with(rg<11>{});
+                    default: return with(fourth_encoding<Filter>{});
+                }
             }
         },
         lit.setup);
