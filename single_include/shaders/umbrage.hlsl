@@ -1919,7 +1919,7 @@ float4x4 umbrage_anchored_place(float4x4 to_texels, float4x4 planes, float4 anch
     float3 at = float3(c.x, c.y, c.z) * i;
     float steep = abs(slope.x) + abs(slope.y);
     float moves = rounding.x + rounding.y * i;
-    float off = moves * (rounding.z * steep + (rounding.w + abs(transpose(to_texels)[3].z) * i));
+    float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
     float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
     return transpose(float4x4(float4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), float4(slope, 1.0, all),
                               none, none));

@@ -1925,7 +1925,7 @@ inline metal::float4x4 umbrage_anchored_place(metal::float4x4 to_texels, metal::
     float3 at = float3(c.x, c.y, c.z) * i;
     float steep = metal::abs(slope.x) + metal::abs(slope.y);
     float moves = rounding.x + rounding.y * i;
-    float off = moves * (rounding.z * steep + (rounding.w + metal::abs(to_texels[3].z) * i));
+    float off = moves * (rounding.z * steep + (rounding.w + metal::abs(at.z)));
     float all = off + (metal::abs(at.z) + metal::abs(anchor.w)) * (8.0 / 16777216.0);
     return metal::float4x4(float4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), float4(slope, 1.0, all), none,
                            none);

@@ -305,10 +305,10 @@ struct snippet {
     std::string_view name;       ///< name of the C++ version; the GLSL function is umbrage_<name>
     std::string_view summary{};  ///< one line
     tier exactness = tier::a;
-    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;      ///< tier c without n: largest difference from C++; relative for results above 1
-    bool as_written = false;  ///< `within` holds where + - * round to nearest in the order written; no bound elsewhere
-    version lowest = version::v100;           ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    int operations = 0;              ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;             ///< tier c without n: largest difference from C++; relative for results above 1
+    bool as_written = false;         ///< `within` holds only where + - * round to nearest in the order written
+    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::span<const snippet* const> needs{};  ///< snippets that this one calls, a list<>
     hook role = hook::none;
     bool scaled = false;  ///< gives depths on another scale, on which 1.0 is not the far plane
@@ -954,7 +954,7 @@ enum class unorm_store { rounds, truncates };
 
 /// Channel that a UNORM target stores.
 /// @param c     any value, clamped to [0, 1]
-/// @param mode  what the target does between two channels
+/// @param mode  rounding of values between two channel steps
 /// @edge        NaN: 0, as graphics APIs require
 template <int Bits = 8, real T>
 requires unorm_bits<Bits>
@@ -1182,7 +1182,7 @@ struct unorm_target {
 
     /// Texel that a UNORM store makes of the values.
     /// @param values   as a shader writes them
-    /// @param mode     what the target does between two channels
+    /// @param mode     rounding of values between two channel steps
     template <class Values>
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);
@@ -1448,7 +1448,7 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Calls a filter's check, where it has one: for functions that take the filter for many lookups.
+/// Calls a filter's check, if it has one. Functions call it once before many lookups.
 template <class Filter>
 void require_filter(std::string_view function, const Filter& filter) {
     if constexpr (requires { filter.check(function); }) filter.check(function);
@@ -1914,7 +1914,7 @@ template <real T>
 
 /// Change of a receiver's depth per texel.
 /// @param plane_matrix   from plane_matrix
-/// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
+/// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
 /// @return               slope as from plane_slope
 /// @edge                 zero normal: (0, 0)
@@ -1927,7 +1927,7 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
-/// @param normal   surface normal, rotated into the light's axes, any length. Zero: the caller has none
+/// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
 /// @return         slope in x and y, each -2 to 2
 /// @edge           plane seen edge-on by the light, or NaN: 2. Zero normal: (0, 0)
@@ -2073,7 +2073,7 @@ inline constexpr T tessellation_reach = T(0.825);
 /// Largest change of distance per texel, shared equally by both axes: |x| + |y| is the change along the diagonal.
 ///
 /// @param way         vector from the light to the receiver, of length 1e-18 to 1e18
-/// @param normal      surface normal, any length. Zero: the caller has none
+/// @param normal      surface normal, any length. Pass zero if there is none
 /// @param per_texel   2 / (range (map_size - 2 border)) of the light
 /// @return            slope (s, s), s from 0 to 2
 /// @edge              plane seen edge-on by the light, or NaN: s = 2. Zero normal: s = 0
@@ -2571,7 +2571,8 @@ namespace umbrage {
 ///
 /// @param light      light of the map
 /// @param map_size   map size in texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives UV coordinates
-/// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space; reversed stays reversed
+/// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space. Reversed depth stays
+///                   reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
 /// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite
@@ -3740,8 +3741,8 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
 }
 
-/// Fetch callable that compares every texel along the receiver's plane: a texel that is lit there has the depth of the
-/// far plane, any other its own. A filter's own comparison then decides alike, and a search finds depths as stored.
+/// Fetch callable that compares every texel along the receiver's plane. A lit texel has the depth of the far plane. Any
+/// other has its own. A filter's own comparison then decides alike, and a search finds depths as stored.
 /// @param fetch       ivec2 texel -> stored depth
 /// @param slope       change of depth per texel in x and y, from receiver_plane_slope
 /// @param at          position that the filter is called with, in texels, and the receiver that it gets
@@ -3940,14 +3941,14 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 //   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
-//   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
+//   return        after the last piece has returned. The pieces' writes must then be visible to the caller
 //   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
 //                 then. Results are unspecified, and arguments may be used again
-//   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
+//   repetition    none. A piece may run again only while no other runs, and then changes no result
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
 // A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
-// call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
-// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
+// call it. A piece may wait some microseconds for another that is running, but never for one that has yet to start. So
+// one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or triangles.
 // The result has the same bits for all pieces.
 
 namespace umbrage {
@@ -5797,7 +5798,8 @@ template <real T, class Compare = less_equal>
 /// Radius of a penumbra from the distance between blocker and receiver.
 /// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
-/// @return           in 1/16 texel, an integer from min_radius to max_radius. Not so if softness is of other numbers
+/// @return           in 1/16 texel, an integer from min_radius to max_radius. Other values of softness give other
+///                   results
 /// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>
@@ -5936,8 +5938,8 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
-// of pcss. It is for large casters far from what they shadow. Where the penumbra is much narrower than the disc, it
-// darkens lit walls beside inner corners, and lets light through at contact.
+// of pcss. It is for large casters far from what they shadow. It darkens lit walls beside inner corners where the
+// penumbra is much narrower than the disc. It lets light through at contact there.
 // Also called: DPCF.
 // See also: pcss.hpp.
 
@@ -6112,7 +6114,7 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}
 // Search and filter share points, rotation and bias. A bias without acne at the largest radius has no acne at any
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
-// (receiver_plane.hpp) avoids this: half a texel of bias does for any radius.
+// (receiver_plane.hpp) avoids this. Half a texel of bias is then enough for any radius.
 // Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 
 namespace umbrage {
@@ -6269,8 +6271,8 @@ template <real T, class Fetch, class Compare = less_equal>
     return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
-/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded, and it adds an epsilon to the
-/// stored depth instead of a bias to the receiver.
+/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded. It adds an epsilon to the
+/// stored depth, and no bias to the receiver.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
 ///                   texel outside the map
@@ -7319,7 +7321,7 @@ struct window_row {
     float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
     float scale;              ///< 1 / whole^2
     double scale_of_doubles;  ///< the same, for T = double
-    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
+    bool quadratic = false;   ///< weights of the quadratic B-spline, for rows of two weights only
 
     /// Weight i, counted from one edge to the other. 0 outside the row.
     [[nodiscard]] constexpr float weight(int i) const {
@@ -8571,8 +8573,8 @@ template <real T>
 /// @param m          mean of texels
 /// @param receiver   receiver depth in [0, 1], with the bias already applied; clamped
 /// @param exponent   same as for the texels
-/// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it: a minimum
-///                   deviation of depth times 2 ln(2) exponent
+/// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it, from
+///                   a minimum deviation of depth times 2 ln(2) exponent
 /// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge             NaN receiver: 0
@@ -9146,8 +9148,8 @@ inline constexpr const snippet* decode_hardware_snippets[]{&chebyshev_hardware, 
 namespace umbrage {
 
 /// Biases of moments: (share x, target y) moves moments by a share x towards (0, y, 0, y). After rounding, the moments
-/// are then still those of some depths. Shadows get lighter by up to x, and near their casters by up to its square
-/// root.
+/// are then still those of some depths. Shadows get lighter by up to x. Near their casters they get lighter by up to
+/// sqrt(x).
 inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< for 32-bit floats
 inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< for optimized moments in four 16-bit channels
 
@@ -9470,7 +9472,7 @@ template <real T>
 
 namespace detail {
 
-/// decode_msm_hausdorff from decode_msm's result, from biased moments and a depth that grows with distance.
+/// decode_msm_hausdorff for biased moments, decode_msm's result, and a depth that grows with distance.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T lit_within(T plain, glm::vec<4, T> b, T d) {
     const T share = hausdorff_share(b, moment_depth(d));
@@ -9977,7 +9979,7 @@ inline constexpr const snippet* reduce_snippets[]{&blur_row<3>, &blur_row<5>, &b
 //                                                umbrage::msm_bias_16);
 //
 // The table holds optimized moments as integers of 16 bits, so their sums over a box are exact. Its left half stores
-// the sums modulo 2^16, its right half the sums divided by 2^16. One RGBA16UI texture holds both.
+// the sums modulo 2^16. Its right half stores the sums divided by 2^16. One RGBA16UI texture holds both.
 // Also called: summed-area moment shadow maps. See also: summed_variance.hpp, which needs less memory.
 
 namespace umbrage {
@@ -10401,7 +10403,7 @@ inline constexpr const snippet* page_table_snippets[]{&page_coordinate, &page_ti
 //     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
 //     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
-// Weights are multiples of 1/256, and visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
+// Weights are multiples of 1/256. Visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
 // Also called: cascade blending, cross-fade (cascade_fade, blend_cascades); dithered transition, ordered dithering
 // (dithered_cascade).
 
@@ -13097,7 +13099,7 @@ private:
 UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/draw/raster/band_buffer.hpp
-// Rows of an image that are drawn to: in place, or in a copy where they would contend for the cache.
+// Rows of an image to draw into. They are a copy where rows in place would contend for the cache.
 //
 //     band_buffer<> buffer;  // one per thread, for one band after the other
 //     buffer.begin(image.rows(first, last));
@@ -13145,9 +13147,9 @@ public:
     }
 
 private:
-    /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
-    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
-    /// twice the best one. 0: rows do not contend. 8 rows never do.
+    /// Break-even of copying: the mean number of triangles' bounds per texel at which contention costs as much time. It
+    /// applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most twice the best
+    /// one. 0: rows do not contend. 8 rows never do.
     [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
         if (rows.size.y <= 8) return 0;
         return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;
@@ -14476,7 +14478,7 @@ public:
     snapped_mesh(const snapped_mesh&) = delete;
     snapped_mesh& operator=(const snapped_mesh&) = delete;
 
-    /// Calls use() for each chunk; it draws the chunk.
+    /// Calls use() for each chunk, to draw it.
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
@@ -14499,7 +14501,7 @@ public:
     }
 
     /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
-    /// @param target   see rasterize.hpp: depth_target; drawing a batch must not throw
+    /// @param target   see depth_target of rasterize.hpp. Drawing a batch must not throw
     template <class ParallelFor, class Target>
     void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
@@ -14788,8 +14790,8 @@ void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::sp
 /// @param at_near        treatment of casters in front of the near plane
 /// @edge        empty image: nothing happens. world_to_clip not finite: nothing is drawn
 /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above 16384
-/// @formula     the nearer of the stored depth and the plane's; in ties the later one (same bits). Nothing beyond the
-///              far plane, never -0
+/// @formula     the nearer of the stored depth and the plane's. Ties have the same bits. Nothing beyond the far plane,
+///              never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see draw/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
@@ -15281,7 +15283,7 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
     std::vector<glm::uvec3> triangles;
 
-    template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
+    template <class View = mesh_view>  // only callers compile spans of vectors: 26 ms less to include
     [[nodiscard]] View view() const {
         return View{positions, triangles};
     }
@@ -15329,7 +15331,8 @@ private:
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
         if (cosine > greatest_cosine_ || (glm::min)(p, q) * cosine > range_) return {0, 0};
-        // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
+        // compares the ends' mean distance with the distance of the point where the viewing angle's bisector meets the
+        // edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
     }
@@ -15383,8 +15386,8 @@ private:
         }
     }
 
-    /// Midpoint of an edge. Its newer end lists it: a cut gives a vertex few edges to older ones, but the older end may
-    /// be a fan's center, whose list would be searched from one end to the other for each cut.
+    /// Midpoint of an edge. Its newer end lists it, because a cut gives a vertex few edges to older ones. The older end
+    /// may be a fan's center. Each cut would search its long list.
     unsigned between(unsigned a, unsigned b) {
         if (a < b) return between(b, a);
         for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
@@ -15666,7 +15669,7 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
     }
 }
 
-/// Weighted sums of a row. tap(i) points to the row at distance i, and `next` to a row that is needed after it.
+/// Weighted sums of a row. tap(i) points to the row at distance i. `next` points to a row that is needed later.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
                                     const float* next = nullptr) {
@@ -16137,8 +16140,7 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 
 namespace umbrage::detail {
 
-/// Bounds of the texel squares that a box touches, for every start of the box: at most `cells` squares of 2^level
-/// texels in a row.
+/// Bounds of depth for every start of a box. The box touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
     glm::ivec2 squares;             ///< number of squares in the map
@@ -18422,8 +18424,8 @@ private:
         open.count = 0;
     }
 
-    /// Replaces the map by a copy of the texels that the receivers read, and makes these relative to it, if they all
-    /// fit.
+    /// If all texels that the receivers read fit, replaces the map by a copy of them. Receivers become relative to the
+    /// copy.
     UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
         glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
         for (int from = 0; from < open.count; from += block)
@@ -19106,7 +19108,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
-/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @param outside     value of texels outside the map. The default is the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
@@ -19706,7 +19708,7 @@ inline void require_page_size(const page_size& size, const char* function) {
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
 ///                page, with its gutter
-/// @throws std::invalid_argument  a slot outside the atlas; as page_light
+/// @throws std::invalid_argument  a slot outside the atlas, and the errors of page_light
 template <class Draw>
 void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,
                 std::span<const placed_page> pages, Draw&& draw) {
@@ -20001,14 +20003,14 @@ struct form_for<sloped_receivers, Filter> {
 
 /// Visibility of receivers along their planes, with the filter over apply_receiver_plane(fetch, slope, at) for each.
 ///
-/// @param map         shadow map, texels of the encoding. For a spot light z/w, in which a plane stays a plane
+/// @param map         shadow map, texels of the encoding. A spot light's map must hold z/w, in which planes stay planes
 /// @param encoding    encoding of the map's texels, with the depth direction
 /// @param receivers   with the slopes of their planes
 /// @param filter      as for visibility of receivers without planes. Your own callables, filters::four_tap and
 ///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @param outside     value of texels outside the map. The default is the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
@@ -20833,7 +20835,7 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene, or a point of it.
+/// Part of a scene that a slice sees. It is the whole slice if the slice sees nothing, or one point.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const hull seen(intersection(part, scene)), slice(part);
@@ -21052,7 +21054,7 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 //     draw_depths(warped.light);
 //
 // A warp gives more texels to surfaces close to the camera, and fewer to distant ones. Lookups are those of a spot
-// light, with shadow_coordinate and project_coordinate. w is above 0, and depth grows along the light.
+// light, with shadow_coordinate and project_coordinate. w is above 0. Depth grows along the light.
 //
 // Under low lights (6 to 14 degrees above a ground) a warp can resolve far less than a map without one. Use
 // choose_light to take the better of both.
@@ -21061,9 +21063,9 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Camera-relative coordinates lose the least precision.
 //
-// Far from the origin, float (and finally double) runs out of precision. If rounding, in any order, may move receivers
-// out of the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If rounding could lose
-// receivers there as well, the fit throws.
+// Far from the origin, float (and finally double) runs out of precision. A fit gives the map without a warp if rounding
+// may move receivers out of it. The limit is 1/16 of the map's half size, for any order of operations. If rounding
+// could lose receivers there as well, the fit throws.
 
 namespace umbrage {
 
@@ -21124,7 +21126,7 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit, function), fit.clip.hand, function, "");
 }
 
-/// Smallest and largest depth in a map of the part of a body within planes of the map's space.
+/// Smallest and largest depth of a body, clipped to planes of the map's space.
 /// @return   highest and -highest if no part lies within. -highest and highest, which no map can hold, if some of it
 ///           does not lie in front of w = 0
 template <class = on_use>
@@ -21549,10 +21551,10 @@ template <class = on_use>
 /// Light space of the smallest part of the cone's square pyramid that holds the receivers and their casters, with the
 /// margin around.
 ///
-/// Casters count if they lie in the volume that the receivers sweep towards the light. The result never leaves the
-/// pyramid, and its near plane is never closer than z_near. The light may stand inside the receivers and casters.
-/// A sphere counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost
-/// grows with the square of their number: for a mesh pass its box.
+/// Casters count if they lie in the volume that the receivers sweep towards the light. The result stays within the
+/// pyramid. Its near plane is at z_near or beyond. The light may stand inside the receivers and casters. A sphere
+/// counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost grows with
+/// the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
 /// @throws std::invalid_argument  zero or non-finite direction; angle out of range; receivers missing or not finite;
 ///                                an invalid box of casters; clip unset; matrices that would not be finite; a light so
@@ -21855,7 +21857,7 @@ struct perspective_light : warped_light<T> {
 
 namespace detail {
 
-/// Matrix from the world to a camera's NDC, in double. The camera is moved back, and its planes enclose the points.
+/// Matrix from the world to a camera's NDC, in double. The camera is moved back. Its planes enclose the points.
 [[nodiscard]] inline glm::dmat4 slid_back(const frustum<double>& camera, const std::vector<glm::dvec3>& points,
                                           double slide, const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];
@@ -23357,9 +23359,11 @@ struct map_grid {
 /// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
 /// anything.
 ///
-/// Three kinds of setup have more. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
-/// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
-/// filters that read farther. A setup that bends straight lines specializes bends_of.
+/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
+/// parallel). A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which
+/// refuses filters that read farther. A setup that bends straight lines specializes bends_of, and has bend() for
+/// peter_panning_distance.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -23373,8 +23377,8 @@ concept shadow_setup = std::copyable<Setup> &&
     { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
-/// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
-/// (mat4 to_clip, vec3 world, arguments...) that returns a position in clip space.
+/// Depth pass function for maps that bend lines. The snippet takes (mat4 to_clip, vec3 world, arguments...) and returns
+/// a clip position, in place of a matrix product.
 struct vertex_function {
     const glsl::snippet* calls;
     std::array<glsl::interface_function::argument, 2> arguments;
@@ -23465,6 +23469,8 @@ namespace detail {
 
 /// Largest relative error of one rounding in binary32.
 inline constexpr double one_rounding = 0x1p-24;
+/// Distance by which rounding moves positions under parallel rays, in place of 1: there z does not add to the bound.
+inline constexpr float unmoved = 0x1p-40f;
 
 [[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
     return {m[0][row], m[1][row], m[2][row]};
@@ -23532,8 +23538,8 @@ inline void require_digits(double away, double extent) {
             "Pass an origin near it.");
 }
 
-/// Bound of rounding in a map, for anchored_place: of a receiver and of the vertices of its own surface, each by
-/// itself.
+/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
+/// surface.
 ///
 /// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
 /// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
@@ -23556,26 +23562,26 @@ inline void require_digits(double away, double extent) {
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
                 (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
-    // Largest sum of a row over the map's box, in w; and what does not grow with w: the anchor's share, and offsets.
-    // Under parallel rays w is 1, and offsets round with the texels and the depth themselves.
-    const bool parallel = rows[3] == glm::dvec3(0);
-    double sums[4]{}, fixed[4]{}, farthest = 0.0;
+    double farthest = 0.0, wide = 0.0;  // of the box' corners; the longest way in w
+    double sums[3]{}, fixed[3]{};       // largest sum of a row over the box; the anchor's share, and offsets
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
-        const double w = glm::dot(rows[3], p) + m[3][3];
-        for (glm::length_t r = 0; r < 4; ++r)
-            sums[r] = (glm::max)(sums[r], 10.0 * one_rounding * magnitudes(rows[r], p) / w);
+        wide = (glm::max)(wide, glm::length(p) / (glm::dot(rows[3], p) + m[3][3]));
+        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
         farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
-    for (glm::length_t r = 0; r < 4; ++r)
-        fixed[r] = one_rounding * (2.0 * magnitudes(rows[r], anchor) + (parallel ? 0.0 : 6.0 * std::abs(m[3][r])));
-    if (parallel) return {0.0, 1.0, (glm::max)(sums[0] + fixed[0], sums[1] + fixed[1]), sums[2] + fixed[2]};
-    const auto texels = [&](const double* of) {
-        return (glm::max)(of[0] + map_size.x * of[3], of[1] + map_size.y * of[3]);
-    };
-    const auto depth = [](const double* of) { return of[2] + of[3]; };
-    return {1.0, (glm::max)(texels(fixed) / texels(sums), depth(fixed) / depth(sums)), texels(sums), depth(sums)};
+    if (rows[3] == glm::dvec3(0)) {
+        for (glm::length_t r = 0; r < 3; ++r)
+            fixed[r] = one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor));
+        return {0.0, 1.0, (glm::max)(fixed[0], fixed[1]), fixed[2]};
+    }
+    // Where w varies, its rounding moves texels by their number, and depths by what they differ from the anchor's.
+    const glm::dvec2 size(map_size), far = glm::abs(glm::dvec2(m[3])) + size * std::abs(m[3][3]);
+    const glm::dvec2 texels(glm::length(rows[0]) + size.x, glm::length(rows[1]) + size.y);
+    const double offsets = (glm::max)(std::abs(m[3][3]), (glm::max)(far.x / texels.x, far.y / texels.y));
+    return {one_rounding * 10.0 * wide, one_rounding * (2.0 * away + 6.0 * offsets), (glm::max)(texels.x, texels.y),
+            glm::length(rows[2] - m[3][2] / m[3][3] * rows[3])};
 }
 
 /// Uniforms of a map for a given anchor.
@@ -23583,10 +23589,12 @@ inline void require_digits(double away, double extent) {
 [[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size) {
     const glm::dvec3 exact(anchor);
     glm::dmat4 m = moved_to(here, exact);
-    if (is_lens(m)) m /= glm::length(row_of(m, 3));
+    const double forward = glm::length(row_of(m, 3));
+    if (forward > 0.0) m /= forward;
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));
     out.rounding = glm::vec4(rounding_of(m, map_size, exact));
+    if (!(forward > 0.0)) out.rounding *= glm::vec4(1.0f, unmoved, 1.0f / unmoved, 1.0f / unmoved);
     out.anchor = glm::vec4(anchor, static_cast<float>(take_depth(m)));
     out.to_texels = glm::mat4(m);
     return out;
@@ -23629,9 +23637,9 @@ inline void require_digits(double away, double extent) {
 /// @return                                      its place in map 0, with weight 1
 /// @edge                                        behind the light: a place that every filter takes as lit
 /// @formula     place = (x, y, z) / w + (0, 0, anchor.w), where (x, y, z, w) = to_texels way. With i = 1 / w and
-///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |to_texels[3].z| i) + 8 u (|z| i +
-///              |anchor.w|): positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last
-///              term has the products, sums, divisions and stores of depths themselves, and those of plane_reference
+///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |z| i) + 8 u (|z| i + |anchor.w|):
+///              positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last term has the
+///              products, sums, divisions and stores of depths themselves, and those of plane_reference
 /// @exactness   C, n = 121: as receiver_slope of way, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place anchored_place(const glm::mat4& to_texels, const glm::mat4& planes,
                                                              const glm::vec4& anchor, const glm::vec4& rounding,
@@ -23642,7 +23650,7 @@ inline void require_digits(double away, double extent) {
     const bool before = !is_nan(c.w) && c.w > 0.0f;
     const float i = before ? 1.0f / c.w : 0.0f, z = c.z * i, steep = magnitude(slope.x) + magnitude(slope.y);
     const float moves = rounding.x + rounding.y * i;
-    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(to_texels[3].z) * i));
+    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(z)));
     return {.at = {before ? c.x * i : 65536.0f, c.y * i, z + anchor.w},
             .slope = slope,
             .rounding = off + (magnitude(z) + magnitude(anchor.w)) * (8.0f / 16777216.0f)};
@@ -23654,15 +23662,26 @@ struct depth_view {
     glm::vec4 anchor{0};   ///< xyz: position that is subtracted; w: share of w in z, 0 for parallel rays
 };
 
+namespace detail {
+
+/// View of a depth pass for a given anchor.
+/// @param here   light for positions as they are given
+[[nodiscard]] inline depth_view depth_view_at(const glm::vec3& anchor, const light_space<double>& here) {
+    glm::dmat4 m = moved_to(here.projection * here.view, glm::dvec3(anchor));
+    const bool parallel = row_of(m, 3) == glm::dvec3(0);
+    const double share = parallel ? 0.0 : take_depth(m);
+    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+}
+
+}  // namespace detail
+
 /// Makes the view of a light's depth pass.
 /// @param light    light of the map
 /// @param origin   origin of the positions, world units
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
-    const glm::vec3 anchor(detail::anchor_of(texture_matrix(here, glm::ivec2(1)), glm::ivec2(1)));
-    glm::dmat4 m = detail::moved_to(here.projection * here.view, glm::dvec3(anchor));
-    const double share = detail::is_lens(m) ? detail::take_depth(m) : 0.0;
-    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+    const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
+    return detail::depth_view_at(glm::vec3(detail::anchor_of(m, glm::ivec2(1))), here);
 }
 
 namespace detail {
@@ -23731,7 +23750,7 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
     UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
     return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
 }
@@ -23744,8 +23763,9 @@ inline constexpr const snippet* anchored_map_snippets[]{&anchored_vertex, &ancho
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cascade_places.hpp
-// Places of a receiver in cascaded shadow maps (CSM): in the first map that holds it and its filter, and in the next
-// one where the two blend. Near the border of the last map the second place lies outside, so shadows fade to light.
+// Places of a receiver in cascaded shadow maps (CSM). It has one in the first map that holds it and its filter. Where
+// two maps blend it has another in the next one. Near the border of the last map the second place lies outside, so
+// shadows fade to light.
 //
 // See also: cascaded_maps.hpp, the setup; light/cascades, the search and the weights alone.
 
@@ -23836,8 +23856,8 @@ namespace umbrage {
     return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
 }
 
-/// Places of a point of the world in up to eight cascades: cascaded_maps_places with further columns, of the fifth
-/// cascade and those after it.
+/// Places of a world position in up to eight cascades. As cascaded_maps_places, with further columns for the cascades
+/// from the fifth on.
 /// @exactness   C, n = 38: as cascade_pair, of rotated vectors
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places_8(
     const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::mat4& farther_scales,
@@ -24469,12 +24489,12 @@ struct paraboloid_maps {
     template <class ParallelFor>
     void draw(image_view<float> depths, const mesh_view& mesh, std::span<const glm::mat4> instances, glm::dvec3 origin,
               ParallelFor&& parallel) const {
-        auto here = light;
-        here.position -= origin;
+        auto here = light;  // of positions less its own: there the cuts of edges round least
+        here.position = glm::dvec3(0);
+        const glm::dvec3 from = light.position - origin;
         const light_space<double> space = make_dual_paraboloid_light(here);
         const light_space<float> single{glm::mat4(space.view), glm::mat4(space.projection), space.clip};
-        const tessellation to{.position = glm::vec3(here.position),
-                              .angle = float(paraboloid_edge_angle(light.map_size, light.border)),
+        const tessellation to{.angle = float(paraboloid_edge_angle(light.map_size, light.border)),
                               .range = float(light.range),
                               .depth_error = depth_error};
         const glm::ivec2 size(light.map_size);
@@ -24482,11 +24502,24 @@ struct paraboloid_maps {
         for (const glm::mat4& model : instances) {
             placed.clear();
             for (const glm::vec3& p : mesh.positions)
-                placed.emplace_back(glm::dvec3(glm::dmat4(model) * glm::dvec4(p, 1)));
+                placed.emplace_back(glm::dvec3(glm::dmat4(model) * glm::dvec4(p, 1)) - from);
             const auto cut = tessellate({placed, mesh.triangles}, to);
             for (const int map : {0, 1})
                 rasterize_dual_paraboloid(depths.region({map * size.x, 0}, size), cut.view(), single, map, parallel);
         }
+    }
+    /// Depth by which a plane leaves its slope's straight line over some texels: distances along it grow as a secant.
+    [[nodiscard]] static float bend(const uniforms& u, const shadow_terms& terms, glm::vec3 world, glm::vec3 normal) {
+        const glm::dvec3 way(world - glm::vec3(u.position)), n(normal);
+        const double away = glm::length(way), depth = away * std::abs(double(u.position.w));
+        const bool turned = normal != glm::vec3(0);
+        const double facing = turned ? std::abs(glm::dot(n, way)) / (glm::length(n) * away) : 1.0;
+        // Radians of the diagonal of the reach: a texel has 2 (1 + |z|) of them over a map, and z turns with them.
+        const double most = std::sqrt(32.0) * double(terms.reach) / double(u.halves.x);
+        const double angle = most * (0.5 + 0.5 * (glm::min)(1.0, std::abs(way.z) / away + most));
+        const double tilt = std::acos((glm::min)(facing, 1.0));
+        if (!(tilt + angle < 1.5)) return 1.0f;
+        return float(depth * (facing / std::cos(tilt + angle) - 1.0 - angle * std::tan(tilt)));
     }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
@@ -25622,8 +25655,8 @@ template <class Setup, class Filter>
     else return kernel_bias_of<Filter>(terms, place);
 }
 
-/// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
-/// bias brings it back.
+/// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
+/// plane, where all is lit.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
     const float z = place.at.z;
@@ -26227,7 +26260,7 @@ namespace umbrage::glsl::detail {
 /// to 1.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # replace the statement
+    std::string_view texel{};                       ///< a vec4. Lines that begin with # replace the statement
     std::string_view sampled{};                     ///< vec4 at `uv`
     std::string_view lit{};                         ///< comparison of the sampler with `receiver`: float
     std::string_view gather_red{}, gather_green{};  ///< vec4
@@ -27062,7 +27095,7 @@ struct near_language {
     std::string_view precise;      ///< word for UMBRAGE_PRECISE; empty: nothing
     std::string_view function;     ///< word before each function's type,
     std::string_view condition;    ///< and before the type of a function that returns bool
-    bool matrices_have_rows;       ///< m[i] is a row of m, and its constructor takes rows
+    bool matrices_have_rows;       ///< matrices are made of rows, and indexed by row
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
     std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
 };
@@ -27352,8 +27385,8 @@ template <class Use = umbrage::detail::on_use>
 
 namespace umbrage::msl {
 
-/// First lines of every text. Metal uses fast math by default, and these lines turn it off to the end of the file. Safe
-/// math still fuses a * b + c within a statement, which the second pragma forbids.
+/// First lines of every text. They turn off Metal's fast math, which is its default, to the end of the file. Safe math
+/// still fuses a * b + c within a statement, which the second pragma forbids.
 ///
 /// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
 /// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The last may still fuse.
@@ -28514,7 +28547,7 @@ template <class Look>
     for (const map_place& place : places.subspan(1)) {
         if (!(place.weight > 0.0f)) continue;
         const auto next = look(place);
-        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // blend_cascades, of colors too
+        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // as blend_cascades does, for colors too
     }
     return sum;
 }
@@ -28572,7 +28605,7 @@ struct frame_result {
 };
 
 /// GLSL version of blended: the one text of all shadows.
-/// @param statements     those of the words, where the result depends on a map
+/// @param statements     statements of the map's words, if the result depends on a map
 [[nodiscard]] inline std::string frame_text(const frame_result& of, const frame_words& w,
                                             const std::vector<std::string>& statements) {
     const std::string type = "UMBRAGE_HIGHP " + std::string(of.type) + ' ';
@@ -28642,7 +28675,7 @@ template <bool Sloped>
 using place_receivers = std::conditional_t<Sloped, sloped_receivers, receiver_planes>;
 
 /// First rows and columns of planes, as receivers.
-/// @param x   column of each receiver, texels: that of the planes, or another
+/// @param x   column of each receiver in texels. It may differ from that of the planes
 template <bool Sloped>
 [[nodiscard]] place_receivers<Sloped> receivers_of(const place_planes<Sloped>& planes, const image<float>& x,
                                                    glm::ivec2 size) {
@@ -28865,7 +28898,7 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter of one map, as it is by itself: contact hardening has the softness of that map.
+/// Filter for one map. Contact hardening gets the softness of that map.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
@@ -28921,8 +28954,8 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks that the grid has a map for each light, that the size of all maps together is an int, and that each continues
-/// as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, the size of all maps is an int, and each map
+/// continues as far as the filter reaches.
 template <shadow_setup Setup>
 void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
     constexpr map_grid grid = Setup::grid;
@@ -28940,6 +28973,8 @@ template <shadow_setup Setup>
     std::vector<depth_view> all;
     for (const light_space<double>& light : setup.lights())
         if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
+        else if constexpr (requires { setup.anchor(); })
+            all.push_back(depth_view_at(glm::vec3(setup.anchor() - origin), relative_to(origin, light)));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }
@@ -28978,11 +29013,10 @@ public:
     /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
-    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps, or more than its grid
-    ///                                holds. A map_size below 1, less than twice the filter's reach, too large for
-    ///                                size(), or refused by the setup. A filter's number out of range. A light so far
-    ///                                from the origin that floats have no digits left; uniforms that would be infinite
-    ///                                or NaN in float
+    /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
+    ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
+    ///                                the setup. A filter's number out of range. A light so far from the origin that
+    ///                                floats have no digits left; uniforms that would be infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
@@ -29106,18 +29140,18 @@ public:
     /// Largest difference of depth between a caster and a point at which the bias may detach the shadow
     /// (peter-panning). A caster farther above the point, if it is parallel to the surface or faces the light, darkens
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
-    /// of slope to the bias.
+    /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
-    ///           takes the place of |slope|
-    [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
-        requires(!prefilter<Filter> && !detail::contact_hardening<Filter>) {
+    ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
+    [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
         const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
+            if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
         return distance;
@@ -29839,6 +29873,8 @@ struct warped_maps {
         require_cascades();
         return cascades.front().light.clip;
     }
+    /// Anchor of receivers and of vertices: what is near the camera needs the most digits.
+    [[nodiscard]] glm::dvec3 anchor() const { return position; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
         std::vector<light_space<double>> all;
         for (const warped_cascade<double>& c : cascades) all.push_back(c.light);
@@ -29849,9 +29885,8 @@ struct warped_maps {
         require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
-        u.anchor = glm::vec4(glm::vec3(position - origin), 0.0f);
-        const glm::dvec3 anchor(u.anchor);
-        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, anchor + origin - position)));
+        u.anchor = glm::vec4(glm::vec3(anchor() - origin), 0.0f);
+        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, glm::dvec3(u.anchor) + origin - position)));
         for (std::size_t i = 0; i < 4; ++i) {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);

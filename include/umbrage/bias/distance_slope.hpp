@@ -26,7 +26,7 @@ inline constexpr T tessellation_reach = T(0.825);
 /// Largest change of distance per texel, shared equally by both axes: |x| + |y| is the change along the diagonal.
 ///
 /// @param way         vector from the light to the receiver, of length 1e-18 to 1e18
-/// @param normal      surface normal, any length. Zero: the caller has none
+/// @param normal      surface normal, any length. Pass zero if there is none
 /// @param per_texel   2 / (range (map_size - 2 border)) of the light
 /// @return            slope (s, s), s from 0 to 2
 /// @edge              plane seen edge-on by the light, or NaN: s = 2. Zero normal: s = 0

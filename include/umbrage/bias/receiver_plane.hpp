@@ -100,8 +100,8 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
 }
 
-/// Fetch callable that compares every texel along the receiver's plane: a texel that is lit there has the depth of the
-/// far plane, any other its own. A filter's own comparison then decides alike, and a search finds depths as stored.
+/// Fetch callable that compares every texel along the receiver's plane. A lit texel has the depth of the far plane. Any
+/// other has its own. A filter's own comparison then decides alike, and a search finds depths as stored.
 /// @param fetch       ivec2 texel -> stored depth
 /// @param slope       change of depth per texel in x and y, from receiver_plane_slope
 /// @param at          position that the filter is called with, in texels, and the receiver that it gets

@@ -88,7 +88,7 @@ template <real T>
 
 /// Change of a receiver's depth per texel.
 /// @param plane_matrix   from plane_matrix
-/// @param normal         surface normal, any length. Zero: the caller has none, and biases in the depth pass
+/// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
 /// @return               slope as from plane_slope
 /// @edge                 zero normal: (0, 0)
@@ -101,7 +101,7 @@ template <real T>
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
-/// @param normal   surface normal, rotated into the light's axes, any length. Zero: the caller has none
+/// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
 /// @return         slope in x and y, each -2 to 2
 /// @edge           plane seen edge-on by the light, or NaN: 2. Zero normal: (0, 0)

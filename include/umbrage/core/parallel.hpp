@@ -12,14 +12,14 @@
 //   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
-//   return        after the last piece has returned. What the pieces wrote must then be visible to the caller
+//   return        after the last piece has returned. The pieces' writes must then be visible to the caller
 //   exceptions    one that parallel_for throws, its own or a piece's, leaves the function. No piece may be running by
 //                 then. Results are unspecified, and arguments may be used again
-//   repetition    none. A piece that runs again while no other runs changes no result; else it is a data race
+//   repetition    none. A piece may run again only while no other runs, and then changes no result
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
 // A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
-// call it. A piece may wait for another one that is running, for microseconds, and never for one that has yet to start:
-// one thread is enough, and so are several pools at once. Pieces are bands of rows, strips of columns, or triangles.
+// call it. A piece may wait some microseconds for another that is running, but never for one that has yet to start. So
+// one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or triangles.
 // The result has the same bits for all pieces.
 #pragma once
 

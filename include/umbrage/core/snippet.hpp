@@ -105,10 +105,10 @@ struct snippet {
     std::string_view name;       ///< name of the C++ version; the GLSL function is umbrage_<name>
     std::string_view summary{};  ///< one line
     tier exactness = tier::a;
-    int operations = 0;       ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
-    float within = 0.0f;      ///< tier c without n: largest difference from C++; relative for results above 1
-    bool as_written = false;  ///< `within` holds where + - * round to nearest in the order written; no bound elsewhere
-    version lowest = version::v100;           ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    int operations = 0;              ///< tiers b and c: n of the bound; a division counts 2.5, a root 4.5
+    float within = 0.0f;             ///< tier c without n: largest difference from C++; relative for results above 1
+    bool as_written = false;         ///< `within` holds only where + - * round to nearest in the order written
+    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::span<const snippet* const> needs{};  ///< snippets that this one calls, a list<>
     hook role = hook::none;
     bool scaled = false;  ///< gives depths on another scale, on which 1.0 is not the far plane

@@ -86,7 +86,7 @@ enum class unorm_store { rounds, truncates };
 
 /// Channel that a UNORM target stores.
 /// @param c     any value, clamped to [0, 1]
-/// @param mode  what the target does between two channels
+/// @param mode  rounding of values between two channel steps
 /// @edge        NaN: 0, as graphics APIs require
 template <int Bits = 8, real T>
 requires unorm_bits<Bits>

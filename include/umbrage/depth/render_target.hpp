@@ -97,7 +97,7 @@ struct unorm_target {
 
     /// Texel that a UNORM store makes of the values.
     /// @param values   as a shader writes them
-    /// @param mode     what the target does between two channels
+    /// @param mode     rounding of values between two channel steps
     template <class Values>
     [[nodiscard]] static constexpr texel store(Values values, unorm_store mode = {}) {
         return store_unorm<Bits>(values, mode);

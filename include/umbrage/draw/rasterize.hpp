@@ -113,8 +113,8 @@ void rasterize_instances(image_view<float> depth, const mesh_view& mesh, std::sp
 /// @param at_near        treatment of casters in front of the near plane
 /// @edge        empty image: nothing happens. world_to_clip not finite: nothing is drawn
 /// @throws std::invalid_argument  clip unset; an index out of range; a side of the image above 16384
-/// @formula     the nearer of the stored depth and the plane's; in ties the later one (same bits). Nothing beyond the
-///              far plane, never -0
+/// @formula     the nearer of the stored depth and the plane's. Ties have the same bits. Nothing beyond the far plane,
+///              never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see draw/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,

@@ -29,7 +29,7 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones, world units
     std::vector<glm::uvec3> triangles;
 
-    template <class View = mesh_view>  // 26 ms less to include: spans of vectors are compiled where this is called
+    template <class View = mesh_view>  // only callers compile spans of vectors: 26 ms less to include
     [[nodiscard]] View view() const {
         return View{positions, triangles};
     }
@@ -77,7 +77,8 @@ private:
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
         if (cosine > greatest_cosine_ || (glm::min)(p, q) * cosine > range_) return {0, 0};
-        // mean of both ends' distances, against the distance to where the angle's bisector meets the edge
+        // compares the ends' mean distance with the distance of the point where the viewing angle's bisector meets the
+        // edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
     }
@@ -131,8 +132,8 @@ private:
         }
     }
 
-    /// Midpoint of an edge. Its newer end lists it: a cut gives a vertex few edges to older ones, but the older end may
-    /// be a fan's center, whose list would be searched from one end to the other for each cut.
+    /// Midpoint of an edge. Its newer end lists it, because a cut gives a vertex few edges to older ones. The older end
+    /// may be a fan's center. Each cut would search its long list.
     unsigned between(unsigned a, unsigned b) {
         if (a < b) return between(b, a);
         for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)

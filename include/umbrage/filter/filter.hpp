@@ -63,7 +63,7 @@ consteval bool is_filter() {
     return true;
 }
 
-/// Calls a filter's check, where it has one: for functions that take the filter for many lookups.
+/// Calls a filter's check, if it has one. Functions call it once before many lookups.
 template <class Filter>
 void require_filter(std::string_view function, const Filter& filter) {
     if constexpr (requires { filter.check(function); }) filter.check(function);

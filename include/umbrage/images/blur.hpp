@@ -121,7 +121,7 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
     }
 }
 
-/// Weighted sums of a row. tap(i) points to the row at distance i, and `next` to a row that is needed after it.
+/// Weighted sums of a row. tap(i) points to the row at distance i. `next` points to a row that is needed later.
 template <class Tap>
 UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
                                     const float* next = nullptr) {

@@ -64,7 +64,7 @@ inline void require_page_size(const page_size& size, const char* function) {
 /// @param pages   from page_cache::update
 /// @param draw    depth pass under root.clip: (image_view<float> map, const glm::mat4& world_to_clip). Called once per
 ///                page, with its gutter
-/// @throws std::invalid_argument  a slot outside the atlas; as page_light
+/// @throws std::invalid_argument  a slot outside the atlas, and the errors of page_light
 template <class Draw>
 void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,
                 std::span<const placed_page> pages, Draw&& draw) {

@@ -38,14 +38,14 @@ struct form_for<sloped_receivers, Filter> {
 
 /// Visibility of receivers along their planes, with the filter over apply_receiver_plane(fetch, slope, at) for each.
 ///
-/// @param map         shadow map, texels of the encoding. For a spot light z/w, in which a plane stays a plane
+/// @param map         shadow map, texels of the encoding. A spot light's map must hold z/w, in which planes stay planes
 /// @param encoding    encoding of the map's texels, with the depth direction
 /// @param receivers   with the slopes of their planes
 /// @param filter      as for visibility of receivers without planes. Your own callables, filters::four_tap and
 ///                    pcf_2x2_dx_sdk are called receiver by receiver: many times slower than the others
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @param outside     value of texels outside the map. The default is the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,

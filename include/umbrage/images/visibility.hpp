@@ -48,7 +48,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 ///                    (fetch, coord, receiver) -> visibility, optionally with the receiver's pixel as fourth argument
 /// @param out         receives visibility, 1 lit; same size as receivers, other memory than these and the map
 /// @param parallel    cuts the rows into pieces, see parallel.hpp. The filter is then called from all of them
-/// @param outside     value of texels outside the map. By default the far plane, so everything there is lit
+/// @param outside     value of texels outside the map. The default is the far plane, so everything there is lit
 /// @throws std::invalid_argument  sizes differ; an empty map; a filter's number out of range
 template <class Encoding, receiver_image Receivers = receiver_planes, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,

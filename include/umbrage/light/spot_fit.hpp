@@ -76,10 +76,10 @@ template <class = on_use>
 /// Light space of the smallest part of the cone's square pyramid that holds the receivers and their casters, with the
 /// margin around.
 ///
-/// Casters count if they lie in the volume that the receivers sweep towards the light. The result never leaves the
-/// pyramid, and its near plane is never closer than z_near. The light may stand inside the receivers and casters.
-/// A sphere counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost
-/// grows with the square of their number: for a mesh pass its box.
+/// Casters count if they lie in the volume that the receivers sweep towards the light. The result stays within the
+/// pyramid. Its near plane is at z_near or beyond. The light may stand inside the receivers and casters. A sphere
+/// counts as its bounding box, and points count as their convex hull. If some points lie outside, the cost grows with
+/// the square of their number: for a mesh pass its box.
 /// @return      nothing if no receivers of some extent lie in the pyramid beyond z_near: the light then needs no map
 /// @throws std::invalid_argument  zero or non-finite direction; angle out of range; receivers missing or not finite;
 ///                                an invalid box of casters; clip unset; matrices that would not be finite; a light so

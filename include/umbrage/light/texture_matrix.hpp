@@ -34,7 +34,8 @@ namespace umbrage {
 ///
 /// @param light      light of the map
 /// @param map_size   map size in texels, each >= 1; the first texel's center is (0.5, 0.5). (1, 1) gives UV coordinates
-/// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space; reversed stays reversed
+/// @return           matrix to (x w, y w, depth w, w). Depth is in [0, 1] in every clip space. Reversed depth stays
+///                   reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
 /// @throws std::invalid_argument  map_size below 1; clip unset; a matrix that would not be finite

@@ -22,7 +22,7 @@ namespace umbrage::glsl::detail {
 /// to 1.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # replace the statement
+    std::string_view texel{};                       ///< a vec4. Lines that begin with # replace the statement
     std::string_view sampled{};                     ///< vec4 at `uv`
     std::string_view lit{};                         ///< comparison of the sampler with `receiver`: float
     std::string_view gather_red{}, gather_green{};  ///< vec4

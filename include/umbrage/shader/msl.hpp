@@ -18,8 +18,8 @@
 
 namespace umbrage::msl {
 
-/// First lines of every text. Metal uses fast math by default, and these lines turn it off to the end of the file. Safe
-/// math still fuses a * b + c within a statement, which the second pragma forbids.
+/// First lines of every text. They turn off Metal's fast math, which is its default, to the end of the file. Safe math
+/// still fuses a * b + c within a statement, which the second pragma forbids.
 ///
 /// Both pragmas need the compiler of Metal 3.2: Xcode 16, macOS 15, iOS 18. Older ones need options for the whole
 /// library: -fno-fast-math and -ffp-contract=off offline, fastMathEnabled = NO at run time. The last may still fuse.

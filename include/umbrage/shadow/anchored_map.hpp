@@ -111,8 +111,8 @@ inline void require_digits(double away, double extent) {
             "Pass an origin near it.");
 }
 
-/// Bound of rounding in a map, for anchored_place: of a receiver and of the vertices of its own surface, each by
-/// itself.
+/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
+/// surface.
 ///
 /// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
 /// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Places of a receiver in cascaded shadow maps (CSM): in the first map that holds it and its filter, and in the next
-// one where the two blend. Near the border of the last map the second place lies outside, so shadows fade to light.
+// Places of a receiver in cascaded shadow maps (CSM). It has one in the first map that holds it and its filter. Where
+// two maps blend it has another in the next one. Near the border of the last map the second place lies outside, so
+// shadows fade to light.
 //
 // See also: cascaded_maps.hpp, the setup; light/cascades, the search and the weights alone.
 #pragma once
@@ -109,8 +110,8 @@ namespace umbrage {
     return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
 }
 
-/// Places of a point of the world in up to eight cascades: cascaded_maps_places with further columns, of the fifth
-/// cascade and those after it.
+/// Places of a world position in up to eight cascades. As cascaded_maps_places, with further columns for the cascades
+/// from the fifth on.
 /// @exactness   C, n = 38: as cascade_pair, of rotated vectors
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places_8(
     const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::mat4& farther_scales,

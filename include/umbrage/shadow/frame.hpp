@@ -24,7 +24,7 @@ template <class Look>
     for (const map_place& place : places.subspan(1)) {
         if (!(place.weight > 0.0f)) continue;
         const auto next = look(place);
-        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // blend_cascades, of colors too
+        sum = place.weight < 1.0f ? sum + (next - sum) * place.weight : next;  // as blend_cascades does, for colors too
     }
     return sum;
 }
@@ -82,7 +82,7 @@ struct frame_result {
 };
 
 /// GLSL version of blended: the one text of all shadows.
-/// @param statements     those of the words, where the result depends on a map
+/// @param statements     statements of the map's words, if the result depends on a map
 [[nodiscard]] inline std::string frame_text(const frame_result& of, const frame_words& w,
                                             const std::vector<std::string>& statements) {
     const std::string type = "UMBRAGE_HIGHP " + std::string(of.type) + ' ';

@@ -158,8 +158,8 @@ template <class Setup, class Filter>
     else return kernel_bias_of<Filter>(terms, place);
 }
 
-/// Coordinate of a place, in texels, and its depth with the bias applied. Beyond the far plane, where all is lit, no
-/// bias brings it back.
+/// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
+/// plane, where all is lit.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
     const float z = place.at.z;

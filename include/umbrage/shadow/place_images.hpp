@@ -49,7 +49,7 @@ template <bool Sloped>
 using place_receivers = std::conditional_t<Sloped, sloped_receivers, receiver_planes>;
 
 /// First rows and columns of planes, as receivers.
-/// @param x   column of each receiver, texels: that of the planes, or another
+/// @param x   column of each receiver in texels. It may differ from that of the planes
 template <bool Sloped>
 [[nodiscard]] place_receivers<Sloped> receivers_of(const place_planes<Sloped>& planes, const image<float>& x,
                                                    glm::ivec2 size) {

@@ -60,10 +60,11 @@ struct map_grid {
 /// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
 /// anything.
 ///
-/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes relative
-/// to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin, parallel).
-/// A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which refuses
-/// filters that read farther. A setup that bends straight lines specializes bends_of.
+/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
+/// parallel). A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which
+/// refuses filters that read farther. A setup that bends straight lines specializes bends_of, and has bend() for
+/// peter_panning_distance.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -77,8 +78,8 @@ concept shadow_setup = std::copyable<Setup> &&
     { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
-/// Function of the depth pass for maps that bend lines, in place of a product with a matrix: a snippet of
-/// (mat4 to_clip, vec3 world, arguments...) that returns a position in clip space.
+/// Depth pass function for maps that bend lines. The snippet takes (mat4 to_clip, vec3 world, arguments...) and returns
+/// a clip position, in place of a matrix product.
 struct vertex_function {
     const glsl::snippet* calls;
     std::array<glsl::interface_function::argument, 2> arguments;

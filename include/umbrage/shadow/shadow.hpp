@@ -70,8 +70,8 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks that the grid has a map for each light, that the size of all maps together is an int, and that each continues
-/// as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, the size of all maps is an int, and each map
+/// continues as far as the filter reaches.
 template <shadow_setup Setup>
 void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
     constexpr map_grid grid = Setup::grid;
@@ -129,11 +129,10 @@ public:
     /// @param origin     origin of all positions that the shadow gets, of casters, receivers and shaders, in world
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
-    /// @throws std::invalid_argument  a light whose clip space is unset, or that has no maps, or more than its grid
-    ///                                holds. A map_size below 1, less than twice the filter's reach, too large for
-    ///                                size(), or refused by the setup. A filter's number out of range. A light so far
-    ///                                from the origin that floats have no digits left; uniforms that would be infinite
-    ///                                or NaN in float
+    /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
+    ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
+    ///                                the setup. A filter's number out of range. A light so far from the origin that
+    ///                                floats have no digits left; uniforms that would be infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
@@ -261,8 +260,7 @@ public:
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
     /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
     ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
-    [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const
-        requires(!prefilter<Filter>) {
+    [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
         const double farther = encoding_.direction == depth_direction::forward ? off.above : off.below;

@@ -77,7 +77,7 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter of one map, as it is by itself: contact hardening has the softness of that map.
+/// Filter for one map. Contact hardening gets the softness of that map.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,

@@ -73,7 +73,7 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
     UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
     return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
 }

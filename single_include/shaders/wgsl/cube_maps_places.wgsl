@@ -62,7 +62,7 @@ fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, ro
     let at: vec3f = vec3f(c.x, c.y, c.z) * i;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(to_texels[3].z) * i));
+    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
     let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
     return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
                    none);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of an image that are drawn to: in place, or in a copy where they would contend for the cache.
+// Rows of an image to draw into. They are a copy where rows in place would contend for the cache.
 //
 //     band_buffer<> buffer;  // one per thread, for one band after the other
 //     buffer.begin(image.rows(first, last));
@@ -58,9 +58,9 @@ public:
     }
 
 private:
-    /// Number of triangles' bounds per texel, on average, at which contention has cost as much time as copying there
-    /// and back. It applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most
-    /// twice the best one. 0: rows do not contend. 8 rows never do.
+    /// Break-even of copying: the mean number of triangles' bounds per texel at which contention costs as much time. It
+    /// applies to rows in one set of the cache and, at less cost, in two. So the choice costs at most twice the best
+    /// one. 0: rows do not contend. 8 rows never do.
     [[nodiscard]] static std::int64_t bounds_a_texel(const image_view<float>& rows) {
         if (rows.size.y <= 8) return 0;
         return rows.stride % 4096 == 0 ? 2 : rows.stride % 2048 == 0 ? 8 : 0;

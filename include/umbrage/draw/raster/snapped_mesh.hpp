@@ -92,7 +92,7 @@ public:
     snapped_mesh(const snapped_mesh&) = delete;
     snapped_mesh& operator=(const snapped_mesh&) = delete;
 
-    /// Calls use() for each chunk; it draws the chunk.
+    /// Calls use() for each chunk, to draw it.
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds. More with threads, which are then started less often, and where pieces
@@ -115,7 +115,7 @@ public:
     }
 
     /// Passes on the chunk in an order that keeps texels in the cache. No two threads draw to the same row at once.
-    /// @param target   see rasterize.hpp: depth_target; drawing a batch must not throw
+    /// @param target   see depth_target of rasterize.hpp. Drawing a batch must not throw
     template <class ParallelFor, class Target>
     void for_each_batch(ParallelFor&& parallel, const Target& target) {
         const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;

@@ -6,8 +6,8 @@
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
-// of pcss. It is for large casters far from what they shadow. Where the penumbra is much narrower than the disc, it
-// darkens lit walls beside inner corners, and lets light through at contact.
+// of pcss. It is for large casters far from what they shadow. It darkens lit walls beside inner corners where the
+// penumbra is much narrower than the disc. It lets light through at contact there.
 // Also called: DPCF.
 // See also: pcss.hpp.
 #pragma once

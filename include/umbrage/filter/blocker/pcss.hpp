@@ -13,7 +13,7 @@
 // Search and filter share points, rotation and bias. A bias without acne at the largest radius has no acne at any
 // radius, but it is too large for most receivers. Under eaves, casters are nearer to the wall than the bias. Only some
 // rotations of the disc then find a blocker, and the shadow breaks into stripes. Receiver plane depth bias
-// (receiver_plane.hpp) avoids this: half a texel of bias does for any radius.
+// (receiver_plane.hpp) avoids this. Half a texel of bias is then enough for any radius.
 // Also called: contact hardening, PCSS, variable penumbra, area light shadows. Cheaper: dpcf.hpp, pcss_hardware.hpp.
 #pragma once
 

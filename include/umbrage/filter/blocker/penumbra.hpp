@@ -139,7 +139,8 @@ template <real T, class Compare = less_equal>
 /// Radius of a penumbra from the distance between blocker and receiver.
 /// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
 /// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
-/// @return           in 1/16 texel, an integer from min_radius to max_radius. Not so if softness is of other numbers
+/// @return           in 1/16 texel, an integer from min_radius to max_radius. Other values of softness give other
+///                   results
 /// @formula          min(max(floor(apart per_code), min_radius), max_radius)
 /// @exactness        A: a product of 24 bits
 template <real T>

@@ -43,8 +43,8 @@ template <real T, class Fetch, class Compare = less_equal>
     return lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
 }
 
-/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded, and it adds an epsilon to the
-/// stored depth instead of a bias to the receiver.
+/// The same filter as in the DirectX SDK ShadowMap sample. Its weights are not rounded. It adds an epsilon to the
+/// stored depth, and no bias to the receiver.
 ///
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 times, with indices up to one
 ///                   texel outside the map

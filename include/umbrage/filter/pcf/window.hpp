@@ -38,7 +38,7 @@ struct window_row {
     float whole;              ///< sum of the touched texels' weights along an axis: steps times the sum of all weights
     float scale;              ///< 1 / whole^2
     double scale_of_doubles;  ///< the same, for T = double
-    bool quadratic = false;   ///< two weights only: those of the quadratic B-spline instead
+    bool quadratic = false;   ///< weights of the quadratic B-spline, for rows of two weights only
 
     /// Weight i, counted from one edge to the other. 0 outside the row.
     [[nodiscard]] constexpr float weight(int i) const {

@@ -65,8 +65,8 @@ template <real T>
 /// @param m          mean of texels
 /// @param receiver   receiver depth in [0, 1], with the bias already applied; clamped
 /// @param exponent   same as for the texels
-/// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it: a minimum
-///                   deviation of depth times 2 ln(2) exponent
+/// @param deviation  minimum standard deviation, relative to the receiver's power. make_evsm computes it, from
+///                   a minimum deviation of depth times 2 ln(2) exponent
 /// @param cleared    cleared depth: 1, or 0 where depth is reversed
 /// @return           visibility before reduce_light_bleeding: at least the lit fraction, minus chebyshev's error
 /// @edge             NaN receiver: 0

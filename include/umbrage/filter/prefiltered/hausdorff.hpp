@@ -53,7 +53,7 @@ template <real T>
 
 namespace detail {
 
-/// decode_msm_hausdorff from decode_msm's result, from biased moments and a depth that grows with distance.
+/// decode_msm_hausdorff for biased moments, decode_msm's result, and a depth that grows with distance.
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE inline T lit_within(T plain, glm::vec<4, T> b, T d) {
     const T share = hausdorff_share(b, moment_depth(d));

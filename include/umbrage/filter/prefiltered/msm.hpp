@@ -26,8 +26,8 @@
 namespace umbrage {
 
 /// Biases of moments: (share x, target y) moves moments by a share x towards (0, y, 0, y). After rounding, the moments
-/// are then still those of some depths. Shadows get lighter by up to x, and near their casters by up to its square
-/// root.
+/// are then still those of some depths. Shadows get lighter by up to x. Near their casters they get lighter by up to
+/// sqrt(x).
 inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< for 32-bit floats
 inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< for optimized moments in four 16-bit channels
 

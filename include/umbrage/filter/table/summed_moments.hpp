@@ -7,7 +7,7 @@
 //                                                umbrage::msm_bias_16);
 //
 // The table holds optimized moments as integers of 16 bits, so their sums over a box are exact. Its left half stores
-// the sums modulo 2^16, its right half the sums divided by 2^16. One RGBA16UI texture holds both.
+// the sums modulo 2^16. Its right half stores the sums divided by 2^16. One RGBA16UI texture holds both.
 // Also called: summed-area moment shadow maps. See also: summed_variance.hpp, which needs less memory.
 #pragma once
 

@@ -17,8 +17,7 @@
 
 namespace umbrage::detail {
 
-/// Bounds of the texel squares that a box touches, for every start of the box: at most `cells` squares of 2^level
-/// texels in a row.
+/// Bounds of depth for every start of a box. The box touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
     glm::ivec2 squares;             ///< number of squares in the map

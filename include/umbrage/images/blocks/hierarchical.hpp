@@ -147,8 +147,8 @@ private:
         open.count = 0;
     }
 
-    /// Replaces the map by a copy of the texels that the receivers read, and makes these relative to it, if they all
-    /// fit.
+    /// If all texels that the receivers read fit, replaces the map by a copy of them. Receivers become relative to the
+    /// copy.
     UMBRAGE_INLINE void read_copy(tile& open, image_view<const float>& map) const {
         glm::ivec2 first(every_texel.first(open.xs[0]), every_texel.first(open.ys[0])), last = first;
         for (int from = 0; from < open.count; from += block)

@@ -99,7 +99,7 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees, or the whole slice if it sees nothing of the scene, or a point of it.
+/// Part of a scene that a slice sees. It is the whole slice if the slice sees nothing, or one point.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const hull seen(intersection(part, scene)), slice(part);

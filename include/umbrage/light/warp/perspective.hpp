@@ -56,7 +56,7 @@ struct perspective_light : warped_light<T> {
 
 namespace detail {
 
-/// Matrix from the world to a camera's NDC, in double. The camera is moved back, and its planes enclose the points.
+/// Matrix from the world to a camera's NDC, in double. The camera is moved back. Its planes enclose the points.
 [[nodiscard]] inline glm::dmat4 slid_back(const frustum<double>& camera, const std::vector<glm::dvec3>& points,
                                           double slide, const char* function) {
     const glm::dvec3 eye(camera.position), ahead = axes(camera, function, "camera")[2];

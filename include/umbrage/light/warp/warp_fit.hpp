@@ -10,7 +10,7 @@
 //     draw_depths(warped.light);
 //
 // A warp gives more texels to surfaces close to the camera, and fewer to distant ones. Lookups are those of a spot
-// light, with shadow_coordinate and project_coordinate. w is above 0, and depth grows along the light.
+// light, with shadow_coordinate and project_coordinate. w is above 0. Depth grows along the light.
 //
 // Under low lights (6 to 14 degrees above a ground) a warp can resolve far less than a map without one. Use
 // choose_light to take the better of both.
@@ -19,9 +19,9 @@
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
 // 1/28 texel at the corners of that view. Camera-relative coordinates lose the least precision.
 //
-// Far from the origin, float (and finally double) runs out of precision. If rounding, in any order, may move receivers
-// out of the map by more than 1/16 of its half size, a fit gives the map without a warp instead. If rounding could lose
-// receivers there as well, the fit throws.
+// Far from the origin, float (and finally double) runs out of precision. A fit gives the map without a warp if rounding
+// may move receivers out of it. The limit is 1/16 of the map's half size, for any order of operations. If rounding
+// could lose receivers there as well, the fit throws.
 #pragma once
 
 #include <limits>
@@ -101,7 +101,7 @@ template <real T>
     return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit, function), fit.clip.hand, function, "");
 }
 
-/// Smallest and largest depth in a map of the part of a body within planes of the map's space.
+/// Smallest and largest depth of a body, clipped to planes of the map's space.
 /// @return   highest and -highest if no part lies within. -highest and highest, which no map can hold, if some of it
 ///           does not lie in front of w = 0
 template <class = on_use>

@@ -23,7 +23,7 @@ struct near_language {
     std::string_view precise;      ///< word for UMBRAGE_PRECISE; empty: nothing
     std::string_view function;     ///< word before each function's type,
     std::string_view condition;    ///< and before the type of a function that returns bool
-    bool matrices_have_rows;       ///< m[i] is a row of m, and its constructor takes rows
+    bool matrices_have_rows;       ///< matrices are made of rows, and indexed by row
     bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
     std::string_view reserved;     ///< words that GLSL may use for a variable, and this language may not: " a b "
 };
