@@ -3,6 +3,7 @@
 // An implementation that can run entries. It knows nothing of any primitive.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -70,9 +71,16 @@ using backends = std::vector<std::unique_ptr<backend>>;
 /// Mesa's software drivers ("llvmpipe", "softpipe"), or every other device EGL knows ("hardware"). Empty: none here.
 [[nodiscard]] backends egl_backends(std::string_view driver);
 
-/// Vulkan in software ("lavapipe", "lavapipe_compute", which does not draw, "naga", which is WGSL on lavapipe, or
-/// "swiftshader_vulkan", the browser's), or every other device Vulkan knows ("hardware"). Empty: none here.
+/// Vulkan in software ("lavapipe", "lavapipe_compute", which does not draw, or "swiftshader_vulkan", the browser's), or
+/// every other device Vulkan knows ("hardware"). Empty: none here.
 [[nodiscard]] backends vulkan_backends(std::string_view driver);
+
+/// What translates WGSL to SPIR-V: Node.js, the script naga.js, and the folder of the module naga-wasm.
+struct naga_files {
+    std::filesystem::path node, script, modules;
+};
+/// WGSL on lavapipe. Empty, and said why, where one of the files is missing.
+[[nodiscard]] backends naga_backends(const naga_files&);
 
 /// WebGL 1 and 2 in a browser, on SwiftShader. Empty, and said why, where the browser or what drives it is missing.
 [[nodiscard]] backends webgl_backends();

@@ -156,8 +156,9 @@ backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
     if (driver == "fused") return fused_backends();
     if (driver == "metal") return metal_backends();
-    for (const char* vulkan : {"lavapipe", "lavapipe_compute", "naga", "swiftshader_vulkan"})
+    for (const char* vulkan : {"lavapipe", "lavapipe_compute", "swiftshader_vulkan"})
         if (driver == vulkan) return vulkan_backends(driver);
+    if (driver == "naga") return naga_backends({UMBRAGE_NODE, UMBRAGE_SCRIPTS "/naga.js", UMBRAGE_NODE_MODULES});
     if (driver == "swiftshader") return webgl_backends();
     if (driver == "tint") return webgpu_backends();
     if (driver != "llvmpipe" && driver != "softpipe" && driver != "hardware")

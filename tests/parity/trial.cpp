@@ -7,6 +7,7 @@
 namespace parity {
 
 backends vulkan_backends(std::string_view) { return {}; }
+backends naga_backends(const naga_files&) { return {}; }
 backends webgl_backends() { return {}; }
 backends webgpu_backends() { return {}; }
 backends metal_backends() { return {}; }

@@ -130,9 +130,8 @@ int compare(const options& o, parity::backend& on) {
 }
 
 int run(const options& o) {
-    const parity::backends all = implementations(o.guest.in, o.on);
-    if (all.empty()) throw cannot_run("nothing here runs " + parity::name(o.guest.in));
-    parity::backend& on = *all.front();
+    const auto implementation = check::implementation(o.guest.in, o.on);
+    parity::backend& on = *implementation;
     if (!o.values.empty()) return compare(o, on);
     const verdict v = investigate(o.guest, o.expected, on);
     if (o.json) std::cout << json(v) << '\n';

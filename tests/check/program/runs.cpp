@@ -5,18 +5,6 @@
 #include <deque>
 
 namespace check {
-
-parity::backends implementations(parity::dialect d, const std::string& on) {
-    using parity::dialect;
-    const auto or_else = [&](const char* usual) { return on.empty() ? std::string(usual) : on; };
-    switch (d.in) {
-        case dialect::hlsl: return parity::vulkan_backends(or_else("lavapipe"));
-        case dialect::wgsl: return parity::vulkan_backends(or_else("naga"));
-        case dialect::msl: return {};
-        default: return parity::egl_backends(or_else("llvmpipe"));
-    }
-}
-
 namespace {
 
 /// Answers a question's batches until there are no more.

@@ -18,10 +18,10 @@
 namespace parity {
 
 /// True when all of these files exist. Prints the name of a missing one.
-inline bool all_exist(std::initializer_list<const char*> files) {
-    for (const char* file : files) {
-        if (std::filesystem::exists(file)) continue;
-        std::cout << "missing: " << file << '\n';
+inline bool all_exist(std::initializer_list<std::filesystem::path> files) {
+    for (const std::filesystem::path& file : files) {
+        if (exists(file)) continue;
+        std::cout << "missing: " << file.string() << '\n';
         return false;
     }
     return true;

@@ -4,3 +4,4 @@
 #include "../backend.hpp"
 
 parity::backends parity::vulkan_backends(std::string_view) { return {}; }
+parity::backends parity::naga_backends(const naga_files&) { return {}; }

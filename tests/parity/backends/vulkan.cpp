@@ -111,9 +111,8 @@ public:
         if (!has_graphics() && std::ranges::any_of(e.bound, &bound_map::has_depths))
             return "a Vulkan queue without graphics cannot fill a depth texture";
         const auto limit = physical_.getProperties().limits.maxImageDimension2D;
-        return e.table.size().x <= static_cast<int>(limit)
-                   ? ""
-                   : "its table is wider than " + std::to_string(limit) + " texels";
+        if (e.table.size().x <= static_cast<int>(limit)) return "";
+        return "its table is wider than " + std::to_string(limit) + " texels";
     }
 
     [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
@@ -136,10 +135,8 @@ public:
         if (serial_ != j.serial) send(j);
         if (entry_ != j.what || dialect_ != d) {
             pipeline_ = make_pipeline(*j.what, d, *t.pass);
-            entry_ = j.what;
-            dialect_ = d;
+            entry_ = j.what, dialect_ = d;
         }
-
         if (!draws_)  // the set has one target at a time
             describe(target_binding, vk::DescriptorType::eStorageImage,
                      {.imageView = *t.color.view, .imageLayout = vk::ImageLayout::eGeneral});
@@ -265,18 +262,13 @@ private:
     std::uint64_t serial_ = ~std::uint64_t(0);
 };
 
-}  // namespace
-
-backends vulkan_backends(std::string_view driver) {
+/// @param naga   the command that compiles WGSL; empty: the other languages
+backends devices(std::string_view driver, const std::vector<std::string>& naga) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     backends all;
     if (!spirv_compiler::is_here()) return all;
-    const std::vector<std::string> naga{UMBRAGE_NODE, UMBRAGE_SCRIPTS "/naga.js", UMBRAGE_NODE_MODULES};
-    if (driver == "naga" && !all_exist({UMBRAGE_NODE, UMBRAGE_NODE_MODULES "/naga-wasm"})) return all;
-    if (driver == "swiftshader_vulkan") {
-        if (!all_exist({UMBRAGE_SWIFTSHADER})) return all;
-        setenv("VK_ICD_FILENAMES", UMBRAGE_SWIFTSHADER, 1);
-    }
+    if (driver == "swiftshader_vulkan" && !all_exist({UMBRAGE_SWIFTSHADER})) return all;
+    if (driver == "swiftshader_vulkan") setenv("VK_ICD_FILENAMES", UMBRAGE_SWIFTSHADER, 1);
     try {
         static const vk::raii::Context context;  // devices need it and the instance to the end
         const vk::ApplicationInfo application{.apiVersion = context.enumerateInstanceVersion()};
@@ -286,7 +278,7 @@ backends vulkan_backends(std::string_view driver) {
             if ((of.deviceType == vk::PhysicalDeviceType::eCpu) != (driver != "hardware")) continue;
             try {
                 all.push_back(std::make_unique<vulkan>(std::move(device), driver != "lavapipe_compute",
-                                                       driver == "naga" ? std::make_unique<child>(naga) : nullptr));
+                                                       naga.empty() ? nullptr : std::make_unique<child>(naga)));
             } catch (const std::exception& error) {  // others may do
                 std::cerr << of.deviceName.data() << " is left out: " << error.what() << '\n';
             }
@@ -294,6 +286,15 @@ backends vulkan_backends(std::string_view driver) {
     } catch (const std::exception&) {  // no loader, no driver, no device: nothing to run on
     }
     return all;
+}
+
+}  // namespace
+
+backends vulkan_backends(std::string_view driver) { return devices(driver, {}); }
+
+backends naga_backends(const naga_files& f) {
+    if (!all_exist({f.node, f.script, f.modules / "naga-wasm"})) return {};
+    return devices("lavapipe", {f.node, f.script, f.modules});
 }
 
 }  // namespace parity
