@@ -32,6 +32,17 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
 }
 
+TEST_CASE("implementations: what a language needs that runs on none") {
+    const auto words = [](parity::dialect in, const char* on) -> std::string {
+        try {
+            return implementation(in, on)->name();
+        } catch (const cannot_run& error) { return error.what(); }
+    };
+    CHECK(words(parity::dialect::msl, "") ==
+          "Metal text cannot run here. Give the same function as HLSL (.hlsl) or GLSL (.frag)");
+    CHECK(words(parity::dialect::hlsl, "llvmpipe") == "--on for HLSL must be one of: lavapipe, hardware; got llvmpipe");
+}
+
 TEST_CASE("languages: by ending and #version") {
     using parity::version;
     CHECK(dialect_of("a.wgsl", "") == parity::dialect::wgsl);
