@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "stages.hpp"
@@ -43,6 +44,7 @@ struct score {
     std::size_t tried = 0, explained = 0, same = 0;
     double off = 0;
     [[nodiscard]] bool fits() const { return explained == tried; }
+    [[nodiscard]] bool has_its_bits() const { return same == tried; }
     [[nodiscard]] auto rank() const {
         const double share = tried ? double(explained) / double(tried) : 0;
         return std::tuple(share, tried ? double(same) / double(tried) : 0, -off);
@@ -80,11 +82,9 @@ public:
             if (double(s.explained) > 0.9 * double(s.tried)) judge(s, b, out, b.inputs.size());
             all.push_back(s);
         }
-        const auto best =
-            std::max_element(all.begin(), all.end(), [](auto& x, auto& y) { return x.rank() < y.rank(); });
         const auto wanted =
             std::find_if(all.begin(), all.end(), [&](auto& s) { return s.model.filter->name == k_.expected.is; });
-        const score& chosen = wanted != all.end() && wanted->fits() ? *wanted : *best;
+        const score& chosen = wanted != all.end() && wanted->fits() ? *wanted : best_of(all);
         k_.found->inputs = b.inputs.size();
         if (!chosen.fits()) {
             k_.found->explained = chosen.explained;
@@ -110,6 +110,15 @@ private:
         std::string all;
         for (const finding& f : slips) all += ", " + f.says;
         return all;
+    }
+
+    /// One with the same bits; else the first that fits, as the list goes from the plain to the special: of two that
+    /// differ by rounding alone, the number of equal bits says how a GPU rounds, and not which of them was meant.
+    static const score& best_of(const std::vector<score>& all) {
+        for (auto is : {&score::has_its_bits, &score::fits})
+            if (const auto found = std::find_if(all.begin(), all.end(), std::mem_fn(is)); found != all.end())
+                return *found;
+        return *std::max_element(all.begin(), all.end(), [](auto& x, auto& y) { return x.rank() < y.rank(); });
     }
 
     static void judge(score& s, const batch& b, std::span<const vec4> out, std::size_t count) {

@@ -42,6 +42,23 @@ TEST_CASE("a filter itself: the same bits") {
     CHECK(!v.first);
 }
 
+TEST_CASE("two filters that differ by rounding alone: the plain one, but for the other's own bits") {
+    const verdict own =
+        of_filter([](auto& fetch, vec2 coord, float z) { return umbrage::pcf_2x2_dx_sdk(fetch, coord, z, 0.0f); });
+    CHECK(own.how == agreement::same_bits);
+    CHECK(own.function == "pcf_2x2_dx_sdk");
+    const verdict unrounded = of_filter([](auto& fetch, vec2 coord, float z) {
+        const vec2 from = coord - 0.5f, first = glm::floor(from), share = from - first;
+        const auto row = [&](int y) {
+            const ivec2 texel = ivec2(first) + ivec2(0, y);
+            return glm::mix(umbrage::lit(fetch, texel, z), umbrage::lit(fetch, texel + ivec2(1, 0), z), share.x);
+        };
+        return glm::mix(row(0), row(1), share.y);
+    });
+    CHECK(unrounded.how == agreement::same_but);
+    CHECK(unrounded.function == "pcf_2x2");
+}
+
 TEST_CASE("two slips: both are named, and the smallest input is small") {
     const verdict v = of_filter(
         [](auto& fetch, vec2 coord, float z) { return 1.0f - umbrage::tent<3>(fetch, coord + vec2(1, 0), z); },
