@@ -3,7 +3,7 @@
 // Slips of packing and unpacking functions: constants, offsets and the order of channels.
 #include <algorithm>
 
-#include "on_llvmpipe.hpp"
+#include "on_software.hpp"
 
 using namespace check;
 

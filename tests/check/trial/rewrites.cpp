@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "../numbers.hpp"
-#include "on_llvmpipe.hpp"
-#include "texts.hpp"
+#include "on_software.hpp"
+#include "filter_texts.hpp"
 
 using namespace check;
 
@@ -46,8 +46,9 @@ TEST_CASE("rewrites: none of a hundred is accused") {
         const std::size_t known = std::size(written_filters), which = std::size_t(i) % (known + std::size(others));
         const written_filter& filter = which < known ? written_filters[which] : others[which - known];
         const std::string text =
-            filter_text(filter.body, {one_of(uvs, random), one_of(sizes, random), one_of(added, random),
-                                      one_of(receivers, random), one_of(lits, random), one_of(results, random)});
+            filter_text(glsl, filter,
+                        {one_of(uvs, random), one_of(sizes, random), one_of(added, random), one_of(receivers, random),
+                         one_of(lits, random), one_of(results, random)});
         const verdict v = of_glsl(text, "shadow(uv, z)");
         CAPTURE(text);
         CAPTURE(check::text(v));

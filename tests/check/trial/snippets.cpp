@@ -5,7 +5,7 @@
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/shader/glsl.hpp>
 
-#include "on_llvmpipe.hpp"
+#include "on_software.hpp"
 
 using namespace check;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a user reads who did something wrong, and what follows from a file.
-#include "on_llvmpipe.hpp"
+#include "on_software.hpp"
 
 using namespace check;
 
