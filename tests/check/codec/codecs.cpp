@@ -15,8 +15,17 @@ codec make_codec(std::string name, const Encoding& encoding) {
     using target = typename Encoding::target;
     constexpr int channels = target::channels;
     const float most = largest_channel(target::bits);
-    return {std::move(name), target::bits, channels,
-            [encoding, most](float depth) { return glm::floor(target::load(encoding.encode(depth)) * most + 0.5f); },
+    const auto kept = [most](const typename Encoding::texel& t) { return glm::floor(target::load(t) * most + 0.5f); };
+    std::function<glm::vec4(float)> truncated;
+    if constexpr (requires { encoding.write(1.0f); })
+        truncated = [encoding, kept](float depth) {
+            return kept(target::store(encoding.write(depth), umbrage::unorm_store::truncates));
+        };
+    return {std::move(name),
+            target::bits,
+            channels,
+            [encoding, kept](float depth) { return kept(encoding.encode(depth)); },
+            std::move(truncated),
             [encoding, most](glm::vec4 k) {
                 if constexpr (channels == 1) return encoding.decode(target::store(k.x / most));
                 else return encoding.decode(target::store(glm::vec<channels, float>(k / most)));

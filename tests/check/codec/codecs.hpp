@@ -15,6 +15,8 @@ struct codec {
     std::string name;
     int bits, channels;
     std::function<glm::vec4(float depth)> encode;
+    /// The same where values are truncated before the store. None: its writer gives integers, which nothing truncates.
+    std::function<glm::vec4(float depth)> truncated;
     std::function<float(glm::vec4 channels)> decode;
 };
 

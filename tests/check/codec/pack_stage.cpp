@@ -28,15 +28,15 @@ constexpr depth_change depth_changes[]{
     {256.0f / 255, 0, "base", "times 256 / 255: base 256 for 255"},
 };
 struct channel_change {
-    float added;  ///< to each channel, before the store
+    bool truncates;
+    float added;  ///< to each channel of the store
     const char* kind;
     const char* says;
 };
-constexpr channel_change channel_changes[]{
-    {0, "", ""},
-    {-0.5f, "truncation", "channels half a step too low, as truncation makes them"},
-    {1, "truncation", "channels one step too high"},
-    {-1, "truncation", "channels one step too low"}};
+constexpr channel_change channel_changes[]{{false, 0, "", ""},
+                                           {true, 0, "truncation", "channels truncated in place of rounded"},
+                                           {false, 1, "truncation", "channels one step too high"},
+                                           {false, -1, "truncation", "channels one step too low"}};
 
 struct pack_model {
     const codec* what = nullptr;
@@ -47,9 +47,9 @@ struct pack_model {
     /// Channels that the store keeps, and others are 0.
     [[nodiscard]] vec4 operator()(float z) const {
         const float most = largest_channel(what->bits);
-        vec4 k = what->encode(depth->scale * z + depth->offset);
-        for (int i = 0; i < what->channels; ++i)
-            k[i] = (glm::clamp)(std::floor(k[i] + channel->added + 0.5f), 0.0f, most);
+        const auto& encode = channel->truncates ? what->truncated : what->encode;
+        vec4 k = encode(depth->scale * z + depth->offset);
+        for (int i = 0; i < what->channels; ++i) k[i] = (glm::clamp)(k[i] + channel->added, 0.0f, most);
         for (int i = what->channels; i < 4; ++i) k[i] = 0;
         return order(k);
     }
@@ -68,7 +68,7 @@ struct pack_model {
     [[nodiscard]] std::vector<finding> slips() const {
         std::vector<finding> all;
         if (depth->scale != 1) all.push_back({depth->kind, depth->says});
-        if (channel->added != 0) all.push_back({channel->kind, channel->says});
+        if (*channel->kind) all.push_back({channel->kind, channel->says});
         if (!order.plain(what->channels))
             all.push_back({"channels", "channels in the order " + order.name(what->channels)});
         return all;
@@ -98,10 +98,18 @@ channel_order matching(const pack_model& m, const batch& b, const std::vector<ve
     return order;
 }
 
+/// Channels up to the last one that is not the same in all results: where an encoding has fewer, another one fits better.
+int channels_that_vary(const std::vector<vec4>& got) {
+    for (int k = 4; k > 0; --k)
+        if (std::any_of(got.begin(), got.end(), [&](const vec4& v) { return v[k - 1] != got[0][k - 1]; })) return k;
+    return 0;
+}
+
 struct score {
     pack_model model{};
     std::size_t same = 0, explained = 0;
-    [[nodiscard]] auto rank() const { return std::tuple(explained, same, -int(model.slips().size())); }
+    int covered = 0;  ///< channels that vary, of those that the encoding has
+    [[nodiscard]] auto rank() const { return std::tuple(explained, covered, same, -int(model.slips().size())); }
 };
 
 class packs final : public stage {
@@ -148,6 +156,7 @@ private:
 
     score best_of(const batch& b, const std::vector<vec4>& got, int bits) const {
         score best;
+        const int varying = channels_that_vary(got);
         const auto judge = [&](score& s, std::size_t count) {
             s.same = s.explained = 0;
             for (std::size_t i = 0; i < count; ++i) {
@@ -160,7 +169,9 @@ private:
             if (c.bits != bits) continue;
             for (const depth_change& d : depth_changes)
                 for (const channel_change& ch : channel_changes) {
+                    if (ch.truncates && !c.truncated) continue;
                     score s{{&c, &d, &ch}};
+                    s.covered = (std::min)(c.channels, varying);
                     s.model.order = matching(s.model, b, got);
                     judge(s, 256);
                     if (s.explained < 240) continue;

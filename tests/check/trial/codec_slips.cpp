@@ -1,65 +1,76 @@
 // SPDX-License-Identifier: MIT
 //
-// Slips of packing and unpacking functions: constants, offsets and the order of channels.
+// Slips of packing and unpacking functions that a generator plants are named: constants, offsets, orders of channels.
 #include <algorithm>
+#include <iterator>
 
+#include "../numbers.hpp"
+#include "codec_texts.hpp"
 #include "on_software.hpp"
 
 using namespace check;
 
 namespace {
 
-struct planted {
-    const char *text, *call, *function, *kinds;  ///< kinds of slips, with a comma behind each
-};
+constexpr int texts = 60, with_two = 10;
 
-const planted all[]{
-    {"vec3 pack(float z) { float k = min(floor(z * 16777216.0), 16777215.0), h = floor(k / 256.0), t = floor(h / "
-     "256.0);"
-     " return vec3(t, h - t * 256.0, k - h * 256.0) / 255.0; }",
-     "vec4(pack(z).bgr, 0.0)", "rgb24", "channels,"},
-    {"vec3 pack(float z) { float k = min(floor(z * 16777216.0), 16777215.0), h = floor(k / 256.0), t = floor(h / "
-     "256.0);"
-     " return vec3(t, h - t * 256.0, k - h * 256.0) / 255.0; }",
-     "vec4(pack(z * 0.5 + 0.5), 0.0)", "rgb24", "z_range,"},
-    {"vec3 pack(float z) { float k = min(floor(z * 16777216.0), 16777215.0), h = floor(k / 256.0), t = floor(h / "
-     "256.0);"
-     " return vec3(t, h - t * 256.0, k - h * 256.0) / 255.0; }",
-     "vec4(pack(1.0 - z).bgr, 0.0)", "rgb24", "direction,channels,"},
-    {"vec2 pack(float z) { float k = min(floor(z * 2048.0), 2047.0), h = floor(k / 256.0);"
-     " return vec2(k - h * 256.0, h * 32.0) / 255.0; }",
-     "vec4(pack(z).yx, 0.0, 0.0)", "rg11", "channels,"},
-    {"vec2 pack(float z) { float k = min(floor(z * 2048.0), 2047.0), h = floor(k / 256.0);"
-     " return vec2(k - h * 256.0, h * 32.0) / 255.0; }",
-     "vec4(pack(z * (255.0 / 256.0)), 0.0, 0.0)", "rg11", "base,"},
-    {"vec4 pack(float z) { vec4 e = fract(vec4(1.0, 255.0, 65025.0, 16581375.0) * z);"
-     " return e - vec4(e.yzw, 0.0) * (1.0 / 255.0); }",
-     "pack(z).abgr", "base255", "channels,"},
-    {"float unpack(vec4 c) { return dot(c, vec4(1.0, 1.0 / 255.0, 1.0 / 65025.0, 1.0 / 16581375.0)); }",
-     "unpack(c.abgr)", "base255", "channels,"},
-    {"float unpack(vec4 c) { return dot(c, vec4(1.0, 1.0 / 255.0, 1.0 / 65025.0, 1.0 / 16581375.0)); }",
-     "unpack(c) * 2.0 - 1.0", "base255", "z_range,"},
-    {"float unpack(vec4 c) { return dot(c, vec4(1.0, 1.0 / 255.0, 1.0 / 65025.0, 1.0 / 16581375.0)); }",
-     "1.0 - unpack(c.gbar)", "base255", "direction,channels,"},
-    {"float unpack(vec4 c) { return dot(c, vec4(1.0, 1.0 / 255.0, 1.0 / 65025.0, 1.0 / 16581375.0)); }",
-     "unpack(c) * (256.0 / 255.0)", "base255", "base,"},
-};
+/// One that can be planted in a codec beside what is planted.
+const codec_slip& one_of(const std::vector<codec_slip>& all, std::string_view codec, int channels, dice& random,
+                         const codec_slip* beside = nullptr) {
+    for (;;) {
+        const codec_slip& slip = all[random.below(static_cast<std::uint32_t>(all.size()))];
+        if (slip.channels > channels || (!slip.of_codec.empty() && slip.of_codec != codec)) continue;
+        if (!beside || beside->where != slip.where) return slip;
+    }
+}
+
+std::vector<std::string> sorted(std::vector<std::string> kinds) {
+    std::ranges::sort(kinds);
+    return kinds;
+}
+
+/// Texts of one kind, in turn of GLSL, HLSL and WGSL.
+template <class Codecs, class Text>
+void each_is_named(const Codecs& codecs, const std::vector<codec_slip>& slips, const Text& text_of, const char* call) {
+    dice random(58);
+    int right = 0, tried = 0, twice = 0;
+    for (int i = 0; i < texts; ++i) {
+        const language& in = i % 3 == 0 ? glsl : i % 3 == 1 ? hlsl : wgsl;
+        if (!software(in.in)) continue;
+        const bool two = i % (texts / with_two) == 0;
+        auto codec = codecs[random.below(static_cast<std::uint32_t>(std::size(codecs)))];
+        while (two && codec.channels == 1) codec = codecs[random.below(static_cast<std::uint32_t>(std::size(codecs)))];
+        std::vector<const codec_slip*> planted{&one_of(slips, codec.name, codec.channels, random)};
+        if (two) planted.push_back(&one_of(slips, codec.name, codec.channels, random, planted[0]));
+        codec_parts parts;
+        std::vector<std::string> expected, found;
+        for (const codec_slip* slip : planted) {
+            parts.*(slip->where) = slip->text;
+            expected.emplace_back(slip->kind);
+        }
+        const std::string text = text_of(in, codec, parts);
+        const verdict v = of_text(in.file, text, call + parts.order + (*call == 'p' ? "" : ")"));
+        for (const finding& f : v.slips) found.push_back(f.kind);
+        CAPTURE(text);
+        CAPTURE(parts.order);
+        CAPTURE(check::text(v));
+        CHECK(v.function == codec.name);
+        CHECK(sorted(found) == sorted(expected));
+        CHECK(v.first.has_value());
+        right += v.function == codec.name && sorted(found) == sorted(expected);
+        ++tried, twice += two;
+    }
+    MESSAGE(right, " of ", tried, " named rightly, ", twice, " of them with two slips");
+}
 
 }  // namespace
 
-TEST_CASE("slips of codecs: each is named") {
-    if (!llvmpipe()) return;
-    for (const planted& p : all) {
-        const verdict v = of_glsl(p.text, p.call);
-        std::string kinds;
-        for (const finding& f : v.slips) kinds += f.kind + ',';
-        CAPTURE(p.text);
-        CAPTURE(p.call);
-        CAPTURE(check::text(v));
-        CHECK(v.function == p.function);
-        CHECK(kinds == p.kinds);
-        CHECK(v.first.has_value());
-    }
+TEST_CASE("slips of packing: each is named, two at once too") {
+    each_is_named(written_packers, pack_slips, pack_text, "pack(z).");
+}
+
+TEST_CASE("slips of unpacking: each is named, two at once too") {
+    each_is_named(written_unpackers, unpack_slips, unpack_text, "unpack(c.");
 }
 
 TEST_CASE("codecs that are none of ours: no name, and what they depend on") {
