@@ -6,6 +6,10 @@ add_doctest(check/engine COMMAND check_engine)
 
 add_executable(check_shaders $<TARGET_OBJECTS:umbrage_test_main> trial/slips.cpp trial/codec_slips.cpp trial/rewrites.cpp trial/snippets.cpp trial/words.cpp)
 target_link_libraries(check_shaders PRIVATE umbrage_test_flags umbrage_check_program)
+find_package(glslang QUIET)
+umbrage_test(check/installed NEEDS UMBRAGE_EGL UMBRAGE_VULKAN_HEADERS glslang::SPIRV UMBRAGE_NODE COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR}
+             -D MODULES=${UMBRAGE_NODE_MODULES} -D WORK=${CMAKE_CURRENT_BINARY_DIR}/installed -P ${CMAKE_CURRENT_SOURCE_DIR}/installed.cmake)
+set_tests_properties(check/installed PROPERTIES ENVIRONMENT "LIBGL_ALWAYS_SOFTWARE=true;MESA_SHADER_CACHE_DISABLE=true")
 foreach(part IN ITEMS slips codec_slips rewrites snippets words)
     add_doctest(check/${part} COMMAND check_shaders --source-file=*/trial/${part}.cpp)
     set_tests_properties(check/${part} PROPERTIES ENVIRONMENT "${quick_mesa}")

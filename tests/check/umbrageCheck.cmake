@@ -6,9 +6,9 @@
 #
 # The test is named after the file and the call, or by NAME. With EXACT the bits must be the same. ARGUMENTS gives further
 # options of umbrage-check. Where the program is not installed the test counts as skipped.
-find_program(UMBRAGE_CHECK umbrage-check HINTS ${CMAKE_CURRENT_LIST_DIR}/../../../bin DOC "umbrage-check, of UMBRAGE_BUILD_CHECK")
-
 function(umbrage_check_shader file)
+    find_program(UMBRAGE_CHECK umbrage-check HINTS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../../bin
+                 DOC "umbrage-check, which is built with UMBRAGE_BUILD_CHECK")
     cmake_parse_arguments(PARSE_ARGV 1 check "EXACT" "NAME;CALL;IS;ON" "ARGUMENTS")
     if(check_UNPARSED_ARGUMENTS OR NOT check_CALL)
         message(FATAL_ERROR "umbrage_check_shader(FILE CALL expression [IS name] [ON where] [EXACT] [NAME name] [ARGUMENTS ...]), "

@@ -98,7 +98,7 @@ channel_order matching(const pack_model& m, const batch& b, const std::vector<ve
     return order;
 }
 
-/// Channels up to the last one that is not the same in all results: where an encoding has fewer, another one fits better.
+/// Channels up to the last that varies: an encoding that gives all of them is preferred.
 int channels_that_vary(const std::vector<vec4>& got) {
     for (int k = 4; k > 0; --k)
         if (std::any_of(got.begin(), got.end(), [&](const vec4& v) { return v[k - 1] != got[0][k - 1]; })) return k;
