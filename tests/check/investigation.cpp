@@ -11,12 +11,17 @@ struct investigation::state {
     batch asked{};
 };
 
-std::vector<std::string> names(subject s) { return s == subject::filter ? filter_names() : encoding_names(); }
+std::vector<std::string> names(subject s) {
+    return s == subject::filter  ? filter_names()
+           : s == subject::bound ? std::vector<std::string>{"chebyshev"}
+                                 : encoding_names();
+}
 
 investigation::investigation(subject s, expectation e, std::uint32_t seed) : state_(std::make_unique<state>()) {
-    const auto make = s == subject::filter ? investigate_filter
-                      : s == subject::pack ? investigate_pack
-                                           : investigate_unpack;
+    const auto make = s == subject::filter  ? investigate_filter
+                      : s == subject::pack  ? investigate_pack
+                      : s == subject::bound ? investigate_bound
+                                            : investigate_unpack;
     state_->found.expected = e.is;
     state_->whole = make(e, seed, state_->found);
 }

@@ -30,6 +30,7 @@ enum class subject {
     filter,  ///< x, y: coord in texels; z: receiver depth; the map's texels are depths. Result in x: visibility
     pack,    ///< x: depth in [0, 1]. Result: the values of up to four channels, as a shader writes them
     unpack,  ///< x .. w: channels as sampled, k / 255. Result in x: depth
+    bound,   ///< as filter, but texels are moments of depths: their mean, and the mean of their squares
 };
 
 /// Inputs for one run over one map. Each input makes one call.
@@ -37,6 +38,7 @@ struct batch {
     glm::ivec2 size{0, 0};     ///< of the map, in texels, powers of two: coord / size is exact. 0 for codecs
     std::vector<float> map{};  ///< depths, row by row; texel (0, 0) has its center at coord (0.5, 0.5)
     std::vector<glm::vec4> inputs{};
+    std::vector<float> second{};  ///< the texels' second channel; empty: the same as the first
 };
 
 /// What the function should be. All empty: tell me.

@@ -22,6 +22,7 @@ public:
 [[nodiscard]] std::unique_ptr<stage> investigate_filter(const expectation&, std::uint32_t seed, verdict&);
 [[nodiscard]] std::unique_ptr<stage> investigate_pack(const expectation&, std::uint32_t seed, verdict&);
 [[nodiscard]] std::unique_ptr<stage> investigate_unpack(const expectation&, std::uint32_t seed, verdict&);
+[[nodiscard]] std::unique_ptr<stage> investigate_bound(const expectation&, std::uint32_t seed, verdict&);
 
 [[nodiscard]] std::vector<std::string> filter_names();
 [[nodiscard]] std::vector<std::string> encoding_names();

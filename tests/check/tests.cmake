@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-add_executable(check_engine $<TARGET_OBJECTS:umbrage_test_main> trial/engine.cpp)
+add_executable(check_engine $<TARGET_OBJECTS:umbrage_test_main> trial/engine.cpp trial/bounds.cpp)
 target_link_libraries(check_engine PRIVATE umbrage_test_flags umbrage_check_engine)
 target_precompile_headers(check_engine REUSE_FROM umbrage_test_headers)
 add_doctest(check/engine COMMAND check_engine)

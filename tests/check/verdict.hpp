@@ -25,7 +25,7 @@ enum class agreement {
 /// One thing that is wrong, or one way in which a result deviates without being wrong.
 struct finding {
     std::string kind;  ///< a word for links: shift, flip, swap, z_range, direction, strict, bias, border, in_shadow,
-                       ///< base, truncation, channels, nan, beyond_far, weights, outside
+                       ///< base, truncation, channels, nan, beyond_far, weights, outside, second, sides
     std::string says;  ///< for readers: "shifted by (0.5, 0.5) texel"
 };
 

@@ -15,6 +15,8 @@ using umbrage::glsl::texture;
 
 constexpr std::array maps{"map", "linear_map", "shadow_map"};
 
+bool reads_map(subject is) { return is == subject::filter || is == subject::bound; }
+
 bool uses(const std::string& text, const std::string& word) {
     return std::regex_search(text, std::regex("\\b" + word + "\\b"));
 }
@@ -31,7 +33,7 @@ std::string name_of(const guest_text& g, std::size_t map) {
 
 /// The function whose result is that of the shader. Its names are those that a call is written with.
 std::string wrapper(const guest_text& g) {
-    const bool filter = g.is == subject::filter;
+    const bool filter = reads_map(g.is);
     const std::string given = filter ? ", size" : "";
     switch (g.in.in) {
         case dialect::wgsl:
@@ -165,7 +167,7 @@ parity::entry make_entry(const guest_text& g) {
     static constexpr parity::snippet nothing{.name = "guest", .summary = {}, .source = "\n"};
     parity::entry e;
     e.primitive = &nothing;
-    e.call = g.is == subject::filter ? "umbrage_call(x0, map_size)" : "umbrage_call(x0)";
+    e.call = reads_map(g.is) ? "umbrage_call(x0, map_size)" : "umbrage_call(x0)";
     e.preamble = g.in.in == dialect::glsl && parity::name(g.in).ends_with("es")
                      ? "precision highp float;\nprecision highp int;\n"
                      : "";
@@ -175,7 +177,7 @@ parity::entry make_entry(const guest_text& g) {
     if (g.in.in == dialect::glsl) text.text += "#define varying\n#define main umbrage_main_of_guest\n";
     text.text += without_version(g.text) + '\n';
     if (g.in.in == dialect::glsl) text.text += "#undef varying\n#undef main\n";
-    if (g.is == subject::filter) {
+    if (reads_map(g.is)) {
         constexpr std::array kinds{texture::texture_2d, texture::texture_2d, texture::shadow};
         for (std::size_t k = 0; k < maps.size(); ++k) {
             if (k == 2 && g.in == version::v100) break;  // which has no such samplers

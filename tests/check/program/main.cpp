@@ -19,7 +19,7 @@ using namespace check;
 constexpr const char* usage =
     R"(Says which function of umbrage a shader's function is, and with which slips, by its results.
 
-    umbrage-check FILE --call EXPRESSION [--is NAME] [--exact] [--json] [--kind filter|pack|unpack] [--on WHERE]
+    umbrage-check FILE --call EXPRESSION [--is NAME] [--exact] [--json] [--kind filter|pack|unpack|bound] [--on WHERE]
                   [--before TEXT] [--map UNIFORM] [--linear-map UNIFORM] [--shadow-map UNIFORM]
     umbrage-check FILE --call 'f(c.x, c.y)' --values TABLE [--ulps N] [--json] [--on WHERE] [--before TEXT]
     umbrage-check --list
@@ -35,7 +35,8 @@ constexpr const char* usage =
   --is           what the function should be, one of --list; without it the answer is what it is
   --exact        exit status 0 only for the same bits
   --json         one object in place of lines
-  --kind         filter where the call uses a map or uv, unpack where it uses c, else pack
+  --kind         filter where the call uses a map or uv, unpack where it uses c, else pack. bound: a map's two channels
+                 are moments of depths, as in a variance shadow map
   --values       any function against a table: rows of one to four arguments and what is expected, as CSV or JSON;
                  c.x, c.y, c.z and c.w are the arguments. 0x and eight digits are a float's bits
   --ulps         how far off a result may be, in units in the last place; 0
@@ -103,6 +104,7 @@ options parse(int argc, char** argv) {
     o.guest.is = o.kind == "filter"   ? subject::filter
                  : o.kind == "pack"   ? subject::pack
                  : o.kind == "unpack" ? subject::unpack
+                 : o.kind == "bound"  ? subject::bound
                                       : subject_of(o.guest.call);
     if (!o.values.empty()) o.guest.is = subject::unpack;  // four numbers in, no map
     const auto known = names(o.guest.is);
@@ -112,8 +114,9 @@ options parse(int argc, char** argv) {
 }
 
 void list() {
-    for (const auto& [title, is] :
-         {std::pair{"filters", subject::filter}, {"encodings, to pack and unpack", subject::pack}}) {
+    for (const auto& [title, is] : {std::pair{"filters", subject::filter},
+                                    {"encodings, to pack and unpack", subject::pack},
+                                    {"bounds by moments, of --kind bound", subject::bound}}) {
         std::cout << title << ":\n";
         for (const std::string& name : names(is)) std::cout << "    " << name << '\n';
     }

@@ -19,7 +19,8 @@ void answer(Question& question, const guest_text& g, parity::backend& on) {
     while (std::optional<batch> b = question.next()) {
         parity::texels map((glm::max)(b->size, glm::ivec2(1)));
         for (std::size_t i = 0; i < b->map.size(); ++i)
-            map[{static_cast<int>(i) % b->size.x, static_cast<int>(i) / b->size.x}] = glm::vec4(b->map[i]);
+            map[{static_cast<int>(i) % b->size.x, static_cast<int>(i) / b->size.x}] =
+                b->second.empty() ? glm::vec4(b->map[i]) : glm::vec4(b->map[i], b->second[i], 1, 1);
         parity::job j{.what = &e, .classes = {}, .x = {}, .count = b->inputs.size(), .serial = ++serial};
         if (!e.maps.empty()) j.map = &map;
         j.x[0] = b->inputs;

@@ -26,7 +26,7 @@ const cesium = (...names) => folder =>
 
 /** What the engines' own preambles define for WebGL 2, where a text needs it. */
 const counts = ['SPOT_LIGHT_COORDS', 'SPOT_LIGHT_MAPS', 'DIR_LIGHT_SHADOWS', 'SPOT_LIGHT_SHADOWS', 'POINT_LIGHT_SHADOWS'];
-const three_defines = `#define USE_SHADOWMAP\n#define SHADOWMAP_TYPE_BASIC\n#define texture2D texture\n` +
+const three_defines = type => `#define USE_SHADOWMAP\n#define SHADOWMAP_TYPE_${type}\n#define texture2D texture\n` +
     counts.map(name => `#define NUM_${name} 0\n`).join('');
 /** Functions that take one size for both sides of a map: to them it is the first rows of a square one. */
 const of_square = `vec3 of_square(sampler2DShadow map) {
@@ -49,7 +49,8 @@ const soft = '#define USE_SOFT_SHADOWS\n';
 const clip = `vec4(${square_uv} * 2.0 - 1.0, z, 1.0)`;
 
 /** A function of a package: what the authors say of it, where it matters, and what it should be, where its name says so. */
-const f = (title, text, call, { before = '', promise = '', is = '' } = {}) => ({ title, text, call, before, promise, is });
+const f = (title, text, call, { before = '', promise = '', is = '', kind = '' } = {}) =>
+    ({ title, text, call, before, promise, is, kind });
 const babylon_pcf = babylon('helperFunctions', 'shadowsFragmentFunctions'), inverse = 'vec2(size.x, 1.0 / size.x)';
 const playcanvas_pcf = (side, promise) => f(`getShadowPCF${side}x${side}`, playcanvas(`lit/frag/lighting/shadowPCF${side}`),
     `getShadowPCF${side}x${side}(shadow_map, vec3(${square_uv}, z), vec4(size.x))`, { before: playcanvas_defines, promise });
@@ -64,7 +65,9 @@ export const packages = [
         f('unpackRGBToDepth', three('packing'), 'unpackRGBToDepth(c.xyz)'),
         f('unpackRGToDepth', three('packing'), 'unpackRGToDepth(c.xy)'),
         f('getShadow, BasicShadowMap', three('shadowmap_pars_fragment'), 'getShadow(map, size, 1.0, 0.0, 1.0, vec4(uv, z, 1.0))',
-            { before: three_defines, promise: 'unfiltered' }),
+            { before: three_defines('BASIC'), promise: 'unfiltered' }),
+        f('getShadow, VSMShadowMap', three('shadowmap_pars_fragment'), 'getShadow(map, size, 1.0, 0.0, 1.0, vec4(uv, z, 1.0))',
+            { before: three_defines('VSM'), promise: 'mean and deviation', kind: 'bound' }),
     ] },
     { name: '@babylonjs/core', version: '9.35.0', functions: [
         f('pack', babylon('packingFunctions'), 'pack(z)'),
@@ -79,6 +82,9 @@ export const packages = [
     { name: 'playcanvas', version: '2.23.3', functions: [
         f('float2uint', playcanvas('common/frag/float-as-uint'), 'float2uint(z)'),
         playcanvas_pcf(1), playcanvas_pcf(3), playcanvas_pcf(5),
+        f('chebyshevUpperBound', playcanvas('lit/frag/lighting/shadowEVSM'), 'chebyshevUpperBound(texture(map, uv).xy, z, 0.0001, 0.1)',
+            { kind: 'bound', before: `${playcanvas_defines}#define TEXTURE_ACCEPT(name) sampler2D name\n#define TEXTURE_PASS(name) name
+#define texture2DLod textureLod\n` }),
     ] },
     { name: '@cesium/engine', version: '26.3.0', functions: [
         f('czm_packDepth', cesium('packDepth'), 'czm_packDepth(z)', { promise: 'unsigned bytes' }),

@@ -16,9 +16,9 @@ const [check, unpacked, folder, test] = process.argv.slice(2);
 const page = join(dirname(fileURLToPath(import.meta.url)), 'README.md'), written = readFileSync(page, 'utf8');
 mkdirSync(folder, { recursive: true });
 
-function checked(file, { call, before, is }) {
+function checked(file, { call, before, is, kind }) {
     const run = spawnSync(check, [file, '--call', call, '--json', ...(before ? ['--before', before] : []),
-        ...(is ? ['--is', is] : [])], { encoding: 'utf8' });
+        ...(is ? ['--is', is] : []), ...(kind ? ['--kind', kind] : [])], { encoding: 'utf8' });
     if (run.status !== 0 && run.status !== 1) throw new Error(`${file}: ${(run.stderr || run.stdout).slice(0, 500)}`);
     return JSON.parse(run.stdout);
 }
