@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "inputs.hpp"
 #include "shader.hpp"
 
 namespace check {
@@ -24,6 +25,12 @@ bool uses(const std::string& text, const std::string& word) {
 /// The text without a #version, whose place is elsewhere, and without its lines being moved.
 std::string without_version(const std::string& text) {
     return std::regex_replace(text, std::regex("(^|\n)[ \t]*#[ \t]*version[^\n]*"), "$1");
+}
+
+/// As it stands in the shader.
+std::string own_text(const guest_text& g) {
+    const std::string text = without_version(g.text);
+    return g.in.in == dialect::glsl ? with_uniform_inputs(text) : text;
 }
 
 std::string name_of(const guest_text& g, std::size_t map) {
@@ -121,6 +128,14 @@ std::string hints(const guest_text& g) {
     }
     if (std::ranges::count(g.call, '(') != std::ranges::count(g.call, ')'))
         all += "hint: the call's brackets do not match\n";
+    for (std::size_t k = 0; k < maps.size() && g.in.in != dialect::glsl; ++k) {
+        const std::string& name = g.uniforms[k];
+        if (!name.empty() && std::regex_search(g.text, std::regex("\\bTexture2D\\b[^;]*\\b" + name +
+                                                                  "\\b|\\bvar\\b[^;]*\\b" + name + "\\s*:")))
+            all += "hint: delete the declarations of " + name +
+                   " and of its sampler: they are declared ahead of the text, as " + name + " and " + name +
+                   "_sampler\n";
+    }
     std::smatch include;
     if (std::regex_search(g.text, include,
                           std::regex(R"((?:^|\n)[ \t]*(#[ \t]*(?:include|import|pragma glslify)\b[^\n]*))"))) {
@@ -163,6 +178,19 @@ subject subject_of(const std::string& call) {
     return uses(call, "c") ? subject::unpack : subject::pack;
 }
 
+std::string unread_map(const guest_text& g) {
+    const auto given = [&](const std::string& name) { return !name.empty(); };
+    if (!reads_map(g.is) || std::ranges::any_of(g.uniforms, given)) return {};
+    if (std::ranges::any_of(maps, [&](const char* map) { return uses(g.call, map); })) return {};
+    std::string samplers;
+    const std::regex declared(R"(\buniform\s+(?:\w+\s+)?sampler2D(Shadow)?\s+(\w+))");
+    for (std::sregex_iterator i(g.text.begin(), g.text.end(), declared), end; i != end; ++i)
+        samplers += (samplers.empty() ? ": " : " or ") + std::string((*i)[1].matched ? "--shadow-map " : "--map ") +
+                    (*i)[2].str();
+    return "the call reads none of map, linear_map and shadow_map. Say which uniform of " + g.file + " is the map" +
+           (samplers.empty() ? ", by --map" : samplers);
+}
+
 parity::entry make_entry(const guest_text& g) {
     static constexpr parity::snippet nothing{.name = "guest", .summary = {}, .source = "\n"};
     parity::entry e;
@@ -173,9 +201,8 @@ parity::entry make_entry(const guest_text& g) {
                      : "";
     if (g.in == version::v100) e.preamble = "precision highp float;\nprecision highp int;\n";
     parity::guest text{.text = g.before + '\n'};
-    // What a fragment shader declares of its own is of no use here: no vertex shader gives it values.
-    if (g.in.in == dialect::glsl) text.text += "#define varying\n#define main umbrage_main_of_guest\n";
-    text.text += without_version(g.text) + '\n';
+    if (g.in.in == dialect::glsl) text.text += "#define varying uniform\n#define main umbrage_main_of_guest\n";
+    text.text += own_text(g) + '\n';
     if (g.in.in == dialect::glsl) text.text += "#undef varying\n#undef main\n";
     if (reads_map(g.is)) {
         constexpr std::array kinds{texture::texture_2d, texture::texture_2d, texture::shadow};
@@ -198,8 +225,7 @@ parity::entry make_entry(const guest_text& g) {
 std::string explained(const guest_text& g, const parity::entry& e, const std::string& message) {
     const std::string source = parity::make_shader(e, g.in).fragment;
     const std::string log = message.substr(0, message.find(source));
-    const long first = line_of(source, without_version(g.text)),
-               last = first + std::count(g.text.begin(), g.text.end(), '\n');
+    const long first = line_of(source, own_text(g)), last = first + std::count(g.text.begin(), g.text.end(), '\n');
     const long call = line_of(source, '\n' + g.call + '\n') + 1;
     const std::regex place(R"((?:0:|wgsl:)(\d+)(?=[:(]))");  // Mesa and glslang; naga
     std::string all;

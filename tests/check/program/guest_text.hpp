@@ -29,6 +29,9 @@ struct guest_text {
 /// A call that uses a map is a filter's, one that uses c a reader's, any other a writer's.
 [[nodiscard]] subject subject_of(const std::string& call);
 
+/// What to say where neither the call nor an option names the map; empty: one does, or none is read.
+[[nodiscard]] std::string unread_map(const guest_text&);
+
 [[nodiscard]] parity::entry make_entry(const guest_text&);
 
 /// A compiler's message with lines of the file, and what may help.

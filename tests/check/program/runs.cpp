@@ -12,6 +12,7 @@ template <class Question>
 void answer(Question& question, const guest_text& g, parity::backend& on) {
     static std::deque<parity::entry> kept;  // back ends know entries by their places, and inputs by their numbers
     static std::uint64_t serial = 0;
+    if (const std::string why = unread_map(g); !why.empty()) throw cannot_run(why);
     const parity::entry& e = kept.emplace_back(make_entry(g));
     const auto dialects = on.dialects();
     if (std::ranges::find(dialects, g.in) == dialects.end())

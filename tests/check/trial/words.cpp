@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a user reads who did something wrong, and what follows from a file.
+#include "../program/inputs.hpp"
 #include "on_software.hpp"
 
 using namespace check;
@@ -30,6 +31,26 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of("// a\n#include <common>\n" + good, "shadow(map, uv, z)"),
                "line 2 needs another text, #include <common>"));
     CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
+}
+
+TEST_CASE("messages: a map that nobody names") {
+    const std::string text =
+        "uniform sampler2D depths;\nuniform highp sampler2DShadow compared;\n"
+        "float shadow(vec2 uv, float z) { return z <= texture(depths, uv).r ? 1.0 : 0.0; }\n";
+    CHECK(says(words_of(text, "shadow(uv, z)"), "--map depths or --shadow-map compared"));
+}
+
+TEST_CASE("inputs of a fragment shader: uniforms, on their own lines; parameters stay") {
+    CHECK(with_uniform_inputs("// in\nlayout(location = 0)\n  flat in vec3 a; in B {\n vec2 c; } d;\n") ==
+          "// in\n\nuniform vec3 a;uniform B {\n vec2 c; } d;\n");
+    const std::string others = "#define x in\nfloat f(in vec2 inner) { return inner.x; }\nuniform vec2 v;\n";
+    CHECK(with_uniform_inputs(others) == others);
+    if (!llvmpipe()) return;
+    CHECK(says(words_of("#version 330\nin Varyings { vec3 normal; } given;\nin vec2 at;\nuniform sampler2D shadowMap;\n"
+                        "float shadow(vec2 uv, float z) {\n"
+                        "    return z - 0.25 * given.normal.x <= texture(shadowMap, uv + at).r ? 1.0 : 0.0;\n}\n",
+                        "shadow(uv, z)"),
+               "is hard"));
 }
 
 TEST_CASE("implementations: what a language needs that runs on none") {
