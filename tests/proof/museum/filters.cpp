@@ -168,7 +168,7 @@ score reversed_surface(Test test) {
 
 const exhibit all[] = {
     {"Shadow edges move, and stay hard",
-     "samplers with linear filter on a depth map; Reeves, Salesin and Cook warn of it in 1987",
+     "samplers with linear filter on a depth map. Reeves, Salesin and Cook warned of it in 1987",
      "The mean of an occluder and a background is a depth without a surface. Edges move, and stay hard.",
      "receiver <= bilinear(depths)", "2^18 receivers, visibility more than 1/256 off", "visibility",
      "`pcf_2x2` compares four depths and mixes the answers", [] { return visibilities(compare_filtered_depth); },
@@ -179,7 +179,7 @@ const exhibit all[] = {
      "`pcf_2x2` subtracts the half texel, as its first texel center is (0.5, 0.5)",
      [] { return visibilities(without_half_texel); }, [] { return visibilities(ours); }},
     {"The shadow is a texel off",
-     "lygia 1.4.1, sample/shadowLerp.glsl; three.js' texture2DShadowLerp, as printed in mrdoob/three.js#13526",
+     "lygia 1.4.1, sample/shadowLerp.glsl, and three.js' texture2DShadowLerp, as printed in mrdoob/three.js#13526",
      "The four taps begin at the nearest corner, with the weights of the texels before it. The shadow moves by a "
      "texel.",
      "i = floor(uv N + 1/2), f = fract(uv N + 1/2)", "2^18 receivers, visibility more than 1/256 off", "visibility",
@@ -195,11 +195,11 @@ const exhibit all[] = {
      "floor(uv N + 1/2) / N is a corner between texels. The last bit decides which texel a nearest filter reads.",
      "texture2D(map, floor(uv * N + 0.5) / N)",
      "texel centers of maps of 1 to 512 texels, an ulp less fetches another texel", "texels",
-     "coordinates in texels, one `floor`, integer texel numbers",
+     "coordinates are in texels, and one `floor` gives integer texel numbers",
      [] { return an_ulp_less([](float uv, float size) { return std::floor(uv * size + 0.5f) / size; }, true); },
      [] { return an_ulp_less([](float uv, float size) { return uv * size; }, false); }},
     {"Single texels flip along an edge",
-     "manual 2x2 filters that sample at uv and weight by fract(uv N - 1/2); mrdoob/three.js#33534",
+     "manual 2x2 filters that sample at uv and weight by fract(uv N - 1/2): mrdoob/three.js#33534",
      "The sampler is at the next texel, but the weight is not. A whole texel flips.",
      "taps at floor((uv - .5/N) N), weights fract(uv N - .5)",
      "coordinates within 8 ulp of texel centers, visibility more than 1/16 off", "visibility",
@@ -213,9 +213,9 @@ const exhibit all[] = {
      [] { return beside_centers([](float uv, float size) { return ours(vec2(uv * size, 0.5f)); }); }},
     {"Light and shadow are swapped: reversed Z",
      "mrdoob/three.js#29770 and seven threads after it, BabylonJS/Babylon.js#17315",
-     "Near is 1 now. Receivers behind the occluder are lit, and those in front of it are dark.", "receiver <= stored",
-     "2^18 pairs of reversed depths, the wrong answer", "visibility",
-     "`greater_equal` is an argument of every filter, `direction` of every binding",
+     "The near plane now has depth 1. Receivers behind the occluder are lit, and those in front of it are dark.",
+     "receiver <= stored", "2^18 pairs of reversed depths, the wrong answer", "visibility",
+     "every filter takes `greater_equal`, and every binding a `direction`",
      [] { return reversed_pairs([](float d, float s) { return compare(d, s); }); },
      [] { return reversed_pairs([](float d, float s) { return compare(d, s, greater_equal{}); }); }},
     {"Every surface shadows itself: reversed Z", "mrdoob/three.js#29770, BabylonJS/Babylon.js#17315",
@@ -234,7 +234,7 @@ const exhibit all[] = {
     {"Close to it, a noisy edge turns into stripes", "bevyengine/bevy#22400",
      "Noise of a position in the map changes slowly from pixel to pixel, and so do the rotations of the taps.",
      "turn = interleaved gradient noise(uv N)", "pixels, rotated by less than an eighth of a turn from their neighbor",
-     "turns", "`disc_rotation` takes the pixel: neighbors in a row are a quarter turn apart",
+     "turns", "`disc_rotation` takes the pixel, so neighbors in a row are a quarter turn apart",
      [] { return neighbors(noise_of_the_texel); }, [] { return neighbors([](vec2 p) { return disc_rotation(p); }); }},
 };
 

@@ -79,7 +79,7 @@ std::string linked(const std::string& text) {
 std::string page() {
     std::string out =
         "# A museum of bugs\n\n"
-        "Each exhibit is a public bug in packing, filtering or placing depth, under the name of what one sees. The "
+        "Each exhibit is a public bug in packing, filtering or placing depth, under the name of its symptom. The "
         "program\n"
         "`tests/proof/museum` runs the old formula and this library on the same inputs. Its test demands that the old "
         "formula fails,\n"
@@ -99,8 +99,8 @@ std::string page() {
         out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " + worst + " |\n";
         rooms += "\n## " + heading + "\n\n" + e.what->trouble + "\n\n";
         rooms += "- Seen: " + linked(e.what->seen) + "\n- Formula: `" + e.what->formula +
-                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + worst +
-                 "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
+                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ". Largest error: " + worst +
+                 "\n- Here: " + e.what->ours + ". Largest error: " + number(e.our_way.worst) + "\n";
     }
     return out + rooms;
 }

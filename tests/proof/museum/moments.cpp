@@ -72,7 +72,7 @@ const exhibit all[] = {
              [](float d) { return encode_evsm4(d, single.exponents); },
              [](vec4 m, float d) { return decode_evsm4(m, d, single.exponents, single.deviations); });
      }},
-    {"Far from the light nothing casts a shadow", "milos-agathon/forge3d#145; 40 is usual in 32 bits",
+    {"Far from the light nothing casts a shadow", "milos-agathon/forge3d#145. An exponent of 40 is usual in 32 bits",
      "Powers of depth exceed 65504, the largest half. A mean of infinity lights every receiver.",
      "(w, w^2) in halves, w = exp(40 z)", "receivers 1/20 behind 972 surfaces, visibility above 1/16", "visibility",
      "`make_evsm` takes the store, and refuses exponents whose powers do not fit",
