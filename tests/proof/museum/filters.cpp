@@ -232,7 +232,7 @@ const exhibit all[] = {
      [] { return beyond_the_far_plane([](float d) { return compare(d, 1.0f); }); },
      [] { return beyond_the_far_plane([](float d) { return hard([](ivec2) { return 1.0f; }, vec2(0.5f), d); }); }},
     {"Close to it, a noisy edge turns into stripes", "bevyengine/bevy#22400",
-     "Noise of a position in the map changes slowly from pixel to pixel, and so do the rotations of the taps.",
+     "Noise of a position in the map changes slowly from pixel to pixel. So neighbors rotate their taps alike.",
      "turn = interleaved gradient noise(uv N)", "pixels, rotated by less than an eighth of a turn from their neighbor",
      "turns", "`disc_rotation` takes the pixel, so neighbors in a row are a quarter turn apart",
      [] { return neighbors(noise_of_the_texel); }, [] { return neighbors([](vec2 p) { return disc_rotation(p); }); }},
