@@ -63,9 +63,9 @@ const evsm_parameters single = make_evsm({}),
 const exhibit all[] = {
     {"Squares of light flicker inside a shadow",
      "playcanvas/engine#7480, explained and mended in playcanvas/engine#9124",
-     "A degenerate triangle has a depth beyond 1. Its power is enormous, and the blur spreads it over a square.",
+     "A degenerate triangle has a depth beyond 1. Its power is enormous. The blur spreads it over a square.",
      "w = exp(15 (2 z - 1)), z not clamped", "texels of a shadow around a broken one, visibility more than 1/16 off",
-     "visibility", "`encode_evsm4` clamps the depth, and its falling power bounds the light of one texel",
+     "visibility", "`encode_evsm4` clamps the depth. Its falling power bounds the light of one texel",
      [] { return beside_a_broken_texel(unclamped_warp, visibility_of_warp); },
      [] {
          return beside_a_broken_texel(
