@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The reference is complete: every public name that readme --public lists has an entry on its header's page, and no
-// docstring lacks a part.
+// docstring lacks a part. Lists in comments stay lists.
 //
 //     node reference_test.mjs SITE NODE_MODULES SOURCES WORK README_TOOL
 import { execFileSync } from 'node:child_process';
@@ -41,6 +41,22 @@ const lines = execFileSync(tool, ['--public', root], { encoding: 'utf8' }).trim(
 check(lines.length > 500, `readme --public lists ${lines.length} names`);
 for (const [place, name] of without_entry(lines, built)) check(false, `${header_page(place)} has no entry of ${name}`);
 for (const entry of all.entries) for (const wrong of missing_parts(entry, all.texts.glsl.snippets)) check(false, wrong);
+
+// Lists stay lists: in a header's first comment, where one row has no room for a second space, and in a docstring.
+const rows_of = parts => parts.filter(part => part.kind === 'rows').map(part => part.rows.map(row => row.term).join());
+check(
+    rows_of(all.headers.get('shader/hooks/fetch.hpp').paragraphs).join('; ') ===
+        'UMBRAGE_MAP map,UMBRAGE_ORIGIN,UMBRAGE_DEPTH,UMBRAGE_STORED,UMBRAGE_REFERENCE,UMBRAGE_CORNER,UMBRAGE_BORDER,' +
+            'UMBRAGE_COMPARE,UMBRAGE_UV',
+    'the list of words at the head of fetch.hpp is another',
+);
+const texture = all.entries.find(each => each.name === 'texture' && each.place === 'shader/binding.hpp');
+check(
+    rows_of(texture.items[0].paragraphs).join('; ') ===
+        'texture_2d,atlas,array,cube,cube_faces,integer,depth, depth_array,shadow, shadow_array',
+    'the list of types in the docstring of texture is another',
+);
+check(built('core/parallel.hpp').includes('<dt>omission</dt><dd>a piece that never'), 'a list is not shown as one');
 
 // Faults that it must see.
 check(

@@ -34,7 +34,7 @@ export const slips = {
     direction: {
         name: 'compared in the other direction',
         words: 'Reversed depth needs the other comparison.',
-        exhibit: '`greater_equal` is an argument',
+        exhibit: 'every filter takes `greater_equal`',
     },
     strict: {
         name: 'dark where the depths are equal',

@@ -99,7 +99,7 @@ function docstring(node) {
                 case 'orderedlist':
                 case 'itemizedlist':
                     flush();
-                    doc.paragraphs.push({ kind: part.nodeName, items: children(part, 'listitem').map(text_of) });
+                    doc.paragraphs.push(list(part.nodeName, children(part, 'listitem').map(text_of)));
                     break;
                 case 'verbatim':
                     flush();
@@ -112,6 +112,13 @@ function docstring(node) {
     };
     children(child(node, 'detaileddescription'), 'para').forEach(walk);
     return doc;
+}
+
+/// A list, or the rows "term :: text" that rows.sed makes items of.
+function list(kind, items) {
+    const rows = items.map(each => each.split(' :: '));
+    if (!rows.every(row => row.length === 2)) return { kind, items };
+    return { kind: 'rows', rows: rows.map(([term, text]) => ({ term, text })) };
 }
 
 const lists = { param: 'param', templateparam: 'tparam', exception: 'throws' };

@@ -41,12 +41,20 @@ function item_html(context, item, header, to) {
     const brief = item.brief ? `<p>${prose(item.brief, to)}${where}</p>` : where && `<p>${where}</p>`;
     return `${brief}
 <pre tabindex="0"><code>${context.highlight(text, 'cpp')}</code></pre>
-${item.paragraphs.map(part => paragraph(part, to)).join('')}${parts(item, to)}${members(item, header, to)}`;
+${item.paragraphs.map(part => paragraph(context, part, to)).join('')}${parts(item, to)}${members(item, header, to)}`;
 }
 
-function paragraph(part, to) {
-    if (part.kind === 'code') return `<pre tabindex="0"><code>${escape(part.text.trim())}</code></pre>`;
+/// A part of a comment: code, a text, rows of terms with their texts, or a list.
+export function paragraph(context, part, to) {
+    if (part.kind === 'code') {
+        const text = part.text.replace(/^\n+|\s+$/g, '');
+        return `<pre tabindex="0"><code>${context.highlight(text, 'cpp')}</code></pre>`;
+    }
     if (part.kind === 'text') return `<p>${prose(part.text, to)}</p>`;
+    if (part.kind === 'rows') {
+        const rows = part.rows.map(({ term, text }) => `<dt>${prose(term, to)}</dt><dd>${prose(text, to)}</dd>`);
+        return `<dl class="parts">${rows.join('')}</dl>`;
+    }
     const list = part.kind === 'orderedlist' ? 'ol' : 'ul';
     return `<${list}>${part.items.map(each => `<li>${prose(each, to)}</li>`).join('')}</${list}>`;
 }

@@ -27,24 +27,34 @@ function read_header(place, text) {
     const lines = text.split('\n');
     const end = lines.findIndex(line => !line.startsWith('//'));
     const comment = lines.slice(1, end).map(line => line.slice(3));
-    const paragraphs = [];
-    for (const block of comment.join('\n').split(/\n\s*\n/)) {
-        if (block.trim() === '') continue;
-        const is_code = block.split('\n').every(line => line.startsWith('    ') || line.trim() === '');
-        paragraphs.push(
-            is_code
-                ? {
-                      kind: 'code',
-                      text: block
-                          .split('\n')
-                          .map(line => line.slice(4))
-                          .join('\n'),
-                  }
-                : { kind: 'text', text: block.replace(/\s+/g, ' ').trim() },
-        );
-    }
-    const also = /Also called: ([^]*?[\w)\]])\.(?:\s|$)/.exec(paragraphs.map(each => each.text).join('\n'));
+    const paragraphs = comment
+        .join('\n')
+        .split(/\n\s*\n/)
+        .filter(block => block.trim() !== '')
+        .flatMap(parts_of);
+    const also = /Also called: ([^]*?[\w)\]])\.(?:\s|$)/.exec(paragraphs.map(each => each.text ?? '').join('\n'));
     return { place, lines, paragraphs, also_called: also ? also_called(also[1].replace(/\s+/g, ' ')) : [] };
+}
+
+/// A block of a comment as code, or as texts and lists between them. A list's first row is "  term  text". The texts of all
+/// rows begin in one column, and lines that are indented farther than terms continue them.
+export function parts_of(block) {
+    const lines = block.split('\n').filter(line => line.trim() !== '');
+    if (lines.every(line => line.startsWith('    ')))
+        return [{ kind: 'code', text: block.replace(/^ {4}/gm, '') }];
+    const parts = [];
+    for (const line of lines) {
+        const last = parts.at(-1),
+            words = line.trim().replace(/\s+/g, ' '),
+            first = /^ {2}\S+(?: \S+)* {2,}(?=\S)/.exec(line);
+        const row = column => ({ term: line.slice(0, column).trim(), text: line.slice(column).trim() });
+        if (last?.kind === 'rows' && /^ {2}\S/.test(line)) last.rows.push(row(last.column));
+        else if (last?.kind === 'rows' && line.startsWith('    ')) last.rows.at(-1).text += ` ${words}`;
+        else if (first) parts.push({ kind: 'rows', column: first[0].length, rows: [row(first[0].length)] });
+        else if (last?.kind === 'text') last.text += ` ${words}`;
+        else parts.push({ kind: 'text', text: words });
+    }
+    return parts;
 }
 
 /// "CSM, PSSM (make_stable_cascades, make_tight_cascades); practical splits" as [{names, here}].

@@ -3,11 +3,10 @@
 // The reference: a page a header, a page a folder, the repository's own pages, and the sources that they link to.
 import { escape } from '../context.mjs';
 import { page } from '../page.mjs';
-import { entry_html } from './entry.mjs';
+import { entry_html, paragraph } from './entry.mjs';
 import { folder_page, folders_of, headers_below, way } from './folders.mjs';
 import { header_page, link } from './links.mjs';
 import { model } from './model.mjs';
-import { prose } from './prose.mjs';
 
 export async function pages(context) {
     const all = await model(context);
@@ -42,9 +41,7 @@ function of_header(context, all, header) {
         to = seen_from(all, path),
         here = all.by_place.get(header.place);
     const code = text => `<pre tabindex="0"><code>${context.highlight(text, 'cpp')}</code></pre>`;
-    const opening = header.paragraphs.map(part =>
-        part.kind === 'code' ? code(part.text) : `<p>${prose(part.text, to.name)}</p>`,
-    );
+    const opening = header.paragraphs.map(part => paragraph(context, part, to.name));
     const names = here.map(({ name }) => `<li><a href="#${name}">${name}</a></li>`).join('');
     const contents = `<nav class="contents" aria-label="Names of this header"><ul>${names}</ul></nav>`;
     const body = `${way(path, header.place)}
