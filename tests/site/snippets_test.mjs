@@ -78,6 +78,7 @@ await visit(async ({ open, check, picture, axe }) => {
                 from.bind(from.pcf_2x2, 'map_2', { ...from.rg16.reversed, texture: 'atlas' }),
             ]),
         );
+        check(wanted.includes(copyright), `the text in ${id} does not say whose it is`);
         await page
             .waitForFunction(wanted => document.getElementById('code').textContent === wanted, wanted)
             .catch(() => check(false, `two maps in ${id} are not as the package composes them`));
