@@ -25,6 +25,10 @@ export interface Options {
     /** In place of the filter's defaults, see glsl.filter.arguments; but for rotation, of which each pixel has its own. A
      *  generator's contactHardeningLightSizeUVRatio scales the softness. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** Discs, and what searches by them, rotate from frame to frame, for temporal antialiasing (TAA): each pixel has all 16
+     *  rotations in 16 frames. In materials that are made later, and in those of a scene that is given: StandardMaterial, PBRMaterial
+     *  and others that take plugins. */
+    readonly frame?: boolean;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
     /** A scene that was drawn before: its materials are compiled again. */

@@ -15,6 +15,7 @@ import '@babylonjs/core/Shaders/ShadersInclude/shadowsFragmentFunctions.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/oitFragment.js';
 import '@babylonjs/core/ShadersWGSL/ShadersInclude/shadowsFragmentFunctions.js';
 import { in_use } from './babylon_fit.mjs';
+import { stop_turning, turn_by_frame, turned_pixel } from './babylon_frame.mjs';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
 import { check_options, further_arguments, must } from './options.mjs';
 
@@ -82,7 +83,7 @@ function body_of(name, kind, array, asked) {
         map: lit.name, maps, size: 'size', at: 'uvDepth.xy * size', layer: array ? word.layer : undefined,
         z: array ? clamped(z, pcss, asked.reversed) : z,
         further: further_arguments(asked.filter, asked.given,
-            { rotation: `umbrage_disc_rotation(${word.pixel})`, radius, vec3 }),
+            { rotation: `umbrage_disc_rotation(${asked.frame ? 'umbrage_turned()' : word.pixel})`, radius, vec3 }),
     })}    return computeFallOff(mix(darkness, 1.0, umbrage_receiver.w), clipSpace.xy, frustumEdgeFalloff);\n`;
 }
 
@@ -99,9 +100,10 @@ function with_filters(name, own, asked) {
                 text = with_body(where, text, heads[name](called, kind === 'pcss', array),
                     body_of(name, kind, array, options), known);
         }
-    const place = '#ifdef SHADOWS\n', probe = Object.values(asked).some(options => options.probe);
+    const place = '#ifdef SHADOWS\n', [probe, frame] = ['probe', 'frame'].map(flag => Object.values(asked).some(all => all[flag]));
     must(where, text.startsWith(place), known, `another beginning of ${shadows}`);
-    return `${place}${globals(language, probe)}${language.text(items)}\n${text.slice(place.length)}`;
+    const turned = frame ? turned_pixel[name](words[name].pixel) : '';
+    return `${place}${globals(language, probe)}${turned}${language.text(items)}\n${text.slice(place.length)}`;
 }
 
 /** Puts a filter in place of Babylon.js' own, for all lights and materials of a page. */
@@ -122,6 +124,8 @@ export function install(engine, options = {}) {
         ? `#if defined(SHADOWS)\n${words[name].color}\n#endif\n${own[last]}` : own[last];
     installed.set(name, { own, reversed, kinds: all });
     in_use[name] = all;
+    if (turning()) turn_by_frame(options.scene);
+    else stop_turning();
     compile_again(engine, options.scene);
 }
 
@@ -133,8 +137,12 @@ export function uninstall(engine, options = {}) {
     Object.assign(stores[name], own);
     installed.delete(name);
     in_use[name] = {};
+    if (!turning()) stop_turning();
     compile_again(engine, options.scene);
 }
+
+/** Whether a filter that is installed rotates from frame to frame. */
+const turning = () => [...installed.values()].some(({ kinds }) => Object.values(kinds).some(({ frame }) => frame));
 
 function check_engine(where, engine) {
     must(where, engine instanceof AbstractEngine, 'engine must be an engine of this copy of @babylonjs/core', engine);

@@ -25,12 +25,13 @@ export const languages = {
 /** Checked options: a filter in the language that the engine compiles, and its arguments. The addon may have further options. */
 export function checked_options(where, name, options, further) {
     check_options(where, options,
-        { glsl: checked_later, wgsl: checked_later, arguments: checked_later, probe: flag, ...further });
+        { glsl: checked_later, wgsl: checked_later, arguments: checked_later, frame: flag, probe: flag, ...further });
     const filter = options[name];
     must(where, filter !== undefined, `${name} must be given, a filter of this package, for this engine`, filter);
     for (const language of Object.keys(languages))
         if (options[language] !== undefined) check_filter(where, language, options[language], language.toUpperCase());
-    return { filter, given: checked_arguments(where, filter, options.arguments), probe: options.probe ?? false };
+    const { frame = false, probe = false } = options;
+    return { filter, given: checked_arguments(where, filter, options.arguments), frame, probe };
 }
 
 /** A light's size in texels as the radius that scales a softness: 1.0 for 256 texels across all depths. The first eight bits,

@@ -30,6 +30,9 @@ export interface Options {
     /** In place of the filter's defaults, see glsl.filter.arguments; but for rotation, of which each pixel has its own. A
      *  light's penumbraSize scales the softness. */
     readonly arguments?: Readonly<Record<string, number | readonly number[]>>;
+    /** Discs, and what searches by them, rotate from frame to frame, for temporal antialiasing (TAA): each pixel has all 16
+     *  rotations in 16 frames. The device must be that of the current app. */
+    readonly frame?: boolean;
     /** Colors that say what is wrong with a receiver, as umbrage_probe_color has them; gray: no light reached it. */
     readonly probe?: boolean;
     /** Lights that must get the filter, components of entities. Without it, those of the app that cast shadows of its kind.

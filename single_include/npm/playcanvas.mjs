@@ -13,7 +13,7 @@ import {
     SHADOW_PCF3_16F, SHADOW_PCF3_32F, SHADOW_PCF5_16F, SHADOW_PCF5_32F, SHADOW_PCSS_32F,
 } from 'playcanvas';
 import { checked_options, filtered, globals, languages, light_radius, with_body } from './engine_text.mjs';
-import { further_arguments, must } from './options.mjs';
+import { further_arguments, must, turn_of_frame } from './options.mjs';
 import { in_use } from './playcanvas_fit.mjs';
 
 export { fit_bias } from './playcanvas_fit.mjs';
@@ -22,6 +22,7 @@ const where = 'playcanvas: install', known = 'playcanvas must have the shadow ch
 const lights_of_entities = ['an array of light components, such as [entity.light]',
     value => Array.isArray(value) && Array.from(value).every(light => light?.shadowType !== undefined && light.system?.app?.scene)];
 const installed = new WeakMap();  // device -> PlayCanvas' own chunks, and the options of each kind
+const turned = new WeakMap();  // device -> the handle of what turns its discs in each frame
 
 /** Shadow types of each kind. */
 const types = { pcf: { SHADOW_PCF3_16F, SHADOW_PCF3_32F, SHADOW_PCF5_16F, SHADOW_PCF5_32F }, pcss: { SHADOW_PCSS_32F } };
@@ -58,11 +59,13 @@ const heads = {
 const bindings = { pcf: { texture: 'shadow', outside: 'bordered' }, pcss: { texture: 'texture_2d', outside: 'bordered' } };
 const words = {
     glsl: {
-        size: 'vec2(textureSize(shadowMap, 0))', sampler: '', pixel: 'gl_FragCoord.xy',
+        size: 'vec2(textureSize(shadowMap, 0))', sampler: '', pixel: 'gl_FragCoord.xy', turn: 'umbrage_turn',
+        uniform: 'uniform highp vec2 umbrage_turn;\n',
         color: 'gl_FragColor = vec4(umbrage_color, 1.0);',
     },
     wgsl: {
         size: 'vec2f(textureDimensions(shadowMap))', sampler: ', shadowMapSampler', pixel: 'pcPosition.xy',
+        turn: 'uniform.umbrage_turn', uniform: 'uniform umbrage_turn: vec2f;\n',
         color: 'output.color = vec4f(umbrage_color, 1.0);',
     },
 };
@@ -78,7 +81,7 @@ function body_of(name, kind, asked) {
         map: `playcanvas_${kind}`, maps: `shadowMap${pcss ? '' : word.sampler}`,
         size: 'size', at: `${at}.xy * size`, z: `${at}.z`,
         further: further_arguments(asked.filter, asked.given,
-            { rotation: `umbrage_disc_rotation(${word.pixel})`, radius, vec3: language.vec3 }),
+            { rotation: `umbrage_disc_rotation(${word.pixel}${asked.frame ? ` + ${word.turn}` : ''})`, radius, vec3: language.vec3 }),
     })}    return umbrage_receiver.w;\n`;
 }
 
@@ -89,9 +92,9 @@ function with_filters(name, own, asked) {
         items.push(language.bind(filter, `playcanvas_${kind}`, bindings[kind]));
         if (probe) items.push(language.bind(language.probe_color, `playcanvas_${kind}`, bindings[kind]));
     }
-    const probe = Object.values(asked).some(options => options.probe);
+    const [probe, frame] = ['probe', 'frame'].map(flag => Object.values(asked).some(options => options[flag]));
     const once = '\n#ifndef UMBRAGE_PLAYCANVAS\n#define UMBRAGE_PLAYCANVAS\n'
-        + `${globals(language, probe)}${language.text(items)}\n#endif\n`;
+        + `${frame ? words[name].uniform : ''}${globals(language, probe)}${language.text(items)}\n#endif\n`;
     for (const [kind, options] of Object.entries(asked))
         for (const [chunk, head] of Object.entries(heads[name][kind]))
             chunks[chunk] = once + with_body(where, own[chunk], head, body_of(name, kind, options), known);
@@ -125,6 +128,19 @@ function must_reach(lights, kind, filter) {
     }
 }
 
+/** Sets a uniform of all materials before each frame of an app. */
+function turn_by_frame(app, device) {
+    if (turned.has(device)) return;
+    const turn = device.scope.resolve('umbrage_turn');
+    let frame = 0;
+    turned.set(device, app.on('prerender', () => turn.setValue([0, turn_of_frame(frame++)])));
+}
+
+function stop_turning(device) {
+    turned.get(device)?.off();
+    turned.delete(device);
+}
+
 /** Puts a filter in place of PlayCanvas' own, for all lights and materials of a device. */
 export function install(device, options = {}) {
     check_device(where, device);
@@ -136,10 +152,13 @@ export function install(device, options = {}) {
     const names = ['shadowPCF3PS', 'shadowPCF5PS', 'shadowSoftPS', 'outputPS'];
     const { own, kinds } = installed.get(device)
         ?? { own: Object.fromEntries(names.map(key => [key, chunks.get(key) ?? ''])), kinds: {} };
-    const all = { ...kinds, [kind]: asked };
+    const all = { ...kinds, [kind]: asked }, app = AppBase.getApplication();
+    must(where, !asked.frame || app?.graphicsDevice === device, 'device must be that of the current app for frame', app?.graphicsDevice);
     chunks.add(with_filters(name, own, all));
     installed.set(device, { own, kinds: all });
     in_use.set(device, all);
+    if (Object.values(all).some(({ frame }) => frame)) turn_by_frame(app, device);
+    else stop_turning(device);
 }
 
 /** Restores PlayCanvas' own text, byte for byte. */
@@ -148,6 +167,7 @@ export function uninstall(device) {
     chunks_of(device).add(installed.get(device)?.own ?? {});
     installed.delete(device);
     in_use.delete(device);
+    stop_turning(device);
 }
 
 /** Gives a directional light a size in the world: our filters take penumbraSize as the tangent of half its angle. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What users change after the first frame, in place: the next frame must be that of a page which had it from the start.
+import { tried_turns } from '/frames.mjs';
 import { directional, make_scene } from '/scene.mjs';
 
 const spot = THREE => new THREE.SpotLight(0xffffff, 200, 0, 0.6);
@@ -65,15 +66,11 @@ export async function tried_changes(THREE, draw, prepare = () => {}) {
     return wrong.join(', ') || 'none';
 }
 
-/** What 16 frames in a row of disc16 show: whether their mean is that of any other 16, and how far one frame is from it, of 255.
+/** Frames of disc16 in three.js: see frames.mjs.
  *  @param pixels   draws a frame of (made): bytes */
 export async function tried_frames(THREE, pixels, prepare) {
-    const made = make_scene(THREE, directional(THREE)), frames = [];
+    const made = make_scene(THREE, directional(THREE));
     made.light.shadow.radius = 5;
     prepare(made.light);
-    for (let i = 0; i < 24; ++i) frames.push(await pixels(made));
-    const sum = first => frames[0].map((_, at) => frames.slice(first, first + 16).reduce((all, frame) => all + frame[at], 0));
-    const [one, other] = [0, 7].map(first => sum(first)), differing = one.filter((value, i) => value !== other[i]).length;
-    const noise = Math.sqrt(one.reduce((all, value, i) => all + (value / 16 - frames[3][i]) ** 2, 0) / one.length);
-    return `${differing} differ, ${noise > 0.5 ? 'noise' : 'no noise'} in one: ${noise.toFixed(2)}`;
+    return tried_turns(() => pixels(made));
 }

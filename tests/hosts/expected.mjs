@@ -48,7 +48,18 @@ const changes = { host: 'three', filters: [], said: { wrong: 'none', point: 'tru
 const changes_webgpu = { ...changes, said: { ...changes.said, still: 'true', words: 'umbrage/three/webgpu: shadow_filter: the light must have '
     + "one map: a spot, a directional light or a SunLight; got a point light. It keeps three.js' own filter in place of castano_dyadic5." } };
 
+/** Discs that rotate from frame to frame, and others that stand still. */
+const stand = '0 differ, no noise in one: 0.00', turn = '0 differ, noise in one';
+const babylon_turns = Object.entries({ still: stand, before: turn, frames: turn, frozen: turn, own: stand });
+const babylon_frames = { host: '@babylonjs/core', filters: [],
+    said: Object.fromEntries(['standard', 'pbr'].flatMap(half => babylon_turns.map(([name, words]) => [`${name}.${half}`, words]))) };
+const playcanvas_frames = { host: 'playcanvas', filters: [], said: { still: stand, frames: turn, still_again: stand } };
+
 export const expected = {
+    babylon_frames: { ...babylon_frames, flags: webgpu },
+    'babylon_frames#webgl': { ...babylon_frames, flags: webgl },
+    playcanvas_frames: { ...playcanvas_frames, flags: webgpu },
+    'playcanvas_frames#webgl': { ...playcanvas_frames, flags: webgl },
     three_changes: { ...changes, flags: webgl },
     three_webgpu_changes: { ...changes_webgpu, flags: webgpu },
     'three_webgpu_changes#webgl': { ...changes_webgpu, flags: webgl },

@@ -133,6 +133,8 @@ const hosts = {
                     [null, 'got null']])
                     say('lights', () => addon.install(device, { [language]: { glsl, wgsl }[language].hard, lights }),
                         `lights must be an array of light components, such as [entity.light]; ${part}`);
+                say('frame', () => addon.install(device, { [language]: { glsl, wgsl }[language].disc16, frame: true }),
+                    'device must be that of the current app for frame; got undefined');
             },
             addon, kept: ['getShadowPCF1x1', 'getShadowVSM16'], first: 'shadowPCF3PS', unknown: 'another text of _getShadowPCF3x3', chunks: chunks_of,
             replaced: { pcf: '_getShadowPCF5x5', pcss: 'PCSSDirectional' }, engine,
@@ -168,6 +170,7 @@ function refuses_options(where, head, option, { box, disc16, pcss16, saturate, v
         [{ [option]: saturate }, `${option} must be a filter of this package, such as pcss16; got saturate`],
         [{ [option]: vsm }, `${option} must read depths through one coordinate; got vsm`],
         [{ [option]: pcss16, probe: 1 }, 'probe must be '],
+        [{ [option]: pcss16, frame: 1 }, 'frame must be true or false; got 1'],
         [{ [option]: pcss16, arguments: null }, 'arguments must be an object; got null'],
         [{ [option]: pcss16, arguments: { softnes: 1 } }, 'arguments must be among (softness) of pcss16; got softnes'],
         [{ [option]: pcss16, arguments: { rotation: [64, 0] } }, 'arguments must be among (softness) of pcss16; got rotation'],

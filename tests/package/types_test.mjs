@@ -115,7 +115,7 @@ install(THREE, renderer, { filter: wgsl.pcss16 });
 // @ts-expect-error no filter
 shadow_filter({});
 declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device, light: playcanvas.Light;
-babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, scene });
+babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, frame: true, scene });
 babylon.uninstall(engine, { scene });
 babylon.set_light_size({}, 0.1);
 export const of_babylon: babylon.Fitted = babylon.fit_bias({}, { receivers: scene.meshes as never[], steady: true });
@@ -125,7 +125,7 @@ playcanvas.set_light_size(light, 0.1);
 export const of_playcanvas: number[] = (playcanvas.fit_bias(light, { camera: {} }).cascades ?? []).map(({ texels_per_unit }) => texels_per_unit);
 // @ts-expect-error no light
 playcanvas.fit_bias();
-playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, lights: [light] });
+playcanvas.install(device, { glsl: pcss16, wgsl: wgsl.pcss16, frame: true, lights: [light] });
 playcanvas.uninstall(device);
 // @ts-expect-error a filter in another language
 babylon.install(engine, { wgsl: pcss16 });
