@@ -7,7 +7,9 @@
 //     import { castano_dyadic5 } from 'umbrage';
 //     import { install } from 'umbrage/three';
 //     install(THREE, renderer, { filter: castano_dyadic5 });  // before the first frame
-import { bind, disc_rotation, probe_color, text } from '../umbrage.mjs';
+import { hooks } from '../module/glsl/shadows.mjs';
+import { disc_rotation, probe_color, text } from '../umbrage.mjs';
+import { bind_known } from './compose/bind.mjs';
 import { in_use } from './three_fit.mjs';
 import {
     check_filter, check_options, checked_arguments, checked_later, end_of_body, flag, further_arguments, must, turn_of_frame,
@@ -19,6 +21,7 @@ export { set_light_size } from './three_light_size.mjs';
 const chunk_names = ['shadowmap_pars_fragment', 'dithering_fragment'], first_revision = 182;
 const members = ['BasicShadowMap', 'Material', 'ShaderChunk', 'WebGLRenderer'];
 const scene_of_three = ['a scene of three.js', value => typeof value?.traverse === 'function'];
+const bind = /*#__PURE__*/ bind_known(hooks);  // every filter that check_filter takes suits a map of depths
 const installed = new Map();  // ShaderChunk -> what it takes to restore it, and the first renderer's direction
 const numbers = new Map();  // chunk -> its number in the keys of programs
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a page carries that calls one function: bundled and minified, its text twice and 2 kB at most.
+// What a page carries that calls one function: bundled and minified, its text twice and 2 kB at most. What the addon of three.js
+// adds to a page that names what it uses, with gzip: 20 kB at most.
 //     node bundle_test.mjs PACKAGE FOLDER NODE_MODULES
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 
 const [umbrage, folder, node_modules] = process.argv.slice(2).map(path => resolve(path));
 const required = createRequire(join(node_modules, 'x.js'));
@@ -77,5 +79,25 @@ for (const [name, bundle] of Object.entries(bundlers)) {
         failed += !good;
     }
 }
+/** A page of three.js, without the addon, with it, and with its fit. */
+const names = '{ BasicShadowMap, Material, REVISION, ShaderChunk, WebGLRenderer }';
+const page = `import ${names} from 'three'; globalThis.all = ${names};`;
+const installed = `${page} import { castano_dyadic5 } from 'umbrage'; import { fit_shadow, install } from 'umbrage/three';
+    install(all, new WebGLRenderer(), { filter: castano_dyadic5 });`;
+const pages = { page, installed, fitted: `${installed} fit_shadow(globalThis.light, { receivers: globalThis.floor });` };
+if (['esbuild', 'three'].every(module => existsSync(join(node_modules, module)))) {
+    const bytes = {};
+    symlinkSync(join(node_modules, 'three'), join(folder, 'node_modules/three'));
+    for (const [name, code] of Object.entries(pages)) {
+        writeFileSync(join(folder, `${name}.js`), code);
+        bytes[name] = gzipSync(await bundlers.esbuild(join(folder, `${name}.js`))).length;
+    }
+    for (const name of ['installed', 'fitted']) {
+        const added = bytes[name] - bytes.page, good = added > 10_000 && added <= 20_000;
+        console.log(`${good ? 'ok' : 'FAILED'}: the addon of three.js, ${name}, adds ${added} bytes with gzip, at most 20000`);
+        failed += !good;
+    }
+} else if (!existsSync(join(node_modules, 'three'))) left_out.push('three');
+
 if (!failed && left_out.length) console.log(`SKIPPED: no ${left_out.join(', ')} in ${node_modules}`);
 process.exitCode = failed ? 1 : left_out.length ? 77 : 0;

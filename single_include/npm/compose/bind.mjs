@@ -33,6 +33,9 @@ export function bound(hooks, what, name, map, own = [what]) {
     };
 }
 
+/** bind() without its checks, of what is known to go together: a page that has no other carries 3 kB less. */
+export const bind_known = hooks => (what, name, map) => bound(hooks, what, name, { ...defaults, ...map });
+
 const no_words = { texel: '', sampled: '', lit: '', gather_red: '', gather_green: '', gather_lit: '', lit_filtered: '', size: '',
     sampler: '', sampler_argument: '' };
 const key_of = map => JSON.stringify(Object.keys(defaults).map(key => key === 'needs' ? map.needs.map(s => s.name) : map[key]));
