@@ -53,19 +53,23 @@ namespace proof::picture {
             }};
 }
 
+/// Radius of Godot's filter, texels: shadow_blur times that of soft shadows of low quality. It scales shadow_bias too,
+/// but for point lights.
+constexpr double godot_blur = 2.0;
+
 /// Position in a map where Godot 4 looks a receiver up, by its lights' default shadow_bias and shadow_normal_bias.
 [[nodiscard]] inline map_point godot_point(const light_maps& maps, const receiver& r) {
     const glm::dvec3 n(r.normal), sideways = n - r.to_light * r.cosine;
     const int map = r.place.number;
-    if (maps.kind == light_kind::sun) {  // across the light by 2 texels, and along it by 0.1 % of its depths
+    if (maps.kind == light_kind::sun) {  // across the light by 2 texels, and along it by 0.1 % of its depths times blur
         const double range = 1 / maps.units(map).y;
-        return maps.at(map, r.exact + 2 * r.texel * sideways + 0.001 * range * r.to_light);
+        return maps.at(map, r.exact + 2 * r.texel * sideways + 0.001 * godot_blur * range * r.to_light);
     }
     const double distance = glm::length(maps.rays.way(r.exact));
     const double tilt = 10.0 / maps.size().x * (1 - std::abs(r.cosine));  // shares of the distance
     if (maps.kind == light_kind::spot) {  // 0.03 % of clip space over w, with a near plane at 0.025
         const glm::dvec3 p = r.exact + n * (distance * tilt);
-        const double w = maps.w(map, p), world = 0.0003 / 0.025 * w;
+        const double w = maps.w(map, p), world = 0.0003 * godot_blur / 0.025 * w;
         return maps.at(map, p) - glm::dvec3(0, 0, umbrage::world_to_depth(world, maps.units(map), w));
     }
     return maps.at(map, maps.rays.from + glm::normalize(n * tilt - r.to_light) * (distance - 0.1));
@@ -73,14 +77,15 @@ namespace proof::picture {
 
 /// Godot 4: soft shadows of low quality, as wide in all cascades.
 [[nodiscard]] inline row godot(const light_maps& maps, const drawn_maps& drawn) {
-    return {"Godot 4",
-            [&maps, drawn](const receiver& r) { return vogel_look(maps, drawn, r, godot_point(maps, r), 4, 2.0); }};
+    return {"Godot 4", [&maps, drawn](const receiver& r) {
+                return vogel_look(maps, drawn, r, godot_point(maps, r), 4, godot_blur);
+            }};
 }
 
 /// Unity's universal render pipeline: depth bias 1 and normal bias 1 in its texels, both times the kernel's radius of
-/// 2.5 texels, on casters; point lights have no normal bias. Texels are those of the far plane, of half its width under
-/// spot lights and point lights. Its tent of 5 x 5, soft shadows of medium quality, is castano<5> within 0.03 of a
-/// weight.
+/// 2.5 texels, on casters; point lights have no normal bias. The rasterizer adds 2.5 texels of a triangle's slope.
+/// Texels are those of the far plane, of half its width under spot lights and point lights. Its tent of 5 x 5, soft
+/// shadows of medium quality, is castano<5> within 0.03 of a weight.
 [[nodiscard]] inline row unity_urp(const light_maps& maps, const scene& s) {
     const std::vector<glm::dvec3> shared = shared_normals(s);
     const auto casters = [&](int map) {
@@ -99,7 +104,7 @@ namespace proof::picture {
             const auto first = static_cast<unsigned>(3 * k);
             moved.triangles.emplace_back(first, first + 1, first + 2);
         }
-        return moved;
+        return maps.with_slope_bias(map, moved, 2.5);
     };
     const auto drawn = std::make_shared<const umbrage::image<float>>(maps.draw(casters, umbrage::cull_mode::back));
     return {"Unity URP 17", [&maps, drawn](const receiver& r) {

@@ -4,9 +4,11 @@
 // depth passes of casters that differ from map to map.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -108,21 +110,24 @@ public:
     /// Casters with their vertices on a grid of 1/16 texel, as rasterizers with 4 sub-pixel bits have them. Triangles
     /// that reach behind the light stay, since rasterizers cut them first.
     [[nodiscard]] ray_mesh on_coarse_grid(int map, const ray_mesh& mesh) const {
-        ray_mesh snapped;
-        for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-            const auto corners = mesh.corners(k);
-            bool in_front = true;
-            for (const glm::dvec3& c : corners) in_front = in_front && placed(map, c).w > 0.1 && at(map, c).z > 0;
-            for (const glm::dvec3& c : corners) {
-                const map_point here = at(map, c);
-                const glm::dvec2 grid = glm::round(glm::dvec2(here) * 16.0) / 16.0;
-                const glm::dvec4 h = to_world_[std::size_t(map)] * glm::dvec4(grid, here.z, 1.0);
-                snapped.positions.emplace_back(in_front ? glm::dvec3(h) / h.w : c);
-            }
-            const auto first = static_cast<unsigned>(3 * k);
-            snapped.triangles.emplace_back(first, first + 1, first + 2);
-        }
-        return snapped;
+        return moved_in_map(map, mesh, [](std::array<glm::dvec4, 3>& corners) {
+            for (const glm::dvec4& c : corners)
+                if (!(c.w > 0.1 && c.z > 0)) return;
+            for (glm::dvec4& c : corners) c = {glm::round(glm::dvec2(c) * 16.0) / 16.0, c.z, c.w};
+        });
+    }
+    /// Casters as a rasterizer's slope-scaled depth bias has them: farther by a number of texels, times the larger of
+    /// the slopes of their depth along the map's axes. None is moved beyond infinity, where it would come back.
+    [[nodiscard]] ray_mesh with_slope_bias(int map, const ray_mesh& mesh, double texels) const {
+        const glm::dvec4 infinity = to_texels_[std::size_t(map)] * glm::dvec4(axis(map), 0.0);
+        const double most = infinity.w > 0 ? infinity.z / infinity.w : std::numeric_limits<double>::max();
+        return moved_in_map(map, mesh, [=](std::array<glm::dvec4, 3>& corners) {
+            const auto side = [&](std::size_t i) { return glm::dvec3(corners[i]) - glm::dvec3(corners[0]); };
+            const glm::dvec3 n = glm::cross(side(1), side(2));
+            const double bias = texels * (glm::max)(std::abs(n.x / n.z), std::abs(n.y / n.z));
+            if (!(bias >= 0)) return;  // the triangle is a line in the map
+            for (glm::dvec4& c : corners) c.z = c.w > 0 ? (glm::min)(c.z + bias, (c.z + most) / 2) : c.z + bias;
+        });
     }
     /// One map of an image of all.
     [[nodiscard]] umbrage::image_view<const float> map_of(const umbrage::image<float>& all, int map) const {
@@ -130,6 +135,29 @@ public:
     }
 
 private:
+    /// Triangles with their corners moved as places in a map: texels, depth, w.
+    template <class Move>
+    [[nodiscard]] ray_mesh moved_in_map(int map, const ray_mesh& mesh, const Move& move) const {
+        ray_mesh moved;
+        for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+            std::array<glm::dvec4, 3> places{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::dvec4 h = placed(map, glm::dvec3(mesh.corners(k)[i]));
+                places[i] = {glm::dvec3(h) / h.w, h.w};
+            }
+            const auto before = places;
+            move(places);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::dvec4 h = to_world_[std::size_t(map)] * glm::dvec4(glm::dvec3(places[i]), 1.0);
+                moved.positions.emplace_back(places[i] == before[i] ? glm::dvec3(mesh.corners(k)[i])
+                                                                    : glm::dvec3(h) / h.w);
+            }
+            const auto first = static_cast<unsigned>(3 * k);
+            moved.triangles.emplace_back(first, first + 1, first + 2);
+        }
+        return moved;
+    }
+
     [[nodiscard]] glm::dvec4 placed(int map, glm::dvec3 p) const {
         return to_texels_[std::size_t(map)] * glm::dvec4(p, 1.0);
     }
