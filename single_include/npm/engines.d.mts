@@ -4,22 +4,48 @@
 
 export type Engine = 'three' | 'godot' | 'unity_urp' | 'bevy' | 'filament';
 
-/** A directional light's shadow map, or one of its cascades. */
-export interface DirectionalMap {
+/** What the map of any light has. */
+export interface EngineMap {
     readonly engine: Engine;
-    /** Texels of the map's side, of one cascade: in Godot with 4 splits half of directional_shadow/size. */
+    /** Texels of the map's side: of one cascade, of a spot light's map, of a point light's face. In Godot with 4 splits half of
+     *  directional_shadow/size, and of a spot light the side of its part of the atlas. */
     readonly map_size: number;
-    /** World units that the map covers from side to side. Of cascades, the coarsest one's. */
-    readonly width: number;
-    /** World units between the map's near and far plane. */
-    readonly range: number;
     /** As the engine calls it; engines[engine].filters has all. Without it, the engine's default. */
     readonly filter?: string;
     /** three.js' light.shadow.radius, Godot's shadow_blur. Without it, 1. */
     readonly radius?: number;
-    /** Largest coordinate of what the map shows, in world units from the origin. Without it, width. */
+    /** Largest coordinate of what the map shows, in world units from the origin. Without it, width, or range. */
     readonly extent?: number;
 }
+
+/** A directional light's shadow map, or one of its cascades. */
+export interface DirectionalMap extends EngineMap {
+    readonly light?: 'directional';
+    /** World units that the map covers from side to side. Of cascades, the coarsest one's. */
+    readonly width: number;
+    /** World units between the map's near and far plane. */
+    readonly range: number;
+}
+
+/** A point light's map, of Unity URP, Bevy or filament. */
+export interface PointMap extends EngineMap {
+    readonly light: 'point';
+    /** World units that the light reaches. */
+    readonly range: number;
+    /** Of the farthest receiver, world units along the axis of its map. Without it, range. */
+    readonly distance?: number;
+    /** The map's near plane. Without it, the engine's own, in Unity 0.2. */
+    readonly near?: number;
+}
+
+/** A spot light's map, of Godot, Unity URP, Bevy or filament. */
+export interface SpotMap extends Omit<PointMap, 'light'> {
+    readonly light: 'spot';
+    /** Of the cone from side to side, degrees: Unity's outer angle, twice Godot's spot_angle and Bevy's outer_angle. */
+    readonly angle: number;
+}
+
+export type AnyMap = DirectionalMap | SpotMap | PointMap;
 
 export interface Judged {
     /** Numbers by the names of the engine's settings. */
@@ -84,11 +110,14 @@ export interface EngineFacts {
 
 export const engines: { readonly [engine in Engine]: EngineFacts };
 
+/** The lights of an engine that engine_bias has numbers for. */
+export function lights_of(engine: Engine): ('directional' | 'spot' | 'point')[];
+
 /** What the formulas see of a map: for pictures of them.
  *  @throws Error  as engine_bias */
-export function light_of(options: DirectionalMap): Light;
+export function light_of(options: AnyMap): Light;
 
 /** Numbers for the engine's own bias settings: the smallest of four digits with which no plane stripes itself, at any tilt
  *  up to 89 degrees. An engine whose settings end before that gets their ends, and `lacking` says what is missing.
  *  @throws Error  another engine, a number or a filter that it does not take */
-export function engine_bias(options: DirectionalMap): Bias;
+export function engine_bias(options: AnyMap): Bias;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bias of a directional light in engines that fit their own shadow maps: numbers for the settings that they have.
+// Bias of lights in engines that fit their own shadow maps: numbers for the settings that they have. Directional lights are in
+// here, spot lights and point lights in engine_cones.mjs.
 //
 //     import { engine_bias } from 'umbrage/engines';
 //     engine_bias({ engine: 'godot', map_size: 2048, width: 40, range: 100 }).settings;
@@ -11,6 +12,7 @@
 // light is e cos t there. So a plane is free of acne where
 //
 //     height(t) >= r texel sin t + e cos t
+import { cone_of, cones, judged_in_cone } from './engine_cones.mjs';
 import { dot, parallel_parts } from './fit.mjs';
 import { check_options, must } from './options.mjs';
 
@@ -129,8 +131,12 @@ const not_below_zero = ['a finite number, 0 or more', value => Number.isFinite(v
 const known = {
     engine: [`one of ${Object.keys(engines).join(', ')}; engines.md says how to measure any other`, value => Object.hasOwn(engines, value)],
     map_size: ['an integer from 16 to 65536', value => Number.isInteger(value) && value >= 16 && value <= 65536],
+    light: ['directional, spot or point', value => ['directional', 'spot', 'point'].includes(value)],
     width: above_zero,
     range: above_zero,
+    angle: ['degrees above 0 and below 175', value => value > 0 && value < 175],
+    distance: above_zero,
+    near: above_zero,
     filter: ['a name', value => typeof value === 'string'],
     radius: not_below_zero,
     extent: not_below_zero,
@@ -173,31 +179,61 @@ function judged(engine, settings, light) {
     return { settings, detachment, lacking: lacking / texel, edges, ...striped && { striped } };
 }
 
+/** The filter that options name, with its own radius. */
+function filter_of({ title, filters, radius: has_radius }, { filter: name = Object.keys(filters)[0], radius }, texel) {
+    must(where, Object.hasOwn(filters, name), `filter must be one of ${Object.keys(filters).join(', ')}`, name);
+    must(where, radius === undefined || has_radius, `radius must not be given for ${title}, whose filters have none`, radius);
+    const made = filters[name], own = typeof made === 'function' ? made(texel) : made, scale = radius ?? 1;
+    const filter = { name, ...own, ...own.points && { radius: own.radius * scale, farthest: own.farthest * scale } };
+    const reach = filter.points ? filter.farthest + Math.SQRT2 : filter.half * Math.SQRT2;
+    return { filter, reach, blur: filter.points ? filter.radius : scale };
+}
+
+function must_have(options, ...names) {
+    for (const name of names) must(where, options[name] !== undefined, `${name} must be ${known[name][0]}`, undefined);
+}
+
+/** Refuses what a kind of light does not have. */
+function must_not_have(options, kind, ...names) {
+    for (const name of names) must(where, options[name] === undefined, `${name} must not be given for a ${kind} light`, options[name]);
+}
+
 /** A light as formulas see it: one place for what settings mean in it. */
 export function light_of(options) {
     check_options(where, options, known);
-    for (const name of ['engine', 'map_size', 'width', 'range'])
-        must(where, options[name] !== undefined, `${name} must be ${known[name][0]}`, undefined);
-    const engine = engines[options.engine], { map_size, width, range, radius, extent = width } = options;
-    const { filter: name = Object.keys(engine.filters)[0] } = options;
-    must(where, Object.hasOwn(engine.filters, name), `filter must be one of ${Object.keys(engine.filters).join(', ')}`, name);
-    must(where, radius === undefined || engine.radius, `radius must not be given for ${engine.title}, whose filters have none`, radius);
-    const texel = width / (map_size - 2 * (engine.border ?? 0));
-    const made = engine.filters[name], own = typeof made === 'function' ? made(texel) : made;
-    const scale = radius ?? 1;
-    const filter = own.points ? { ...own, radius: own.radius * scale, farthest: own.farthest * scale } : own;
-    const reach = filter.points ? filter.farthest + Math.SQRT2 : filter.half * Math.SQRT2;
+    must_have(options, 'engine', 'map_size');
+    const engine = engines[options.engine], { light: kind = 'directional', map_size, width, range } = options, { border = 0 } = engine;
+    if (kind !== 'directional') return cone_light(engine, kind, options);
+    must_have(options, 'width', 'range');
+    must_not_have(options, kind, 'angle', 'distance', 'near');
+    const { extent = width } = options, texel = width / (map_size - 2 * border), { filter, reach, blur } = filter_of(engine, options, texel);
     const [offset, error] = parallel_parts(reach, texel, range, [[extent, 0, 0]], engine.stored);
-    return { texel, range, reach, offset, error, filter, blur: filter.points ? filter.radius : scale };
+    return { texel, range, reach, offset, error, filter, blur };
 }
+
+function cone_light(engine, kind, options) {
+    must_have(options, 'range', ...kind === 'spot' ? ['angle'] : []);
+    must_not_have(options, kind, 'width', ...kind === 'point' ? ['angle'] : []);
+    const facts = cones[options.engine], { range, distance = range, near, extent = range } = options;
+    must(where, facts?.initial[kind], `light must be ${lights_of(options.engine).join(' or ')} for ${engine.title}`, kind);
+    must(where, !(near >= distance), 'near must be below the distance', near);
+    const light = cone_of(facts, { ...options, ...filter_of(engine, options, 1), extent, border: engine.border ?? 0 });
+    must(where, light, 'map_size must be larger for this filter', options.map_size);
+    return { ...light, texel: light.unit * light.depth };
+}
+
+/** The lights of an engine that engine_bias has numbers for. */
+export const lights_of = engine => ['directional', ...Object.keys(cones[engine]?.initial ?? {})];
 
 /** Numbers for an engine's own settings, and what its defaults do. */
 export function engine_bias(options = {}) {
-    const light = light_of(options), engine = engines[options.engine], { settings: all } = engine;
-    const numbers = engine.numbers(light), settings = {}, initial = {};
-    for (const [name, { initial: value, most = Infinity }] of Object.entries(all)) {
+    const light = light_of(options), engine = engines[options.engine], { kind } = light, facts = kind ? cones[options.engine] : engine;
+    const all = kind ? Object.entries(facts.initial[kind]).map(([name, initial]) => [name, { initial, most: facts.most }]) : Object.entries(engine.settings);
+    const numbers = facts.numbers(light), settings = {}, initial = {};
+    for (const [name, { initial: value, most = Infinity }] of all) {
         settings[name] = Math.min(rounded_up(numbers[name]), most);
         initial[name] = value;
     }
-    return { ...judged(engine, settings, light), texel: light.texel, reach: light.reach, defaults: judged(engine, initial, light) };
+    const judge = of => (kind ? judged_in_cone(facts, of, light) : judged(engine, of, light));
+    return { ...judge(settings), texel: light.texel, reach: light.reach, defaults: judge(initial) };
 }

@@ -2,15 +2,15 @@
 //
 // engine_bias without an engine: what it gives is enough at every tilt and little more, three.js' numbers are those of
 // fit_shadow, sliders that end too early are told, and bad input is refused by a name. Writes the numbers that
-// tests/proof/picture/engine_bias tries against rays.
-//     node engines_test.mjs PACKAGE NUMBERS
+// tests/proof/picture/engine_bias tries against rays, and engine_cones those of spot lights and point lights.
+//     node engines_test.mjs PACKAGE NUMBERS CONES
 import { writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [umbrage, numbers] = process.argv.slice(2).map(path => resolve(path));
+const [umbrage, numbers, cones] = process.argv.slice(2).map(path => resolve(path));
 const load = file => import(pathToFileURL(join(umbrage, 'npm', file)).href);
-const { engine_bias, engines, light_of } = await load('engines.mjs');
+const { engine_bias, engines, light_of, lights_of } = await load('engines.mjs');
 const { parallel_offset } = await load('fit.mjs');
 
 let failed = 0;
@@ -41,6 +41,29 @@ for (const [engine, { title, filters, border = 0 }] of Object.entries(engines)) 
 writeFileSync(numbers, lines.map(line => `${line.join('\t')}\n`).join(''));
 console.log(`${lines.length} lines in ${numbers}`);
 
+const of_cones = [];
+for (const [engine, { title, filters, border = 0 }] of Object.entries(engines))
+    for (const light of lights_of(engine).slice(1)) {
+        let enough = true, close = true;
+        for (const filter of Object.keys(filters))
+            for (const [map_size, angle, range] of [[1024, 60, 10], [512, 110, 4], [2048, 40, 30]]) {
+                const asked = { engine, light, filter, map_size, range, ...light === 'spot' && { angle } }, bias = engine_bias(asked);
+                const { reach, texel, detachment } = bias, { error, secant, filter: { radius = 0 } } = light_of(asked);
+                const ends = Object.values(bias.settings).includes(10), has_no_normal_bias = engine === 'unity_urp' && light === 'point';
+                enough &&= bias.lacking === 0 ? !bias.striped
+                    : (ends || has_no_normal_bias || engine === 'filament') && bias.striped[0] > (ends ? -1 : 30);
+                close &&= detachment <= (reach + 3.5) * texel * secant + 2 * error * secant ** 3;  // with the slope of Unity's rasterizer
+                for (const [kind, { settings, lacking, edges }, scale] of [['ours', bias, 1], ['too_little', bias, 0.5], ['defaults', bias.defaults, 1]]) {
+                    const [first, second = 0] = Object.values(settings).map(value => value * scale);
+                    of_cones.push([light, engine, filter, kind, map_size - 2 * border, light === 'spot' ? angle : 90, range, radius, reach, first, second, lacking, edges]);
+                }
+            }
+        check(`${title}, ${light}: the settings are enough, but where Unity's end or lack a normal bias, and where filament's camera moves back`, enough);
+        check(`${title}, ${light}: nothing is detached by much more than the filter's reach and the depths' steps`, close);
+    }
+writeFileSync(cones, of_cones.map(line => `${line.join('\t')}\n`).join(''));
+console.log(`${of_cones.length} lines in ${cones}`);
+
 const given = { engine: 'three', map_size: 1024, width: 40, range: 100 }, { normalBias } = engine_bias(given).settings;
 const fitted = parallel_offset(Math.sqrt(0.9) + Math.SQRT2, 40 / 1024, 100, [[40, 0, 0]]);
 check(`three.js: ${normalBias} is the ${fitted} of fit_shadow, in four digits`, normalBias >= fitted && normalBias < fitted * 1.001);
@@ -69,6 +92,15 @@ for (const [what, options, said] of [
     ['a radius', { ...given, radius: -1 }, 'radius must be a finite number, 0 or more; got -1'],
     ['a radius of none', { ...given, engine: 'bevy', radius: 2 }, 'radius must not be given for Bevy, whose filters have none; got 2'],
     ['an extent', { ...given, extent: Infinity }, 'extent must be a finite number, 0 or more; got Infinity'],
+    ['a light', { ...given, light: 'area' }, 'light must be directional, spot or point; got area'],
+    ['no angle', { engine: 'bevy', light: 'spot', map_size: 512, range: 9 }, 'angle must be degrees above 0 and below 175; got undefined'],
+    ['an angle of a point light', { engine: 'bevy', light: 'point', map_size: 512, range: 9, angle: 90 }, 'angle must not be given for a point light; got 90'],
+    ['a width of a spot light', { ...given, engine: 'bevy', light: 'spot', angle: 60 }, 'width must not be given for a spot light; got 40'],
+    ['an angle of a directional light', { ...given, angle: 60 }, 'angle must not be given for a directional light; got 60'],
+    ["Godot's point lights", { engine: 'godot', light: 'point', map_size: 512, range: 9 }, 'light must be directional or spot for Godot 4; got point'],
+    ["three.js' spot lights", { engine: 'three', light: 'spot', angle: 60, map_size: 512, range: 9 }, 'light must be directional for three.js; got spot'],
+    ['a near plane beyond', { engine: 'bevy', light: 'point', map_size: 512, range: 9, near: 9 }, 'near must be below the distance; got 9'],
+    ['too few texels', { engine: 'bevy', light: 'spot', angle: 170, map_size: 64, range: 9 }, 'map_size must be larger for this filter; got 64'],
     ['a misspelled option', { ...given, size: 1024 }, 'options must have no properties but engine, map_size, '],
 ]) {
     let message = 'accepted';

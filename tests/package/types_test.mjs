@@ -101,6 +101,9 @@ set_light_size({});
 const bias: Bias = engine_bias({ engine: 'godot', map_size: 2048, width: 40, range: 100 });
 numbers.push(bias.settings['shadow_bias'] ?? 0, bias.detachment, bias.striped?.[0] ?? 0, bias.defaults.lacking);
 export const title: string = engines.bevy.title;
+numbers.push(engine_bias({ engine: 'bevy', light: 'spot', map_size: 1024, angle: 60, range: 10 }).detachment);
+// @ts-expect-error no angle
+engine_bias({ engine: 'bevy', light: 'spot', map_size: 1024, range: 10 });
 // @ts-expect-error no such engine
 engine_bias({ engine: 'unreal', map_size: 2048, width: 40, range: 100 });
 // @ts-expect-error no range

@@ -41,18 +41,19 @@ struct engine_row {
     [[nodiscard]] bool has_16_bits() const { return engine != "three" && engine != "bevy"; }
 };
 
+[[nodiscard]] inline engine_row parse_row(const std::string& line, const std::string& path) {
+    std::istringstream fields(line);
+    engine_row r;
+    std::getline(fields, r.engine, '\t'), std::getline(fields, r.filter, '\t'), std::getline(fields, r.kind, '\t');
+    fields >> r.map_size >> r.width >> r.range >> r.radius >> r.reach >> r.first >> r.second >> r.lacking >> r.edges;
+    if (!fields) throw std::runtime_error(path + " has a line that is none: " + line);
+    return r;
+}
+
 [[nodiscard]] inline std::vector<engine_row> read_rows(const std::string& path) {
     std::ifstream file(path);
     std::vector<engine_row> rows;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream fields(line);
-        engine_row r;
-        std::getline(fields, r.engine, '\t'), std::getline(fields, r.filter, '\t'), std::getline(fields, r.kind, '\t');
-        fields >> r.map_size >> r.width >> r.range >> r.radius >> r.reach >> r.first >> r.second >> r.lacking >>
-            r.edges;
-        if (!fields) throw std::runtime_error(path + " has a line that is none: " + line);
-        rows.push_back(r);
-    }
+    for (std::string line; std::getline(file, line);) rows.push_back(parse_row(line, path));
     if (rows.empty()) throw std::runtime_error(path + " has no lines");
     return rows;
 }
@@ -61,6 +62,11 @@ struct engine_row {
 struct map_axes {
     glm::dvec3 x, y, to_light;
 };
+
+/// What Unity's settings are multiplied by, beside the texel.
+[[nodiscard]] inline double unity_kernel(const engine_row& r) {
+    return r.filter == "Hard" ? 1.0 : r.filter == "Soft Low" ? 1.5 : r.filter == "Soft Medium" ? 2.5 : 3.5;
+}
 
 /// Vectors in the world by which an engine moves a receiver, and a triangle that casts.
 struct engine_moves {
@@ -82,10 +88,7 @@ struct engine_moves {
         return {.receiver = r.first * 0.5 * r.texel() * sine * normal, .caster = -r.second * light};
     }
     if (r.engine != "unity_urp") throw std::runtime_error("no engine is called " + r.engine);
-    const double kernel = r.filter == "Hard"          ? 1.0
-                          : r.filter == "Soft Low"    ? 1.5
-                          : r.filter == "Soft Medium" ? 2.5
-                                                      : 3.5;
+    const double kernel = unity_kernel(r);
     const double slope = (glm::max)(std::abs(glm::dot(normal, axes.x)), std::abs(glm::dot(normal, axes.y))) /
                          (glm::max)(cosine, 1e-6);  // of depth, by which the rasterizer moves the triangle
     return {.caster = -(r.first * light + r.second * (1 - cosine) * normal) * kernel * r.texel() -
