@@ -110,8 +110,13 @@ export interface EngineFacts {
 
 export const engines: { readonly [engine in Engine]: EngineFacts };
 
+export type LightKind = 'directional' | 'spot' | 'point';
+
 /** The lights of an engine that engine_bias has numbers for. */
-export function lights_of(engine: Engine): ('directional' | 'spot' | 'point')[];
+export function lights_of(engine: Engine): LightKind[];
+
+/** What an engine does with a light's settings, and the public files that say so. */
+export function formula_of(engine: Engine, light: LightKind): { readonly formula: string; readonly sources: readonly string[] };
 
 /** What the formulas see of a map: for pictures of them.
  *  @throws Error  as engine_bias */

@@ -222,6 +222,9 @@ function cone_light(engine, kind, options) {
     return { ...light, texel: light.unit * light.depth };
 }
 
+/** Where the formula of an engine's light is, and what it says. */
+export const formula_of = (engine, light) => (light === 'directional' ? engines : cones)[engine];
+
 /** The lights of an engine that engine_bias has numbers for. */
 export const lights_of = engine => ['directional', ...Object.keys(cones[engine]?.initial ?? {})];
 

@@ -32,6 +32,17 @@ await visit(async ({ open, check, picture, axe }) => {
         for (const share of ['these_all', 'these_floor'])
             check((await cell(page, share)) === '0 %', `${engine}, ${filter}: ${await cell(page, share)} are dark`);
     }
+    for (const [engine, light, more] of [['godot', 'spot', { angle: 60 }], ['unity_urp', 'spot', { angle: 60 }], ['unity_urp', 'point', {}], ['bevy', 'point', {}]]) {
+        await page.selectOption('#engine', engine);
+        await page.selectOption('#kind', light);
+        const filter = Object.keys(engines[engine].filters)[0], bias = engine_bias({ engine, light, filter, map_size: 2048, range: 100, ...more });
+        await shown(page, bias.settings).catch(() => check(false, `${engine}, ${light}: other numbers than the package's`));
+        const striped = await cell(page, 'these_striped');
+        check((striped === 'none') === !bias.striped, `${engine}, ${light}: ${striped} may stripe`);
+        check(!(await page.locator('#picture_these').isVisible()) && (await page.locator('#angle').isVisible()) === (light === 'spot'),
+            `${engine}, ${light}: fields of another light`);
+    }
+    await page.selectOption('#engine', 'filament');
     const text = await copied(page, '#copy');
     check(text.includes('options.normalBias = ') && text === (await cell(page, 'code')), `what was copied is ${text}`);
     const link = await copied(page, '#link');
@@ -58,6 +69,12 @@ await visit(async ({ open, check, picture, axe }) => {
         const { state, refused } = read_state(`#engine=${engine}&width=3&range=7&sun=45&map_size=512`);
         check(refused.length === 0 && JSON.stringify(read_state(write_state(state)).state) === JSON.stringify(state), `${engine}: a state is lost`);
     }
+
+    for (const light of ['spot', 'point']) {
+        const { state, refused } = read_state(`#engine=unity_urp&light=${light}&range=7&map_size=512${light === 'spot' ? '&angle=80' : ''}`);
+        check(refused.length === 0 && JSON.stringify(read_state(write_state(state)).state) === JSON.stringify(state), `${light}: a state is lost`);
+    }
+    check(read_state('#engine=godot&light=point').refused[0] === 'light=point', "Godot's point lights are taken");
 
     // Stripes of three.js' defaults are in its picture, and not in the other.
     page = await open('bias.html#engine=three&map_size=1024&width=40&range=100&sun=40');

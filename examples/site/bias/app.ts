@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The bias page: numbers for an engine, its picture with these and with its defaults. All that is chosen is in the address.
-import { engine_bias, engines, light_of, type Judged } from '../../../single_include/npm/engines.mjs';
+// The bias page: numbers for an engine, and of a directional light its picture with these and with its defaults. All that is chosen
+// is in the address.
+import { engine_bias, engines, formula_of, light_of, lights_of, type AnyMap, type Judged, type LightKind } from '../../../single_include/npm/engines.mjs';
 import { copy } from '../clipboard';
 import { code_of } from './code';
 import { falsely_dark } from './emulate';
@@ -10,22 +11,27 @@ import { first_filter, limits, read_state, write_state, type State } from './sta
 
 const by_id = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const form = by_id<HTMLFormElement>('light'), notice = by_id('notice'), filter = by_id<HTMLSelectElement>('filter');
+const kind = by_id<HTMLSelectElement>('kind');
 let state: State, refused: string[], code = '', is_asked = false;
 
 const short = (value: number): string => String(Number(value.toPrecision(3)));
 const percent = (share: number): string => (share === 0 ? '0 %' : share < 0.001 ? 'below 0.1 %' : `${(100 * share).toFixed(1)} %`);
 
 function show_form(): void {
-    for (const name of ['engine', 'map_size', 'width', 'range', 'radius', 'sun'] as const) {
+    for (const name of ['engine', 'map_size', 'width', 'range', 'angle', 'radius', 'sun'] as const) {
         const field = by_id<HTMLInputElement | HTMLSelectElement>(name), value = String(state[name]);
         if (field.value !== value) field.value = value;
     }
     const { engine } = state, own = engine === 'other' ? [] : Object.keys(engines[engine].filters);
     filter.replaceChildren(...own.map(name => new Option(name, name, false, name === state.filter)));
+    kind.replaceChildren(...(engine === 'other' ? [] : lights_of(engine)).map(name => new Option(name, name, false, name === state.light)));
     by_id('radius_field').hidden = engine === 'other' || !engines[engine].radius;
     if (engine !== 'other') by_id('radius_name').textContent = engines[engine].radius ?? '';
     by_id('sun_degrees').textContent = `${state.sun}°`;
     for (const field of form.querySelectorAll<HTMLElement>('.of_engine')) field.hidden = engine === 'other';
+    for (const element of document.querySelectorAll<HTMLElement>('.of_directional')) element.hidden = engine === 'other' || state.light !== 'directional';
+    by_id('angle').closest('label')!.hidden = engine === 'other' || state.light !== 'spot';
+    by_id('range_words').textContent = state.light === 'directional' ? 'near to far plane, world units' : 'the light reaches, world units';
     by_id('found').hidden = engine === 'other';
     by_id('no_numbers').hidden = engine !== 'other';
 }
@@ -33,39 +39,43 @@ function show_form(): void {
 /** One column of the table and one picture. */
 function show_side(side: 'these' | 'defaults', judged: Judged): void {
     if (state.engine === 'other') return;
-    const engine = engines[state.engine], options = options_of(state), light = light_of(options), { settings, detachment, edges } = judged;
-    const floor = Math.PI / 2 - (state.sun * Math.PI) / 180;
+    const engine = engines[state.engine], light = light_of(options_of(state)), { settings, detachment, edges, striped } = judged;
+    const is_drawn = state.light === 'directional', floor = Math.PI / 2 - (state.sun * Math.PI) / 180;
     const cells: Record<string, string> = {
         settings: Object.entries(settings).map(([name, value]) => `${name} ${value}`).join(', '),
-        all: percent(falsely_dark(engine, light, settings, at => (at * 89 * Math.PI) / 180)),
-        floor: percent(falsely_dark(engine, light, settings, () => floor)),
+        striped: striped ? `${Math.round(striped[0])}° to ${Math.round(striped[1])}°` : 'none',
+        ...is_drawn && {
+            all: percent(falsely_dark(engine, light, settings, at => (at * 89 * Math.PI) / 180)),
+            floor: percent(falsely_dark(engine, light, settings, () => floor)),
+        },
         detachment: `${short(detachment)} units, ${short(detachment / light.texel)} texels`,
         edges: edges >= 89 ? 'all' : `up to ${Math.round(edges)}°`,
     };
     for (const [name, text] of Object.entries(cells)) by_id(`${side}_${name}`).textContent = text;
-    draw(by_id<HTMLCanvasElement>(`picture_${side}`), engine, light, settings, state.sun);
+    if (is_drawn) draw(by_id<HTMLCanvasElement>(`picture_${side}`), engine, light, settings, state.sun);
 }
 
-function options_of({ engine, filter, radius, map_size, width, range }: State) {
+function options_of({ engine, light, filter, radius, map_size, width, range, angle }: State): AnyMap {
     if (engine === 'other') throw new Error('no numbers for another engine');
-    return { engine, filter, map_size, width, range, ...(engines[engine].radius && { radius }) };
+    const all = { engine, filter, map_size, range, ...(engines[engine].radius && { radius }) };
+    return light === 'directional' ? { ...all, light, width } : light === 'spot' ? { ...all, light, angle } : { ...all, light };
 }
 
 function show(): void {
     show_form();
     const told = refused.map(each => `The address has "${each}", which is left out.`);
     if (state.engine !== 'other') {
-        const engine = engines[state.engine], bias = engine_bias(options_of(state));
-        code = code_of[state.engine](bias.settings);
+        const engine = engines[state.engine], bias = engine_bias(options_of(state)), { formula, sources } = formula_of(state.engine, state.light);
+        code = code_of[state.engine](bias.settings, state.light);
         by_id('code').textContent = code;
         if (bias.lacking > 0)
             told.push(`${engine.title}'s settings cannot end all acne here: ${short(bias.lacking)} texels are missing at tilts from ${bias.striped![0]}° to ${bias.striped![1]}°.`);
         show_side('these', bias);
         show_side('defaults', bias.defaults);
         by_id('scale').textContent = `The pictures are ${short(texels_across * bias.texel)} units wide, a texel is ${short(bias.texel)} units. The board is 1.5 texels thick.`;
-        by_id('formula').textContent = engine.formula;
+        by_id('formula').textContent = formula;
         by_id('version').textContent = `${engine.title}, ${engine.version}`;
-        by_id('sources').replaceChildren(...engine.sources.map(source => Object.assign(document.createElement('li'), { textContent: source })));
+        by_id('sources').replaceChildren(...sources.map(source => Object.assign(document.createElement('li'), { textContent: source })));
     }
     notice.textContent = told.join(' ');
     notice.hidden = told.length === 0;
@@ -76,9 +86,9 @@ function changed(): void {
     const wrong = Object.entries(limits).filter(([name]) => !by_id<HTMLInputElement>(name).checkValidity());
     if (wrong.length > 0) return;  // the browser says which number it is
     const before = state.engine, value = (name: string) => by_id<HTMLInputElement>(name).value;
-    state = { ...state, engine: value('engine') as State['engine'], filter: value('filter') || state.filter, map_size: Number(value('map_size')),
-        width: Number(value('width')), range: Number(value('range')), radius: Number(value('radius')), sun: Number(value('sun')) };
-    if (state.engine !== before && state.engine !== 'other') state = { ...state, filter: first_filter(state.engine), radius: 1 };
+    state = { ...state, engine: value('engine') as State['engine'], light: value('kind') as LightKind || state.light, filter: value('filter') || state.filter, map_size: Number(value('map_size')),
+        width: Number(value('width')), range: Number(value('range')), angle: Number(value('angle')), radius: Number(value('radius')), sun: Number(value('sun')) };
+    if (state.engine !== before && state.engine !== 'other') state = { ...state, light: 'directional', filter: first_filter(state.engine), radius: 1 };
     refused = [];
     history.replaceState(null, '', write_state(state));
     if (!is_asked) requestAnimationFrame(() => { is_asked = false; show(); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Settings as a line of code for the engine.
-import type { Engine } from '../../../single_include/npm/engines.mjs';
+import type { Engine, LightKind } from '../../../single_include/npm/engines.mjs';
 
 type Settings = { readonly [name: string]: number };
 
@@ -11,11 +11,14 @@ const assigned = (settings: Settings, before: string, after: string): string =>
 /** Numbers of floats in Rust have a point. */
 const in_rust = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
 
-export const code_of: Record<Engine, (settings: Settings) => string> = {
+const rust_lights = { directional: 'DirectionalLight', spot: 'SpotLight', point: 'PointLight' };
+
+export const code_of: Record<Engine, (settings: Settings, light: LightKind) => string> = {
     three: settings => assigned(settings, 'light.shadow.', ';'),
     godot: settings => assigned(settings, 'light.', ''),
     unity_urp: ({ depthBias, normalBias }) =>
-        `light.GetUniversalAdditionalLightData().usePipelineSettings = false;\nlight.shadowBias = ${depthBias}f;\nlight.shadowNormalBias = ${normalBias}f;`,
-    bevy: settings => `DirectionalLight {\n${Object.entries(settings).map(([name, value]) => `    ${name}: ${in_rust(value)},\n`).join('')}    ..default()\n}`,
+        `light.GetUniversalAdditionalLightData().usePipelineSettings = false;\nlight.shadowBias = ${depthBias}f;`
+        + (normalBias === undefined ? '' : `\nlight.shadowNormalBias = ${normalBias}f;`),
+    bevy: (settings, light) => `${rust_lights[light]} {\n${Object.entries(settings).map(([name, value]) => `    ${name}: ${in_rust(value)},\n`).join('')}    ..default()\n}`,
     filament: settings => assigned(settings, 'options.', 'f;'),
 };
