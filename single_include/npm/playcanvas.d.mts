@@ -86,7 +86,8 @@ export interface Fitted {
 
 /** Sets normalOffsetBias and shadowBias of a light for its filter, PlayCanvas' own or one of this package. No receiver stripes
  *  itself then, whatever its tilt. Call it again when the light, the camera's field of view, the scene, map size or filter change.
- *  @param light   the component of a directional, spot or point light. Spot and point lights must not be clustered
- *  @throws Error  another light, a directional one without a camera, a clustered one, no receivers, options that do not fit, a
- *                 map of too few texels for the filter */
+ *  Clustered spot lights and point lights, as all are in WebGPU, need a first frame before, which gives each a tile of the atlas.
+ *  @param light   the component of a directional, spot or point light
+ *  @throws Error  another light, a directional one without a camera, a clustered one without a tile, no receivers, options that
+ *                 do not fit, a map of too few texels for the filter */
 export function fit_bias(light: object, options?: FitOptions): Fitted;

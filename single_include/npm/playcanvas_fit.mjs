@@ -37,6 +37,9 @@ const known = {
         value => [value].flat().length > 0 && [value].flat().every(is_entity)],
 };
 
+/** Texels that a tile of the clusters' atlas leaves free around a spot light's map, and around each face of a point light. */
+const free_of_tile = { spot: 4, point: 3 };
+
 const array_of = ({ x, y, z }) => [x, y, z], identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** Solids of what is drawn under entities. */
@@ -58,36 +61,45 @@ function half_widths({ numCascades: count, cascadeDistribution, shadowDistance }
         depth => Math.hypot(height(depth), height(depth) * aspect, (far - splits[i]) / 2))));
 }
 
+/** Texels of a light's map or face, and its shadow type. Under clusters both are those of its tile in their atlas, which the first
+ *  frame gives it. */
+function map_of({ shadowResolution: size, shadowType: type, light, system: { app: { scene } } }, kind) {
+    if (kind === 'directional' || !scene.clusteredLightingEnabled) return { size, type };
+    must(where, light.atlasViewportAllocated, 'light must have a tile of the shadow atlas: enable castShadows and draw a frame before', 'none');
+    const { shadowAtlasResolution, shadowType } = scene.lighting, tile = shadowAtlasResolution * light.atlasViewport.z;
+    return { size: Math.floor(tile / (kind === 'point' ? 3 : 1)) - 2 * free_of_tile[kind], type: shadowType, clustered: true };
+}
+
 /** The filter in use: its reach in texels, for a point light's cube by how much of its distance a point moves, and what its
  *  map's depths are off by. undefined: no bias frees it. */
-function filter_of({ shadowType, shadowResolution, system }, kind) {
+function filter_of({ system }, { size, type, clustered }, kind) {
     const { pcf, pcss } = in_use.get(system.app.graphicsDevice) ?? {}, radius = ours => reach_of(ours.filter, ours.given.all);
-    if (shadowType === SHADOW_PCSS_32F && pcss && kind === 'directional') return { reach: [radius(pcss), 0], error: depth_error };
-    if (!own_pcf.has(shadowType)) return undefined;
-    const [width, error] = own_pcf.get(shadowType);
-    if (kind === 'point') return { reach: [Math.SQRT2, width > 1 ? Math.sqrt(3) / shadowResolution : 0], error };
+    if (type === SHADOW_PCSS_32F && pcss && kind === 'directional') return { reach: [radius(pcss), 0], error: depth_error };
+    if (!own_pcf.has(type)) return undefined;
+    const [width, error] = own_pcf.get(type);
+    if (kind === 'point' && !clustered) return { reach: [Math.SQRT2, width > 1 ? Math.sqrt(3) / size : 0], error };
     return { reach: [pcf && width > 1 ? radius(pcf) : width * Math.SQRT2, 0], error };
 }
 
 /** What lights of each kind need: texels of the map in world units, normalOffsetBias, shadowBias, and the detachment. */
 const needs = {
-    directional(light, { camera }, { reach, error }, { points }) {
-        const texels = half_widths(light, camera).map(half => 2 * half / (light.shadowResolution * (light.numCascades > 1 ? 0.5 : 1)));
+    directional(light, { camera }, { reach, error }, { points, size }) {
+        const texels = half_widths(light, camera).map(half => 2 * half / (size * (light.numCascades > 1 ? 0.5 : 1)));
         const sides = [0, 1, 2].map(axis => largest(points, p => p[axis]) + largest(points, p => -p[axis])), range = Math.hypot(...sides);
         const offset = parallel_offset(reach[0], Math.max(...texels), range, points) + range * Math.max(error - depth_error, 0);
         return { texels, offset, bias: 0, detachment: offset + built_in * range };
     },
     /** The planes are a thousandth of the light's range, and its range. */
-    spot(light, _, { reach, error }, { receivers, position, magnitude }) {
-        const { entity, range, shadowResolution: size } = light, tangent = Math.tan(light.outerConeAngle * Math.PI / 180);
+    spot(light, _, { reach, error }, { receivers, position, magnitude, size }) {
+        const { entity, range } = light, tangent = Math.tan(light.outerConeAngle * Math.PI / 180);
         const cone = fit_cone({ position, axes: [entity.right, entity.forward, entity.up].map(array_of), receivers, casters: receivers,
             size: [size, size], reach: reach[0], tangents: [tangent, tangent], distance: range, narrow: false });
-        must(where, cone !== undefined, `light.shadowResolution must be larger for a filter that reaches ${reach[0].toFixed(1)} texels`, size);
+        must(where, cone !== undefined, `the light's map must be larger for a filter that reaches ${reach[0].toFixed(1)} texels`, size);
         const offset = perspective_offset((reach[0] + snapping) * 2 * tangent / size, cone.depth, { near: range / 1000, far: range },
             Math.hypot(1, tangent, tangent), error + roundings * magnitude / cone.depth) + roundings * magnitude;
         return { texels: [cone.texel], offset, bias: 0, detachment: offset };
     },
-    point({ range, shadowResolution: size }, _, { reach, error }, { points, position, magnitude }) {
+    point({ range }, _, { reach, error }, { points, position, magnitude, size }) {
         const farthest = Math.min(range, largest(points, p => Math.hypot(...p.map((value, i) => value - position[i]))));
         const radius = (reach[0] + snapping) * 2 / size + reach[1] + (range * error + roundings * magnitude) / farthest;
         const { factor, depth, detachment } = bias_of_distances(radius, farthest, range * share_of_range * largest_bias);
@@ -101,17 +113,17 @@ export function fit_bias(light, options = {}) {
     must(where, kind && app?.root, 'light must be the light component of an entity in an app', light?.type ?? light);
     check_options(where, options, known);
     must(where, kind !== 'directional' || options.camera, 'camera must be given for a directional light', options.camera);
-    must(where, kind === 'directional' || !app.scene.clusteredLightingEnabled,
-        'app.scene.clusteredLightingEnabled must be false, as clusters have other maps', `a clustered ${light.type} light`);
     const receivers = solids(options.receivers ?? app.root), points = receivers.flat(), position = array_of(light.entity.getPosition());
     must(where, points.length > 0, 'receivers must have an enabled render component', 'none');
-    const filter = filter_of(light, kind), magnitude = Math.max(largest(points, longest), longest(position));
-    const { texels, offset, bias, detachment } = needs[kind](light, options, filter ?? { reach: [0, 0], error: depth_error },
-        { receivers, points, position, magnitude });
+    const map = map_of(light, kind), { size, clustered } = map, filter = filter_of(light, map, kind), magnitude = Math.max(largest(points, longest), longest(position));
+    const needed = needs[kind](light, options, filter ?? { reach: [0, 0], error: depth_error },
+        { receivers, points, position, magnitude, size });
+    const half = clustered ? 1 + 2 ** -10 : 1, offset = needed.offset * half, bias = needed.bias * half;  // clusters have floats of 16 bits
+    const { texels } = needed, detachment = needed.detachment * half;
     if (filter) Object.assign(light, { shadowBias: bias, normalOffsetBias: Math.min(offset, largest_bias) });
     const cascades = kind === 'directional' && { cascades: texels.map(texel => ({ texels_per_unit: 1 / texel })) };
     return { texels_per_unit: 1 / Math.max(...texels), detachment: filter && detachment,
-        reach: filter && filter.reach[0] + filter.reach[1] * light.shadowResolution * Math.sqrt(3) / 2,
+        reach: filter && filter.reach[0] + filter.reach[1] * size * Math.sqrt(3) / 2,
         normal_offset_bias: light.normalOffsetBias, shadow_bias: light.shadowBias, bias_is_set: filter !== undefined,
         lacks: filter && Math.max(offset - largest_bias, 0), ...cascades };
 }

@@ -93,6 +93,7 @@ export const expected = {
     'babylon_bias#few': { ...few, host: '@babylonjs/core', flags: webgl },
     babylon: { ...babylon, flags: webgpu },
     'babylon#webgl': { ...babylon, flags: webgl },
+    playcanvas_bias: { ...few, host: 'playcanvas', flags: webgpu },
     'playcanvas_bias#webgl': { ...biases, host: 'playcanvas', flags: webgl },
     'playcanvas_bias#few': { ...few, host: 'playcanvas', flags: webgl },
     playcanvas: { ...playcanvas, flags: webgpu },

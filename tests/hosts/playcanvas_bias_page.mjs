@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// PlayCanvas with WebGL 2: fit_bias on each kind of light, with PlayCanvas' own filters and with ours.
+// PlayCanvas with WebGL 2 or WebGPU, which always has clusters: fit_bias on each kind of light, with PlayCanvas' own filters and with ours.
 import * as pc from 'playcanvas';
 import * as glsl from '/package/umbrage.mjs';
 import * as wgsl from '/package/wgsl.mjs';
@@ -8,9 +8,11 @@ import { fit_bias, install, uninstall } from '/package/npm/playcanvas.mjs';
 import { try_all } from '/bias_page.mjs';
 import { camera as view, cone, height, lights, map_size, mesh_of, objects, width } from '/bias_scene.mjs';
 
-async function started() {
+const in_webgpu = location.hash === '';
+
+async function started(clustered) {
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
-    const device = await pc.createGraphicsDevice(canvas, { antialias: false, deviceTypes: [pc.DEVICETYPE_WEBGL2] });
+    const device = await pc.createGraphicsDevice(canvas, { antialias: false, deviceTypes: [in_webgpu ? pc.DEVICETYPE_WEBGPU : pc.DEVICETYPE_WEBGL2] });
     const options = new pc.AppOptions();
     options.graphicsDevice = device;
     options.componentSystems = [pc.RenderComponentSystem, pc.CameraComponentSystem, pc.LightComponentSystem];
@@ -18,15 +20,24 @@ async function started() {
     app.init(options);
     app.autoRender = false;
     app.start();
-    app.scene.clusteredLightingEnabled = false;
+    app.scene.clusteredLightingEnabled = clustered;
+    app.scene.lighting.shadowsEnabled = clustered;
     app.scene.ambientLight = pc.Color.BLACK;
     return app;
 }
 
+/** WebGL's pictures begin with their lowest row. */
+const row_from_above = y => (in_webgpu ? y : height - 1 - y);
+
+function next_frame(app) {
+    app.renderNextFrame = true;
+    return new Promise(done => { app.once('postrender', done); });
+}
+
 const names = { directional: 'directional', spot: 'spot', point: 'omni' };
 
-async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, cascades = false }) {
-    const app = await started(), device = app.graphicsDevice, entities = [new pc.Entity(), new pc.Entity()], [camera, light] = entities;
+async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, cascades = false, clustered = false }) {
+    const app = await started(clustered), device = app.graphicsDevice, entities = [new pc.Entity(), new pc.Entity()], [camera, light] = entities;
     const material = new pc.StandardMaterial();
     Object.assign(material, { diffuse: pc.Color.WHITE, specular: pc.Color.BLACK, useFog: false });
     material.update();
@@ -52,6 +63,9 @@ async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, 
     light.rotateLocal(90, 0, 0);
     if (filter) install(device, { glsl: glsl[filter], wgsl: wgsl[filter], ...given });
     const shadows = light.light;
+    // one light has the whole atlas, and the map the same texels as without clusters
+    Object.assign(app.scene.lighting, { shadowType: type, shadowAtlasResolution: kind === 'point' ? 3 * (map_size + 6) : map_size + 8 });
+    if (clustered) await next_frame(app);
     return {
         set() {
             if (setting === 'fit') return fit_bias(shadows, kind === 'directional' ? { camera: camera.camera } : {});
@@ -59,13 +73,10 @@ async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, 
         },
         async radiance(lit) {
             shadows.shadowIntensity = lit ? 0 : 1;
-            for (let frame = 0; frame < 2; ++frame) {
-                app.renderNextFrame = true;
-                await new Promise(done => { app.once('postrender', done); });
-            }
+            for (let frame = 0; frame < 2; ++frame) await next_frame(app);
             const pixels = await texture.read(0, 0, width, height, { renderTarget, immediate: true });
             return Float32Array.from({ length: width * height },
-                (_, i) => pixels[4 * ((height - 1 - Math.floor(i / width)) * width + i % width)]);  // from above
+                (_, i) => pixels[4 * (row_from_above(Math.floor(i / width)) * width + i % width)]);
         },
         texels() {
             const { numCascades, _shadowCascadeDistances: splits } = shadows.light, maps = kind === 'directional' ? numCascades : 0;
@@ -94,8 +105,12 @@ Object.assign(cases, {
     'spot.castano': { light: 'spot', filter: 'castano_dyadic5' },
     'spot.pcf3': { light: 'spot', type: pc.SHADOW_PCF3_32F },
     'point.pcf1': { light: 'point', type: pc.SHADOW_PCF1_32F },
+    'spot.clustered': { light: 'spot', clustered: true },
+    'spot.clustered_pcf3': { light: 'spot', type: pc.SHADOW_PCF3_32F, clustered: true },
+    'point.clustered': { light: 'point', clustered: true },
+    'point.clustered_pcf1': { light: 'point', type: pc.SHADOW_PCF1_32F, clustered: true },
     'cascades.castano': { light: 'directional', filter: 'castano_dyadic5', cascades: true },
 });
 
-const chosen = name => location.hash !== '#few' || /[.](fit|hard)$/.test(name);
+const chosen = name => ({ '': /^directional.fit$|[.]clustered$/, '#few': /[.](fit|hard)$/ }[location.hash] ?? /./).test(name);
 export const done = try_all(begin, Object.fromEntries(Object.entries(cases).filter(([name]) => chosen(name))));

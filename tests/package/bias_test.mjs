@@ -128,7 +128,7 @@ for (const [radius, most] of [[0.004, 1], [0.02, 1], [0.02, 0.05], [0.1, 0.2]]) 
     refuses(() => fit_bias(light_of('spot')), `${where}: receivers must have an enabled render component; got none`);
     root.findComponents = () => [drawn];
     refuses(() => fit_bias(light_of('spot', { shadowResolution: 8 })),
-        `${where}: light.shadowResolution must be larger for a filter that reaches 4.2 texels; got 8`);
+        `${where}: the light's map must be larger for a filter that reaches 4.2 texels; got 8`);
     const wide = light_of('directional', { shadowDistance: 900 }), far = fit_bias(wide, { camera });
     check(`playcanvas: beyond 1 it says by how much, ${far.lacks.toFixed(2)}`, wide.normalOffsetBias === 1 && far.lacks > 1
         && Math.abs(far.lacks + 1 - far.detachment) < 0.01);
@@ -142,7 +142,17 @@ for (const [radius, most] of [[0.004, 1], [0.02, 1], [0.02, 0.05], [0.1, 0.2]]) 
         check(`playcanvas: ${type}, ${lamp.normalOffsetBias.toFixed(4)} and ${lamp.shadowBias.toFixed(3)}`, lamp.shadowBias < 1
             && detachment * texels_per_unit < 3.5);
     }
-    scene.clusteredLightingEnabled = true;
-    refuses(() => fit_bias(light_of('spot')), `${where}: app.scene.clusteredLightingEnabled must be false, as clusters have other maps; got a clustered spot light`);
+
+    // Clusters have an atlas, of which a light has a tile: four texels on each side are free, or three around each face of a cube.
+    const { texels_per_unit } = fit_bias(light_of('spot'));
+    Object.assign(scene, { clusteredLightingEnabled: true, lighting: { shadowType: pc.SHADOW_PCF5_32F, shadowAtlasResolution: 4 * 1032 } });
+    const tile = { atlasViewportAllocated: true, atlasViewport: new pc.Vec4(0, 0, 0.25, 0.25) };
+    const clustered = fit_bias(light_of('spot', { light: tile, shadowResolution: 16 }));
+    check(`playcanvas: a tile of 1032 texels is a map of 1024: ${clustered.texels_per_unit}`, clustered.texels_per_unit === texels_per_unit);
+    scene.lighting.shadowAtlasResolution = 4 * 3 * 1030;
+    const cube = fit_bias(light_of('omni', { light: tile }));
+    check(`playcanvas: faces of clusters filter like maps, reach ${cube.reach}`, Math.abs(cube.reach - 3 * Math.SQRT2) < 1e-9 && cube.lacks === 0);
+    refuses(() => fit_bias(light_of('spot', { light: { atlasViewportAllocated: false } })),
+        `${where}: light must have a tile of the shadow atlas: enable castShadows and draw a frame before; got none`);
 }
 process.exitCode = failed ? 1 : 0;
