@@ -50,6 +50,15 @@ function first_hit(objects, from, along, nearest, farthest, front = false) {
     return first && { t: t_first, face: first };
 }
 
+/** The first face in a pixel, {t, face}; undefined at an edge, where the pixel may be another surface's. */
+function surface_at(objects, ray, x, y, eps) {
+    const hit_of = (i, j) => first_hit(objects, ...ray(x + i, y + j), 0, Infinity, true), hit = hit_of(0, 0);
+    return hit && [[1, 0], [-1, 0], [0, 1], [0, -1]].every(([i, j]) => {
+        const { face } = hit_of(i, j) ?? {};
+        return face && dot(face.normal, hit.face.normal) >= 0.9999 && Math.abs(dot(minus(face.a, hit.face.a), hit.face.normal)) <= eps;
+    }) ? hit : undefined;
+}
+
 /** Shares of pixels that are wrong.
  *  @param objects      of traced
  *  @param ray          of pixel (x, y) from above: [from, along]
@@ -68,14 +77,10 @@ function first_hit(objects, from, along, nearest, farthest, front = false) {
 export function judge({ width, height, objects, ray, visibility, to_light, texel, reach, detachment, shift, scale,
     slip = 0, clear_angle = Math.PI / 2 }) {
     const count = { lit: 0, falsely_dark: 0, at_edges: 0, moved: 0, dark: 0, falsely_lit: 0, lost: 0, detached: 0 }, step = 3, eps = 1e-5 * scale;
-    const hit_of = (x, y) => first_hit(objects, ...ray(x, y), 0, Infinity, true);
     for (let y = 1; y < height - 1; y += step)
         for (let x = 1; x < width - 1; x += step) {
-            const hit = hit_of(x, y);
-            if (!hit || [[1, 0], [-1, 0], [0, 1], [0, -1]].some(([i, j]) => {
-                const { face } = hit_of(x + i, y + j) ?? {};  // a pixel at an edge may be another's
-                return !face || dot(face.normal, hit.face.normal) < 0.9999 || Math.abs(dot(minus(face.a, hit.face.a), hit.face.normal)) > eps;
-            })) continue;
+            const hit = surface_at(objects, ray, x, y, eps);
+            if (!hit) continue;
             const seen = visibility(x, y), at = plus(...ray(x, y), hit.t), [light, distance] = to_light(at), { normal } = hit.face;
             const facing = dot(normal, light);
             if (seen === undefined || facing < 0.02) continue;
@@ -115,4 +120,4 @@ export function judge({ width, height, objects, ray, visibility, to_light, texel
     return count;
 }
 
-export { cross, dot, first_hit, minus, plus, unit };
+export { cross, dot, first_hit, minus, plus, surface_at, unit };

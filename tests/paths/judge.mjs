@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A path's picture against rays: which pixels are dark though nothing shades them, and which are lit under a caster.
-import { cross, dot, first_hit, judge, minus, plus, traced, unit } from '../hosts/fit_verdict.mjs';
+import { cross, dot, first_hit, judge, minus, plus, surface_at, traced, unit } from '../hosts/fit_verdict.mjs';
+import { edges_off } from './edges.mjs';
 import { light_from } from './light.mjs';
 import { camera, lights, objects, picture } from './scene.mjs';
 
@@ -37,19 +38,29 @@ function texel_in(matrix, [columns, rows], p, light) {
     return 1 / Math.sqrt((trace - Math.sqrt(Math.max(0, trace * trace - 4 * determinant * determinant))) / 2);
 }
 
-/** What rays say of a picture.
+const surfaces = [];  // of pixels, which all paths share
+const surface = (x, y) => {
+    const i = y * width + x;
+    if (!(i in surfaces)) surfaces[i] = surface_at(all, ray, x, y, 1e-5);
+    return surfaces[i];
+};
+
+/** What rays say of a picture: judge's counts, and what edges are off by.
  *  @param values   of the path's light, by the package
  *  @param pixels   visibility from above, 255 is lit */
 export function judged(path, shadow, { matrices }, border, pixels) {
     const from = light_from(path), along = lights[path.setup].along;
     const to_sun = along && unit(along.map((x, i) => -(x + path.shift[i])));
     const to_light = p => (from ? [unit(minus(from, p)), Math.hypot(...minus(from, p))] : [to_sun, Infinity]);
-    const texel = p => {
+    const texels = p => {  // of the maps that hold a point, the finest first
         const [light, distance] = to_light(p);
-        if (path.setup === 'dual_paraboloid_light') return 4 * distance / (path.map_size - 2 * border);
-        const held = matrices.map(m => texel_in(m, shadow.target.map_size, p, light)).filter(Boolean).sort((a, b) => a - b);
-        return held[1] ?? held[0] ?? Infinity;  // two cascades are blended: the coarser one's
+        if (path.setup === 'dual_paraboloid_light')
+            return [2 * (distance + Math.abs(from[2] - p[2])) / (path.map_size - 2 * border)];
+        const held = matrices.map(m => texel_in(m, shadow.target.map_size, p, light)).filter(Boolean);
+        return held.length ? held.sort((a, b) => a - b) : [Infinity];
     };
-    return judge({ width, height, scale: 1, objects: all, ray, visibility: (x, y) => pixels[y * width + x] / 255, to_light, texel,
-        reach: shadow.settings.filter.filter.reach, detachment: 0.1, shift: 0 });
+    const view = { width, height, scale: 1, objects: all, ray, visibility: (x, y) => pixels[y * width + x] / 255, to_light,
+        texel: p => texels(p)[1] ?? texels(p)[0],  // two cascades are blended: the coarser one's
+        reach: shadow.settings.filter.filter.reach, detachment: 0.1, shift: 0 };
+    return { ...judge(view), at_edges: edges_off({ ...view, finest: p => texels(p)[0], surface }) };
 }
