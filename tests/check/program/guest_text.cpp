@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <sstream>
 
 #include "inputs.hpp"
 #include "shader.hpp"
@@ -89,24 +90,47 @@ std::string enclosed(const std::string& text, std::size_t open) {
 
 struct function {
     std::string name, parameters;
+    std::size_t at;  ///< in the text
 };
 
 std::vector<function> functions_of(const std::string& text, dialect::language in) {
-    const std::regex definition(in == dialect::wgsl ? R"(\bfn\s+(\w+)\s*(\())"
-                                                    : R"(\b[A-Za-z_]\w*\s+(\w+)\s*(\()[^;{}()]*\)\s*\{)");
+    const std::regex definition(in == dialect::wgsl ? R"(\bfn\s+(\w+)\s*(\())" : R"(\b[A-Za-z_]\w*\s+(\w+)\s*(\())");
     std::vector<function> all;
-    for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i)
-        if ((*i)[1] != "main" && (*i)[1] != "if")
-            all.push_back({(*i)[1], enclosed(text, static_cast<std::size_t>(i->position(2)))});
+    for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i) {
+        const auto at = static_cast<std::size_t>(i->position(2));
+        const std::string parameters = enclosed(text, at);
+        const std::size_t behind = text.find_first_not_of(" \t\r\n", at + parameters.size() + 2);
+        const bool has_body = in == dialect::wgsl || (behind != text.npos && text[behind] == '{');
+        if (has_body && (*i)[1] != "main" && (*i)[1] != "if" && (*i)[1] != "for")
+            all.push_back({(*i)[1], parameters, at});
+    }
+    return all;
+}
+
+/// Conditions of the preprocessor around a place in a text, as "line 3: #ifdef SHADOWS".
+std::string conditions_around(const std::string& text, std::size_t at) {
+    std::vector<std::string> open;
+    std::istringstream lines(text.substr(0, at));
+    const std::regex directive(R"(^[ \t]*#[ \t]*(if|el|endif)(.*))");
+    std::smatch found;
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (!std::regex_search(line, found, directive)) continue;
+        if (found[1] != "if" && !open.empty()) open.pop_back();
+        if (found[1] != "endif") open.push_back("line " + std::to_string(number) + ": " + line);
+    }
+    std::string all;
+    for (const std::string& each : open) all += (all.empty() ? "" : ", ") + each;
     return all;
 }
 
 /// What is wrong with the call, told by the text's functions.
-std::string hints(const guest_text& g) {
+std::string hints(const guest_text& g, const std::string& log) {
     std::string all;
     const auto functions = functions_of(g.text, g.in.in);
     std::string known;
-    for (const function& f : functions) known += (known.empty() ? "" : ", ") + f.name;
+    for (const function& f : functions)
+        if (!uses(known, f.name)) known += (known.empty() ? "" : ", ") + f.name;
     std::smatch called;
     if (std::regex_search(g.call, called,
                           std::regex(R"(\b(?!(?:vec|float|half|int|bool)[0-9f]*\b)([A-Za-z_]\w*)\s*(\())"))) {
@@ -119,6 +143,8 @@ std::string hints(const guest_text& g) {
             const std::size_t wants = split(f.parameters).size();
             found = true, fits |= wants == given;
             takes = std::to_string(wants) + " arguments, (" + f.parameters + ")";
+            if (const std::string around = conditions_around(g.text, f.at); uses(log, name) && !around.empty())
+                all += "hint: " + name + " is compiled only if these hold, which --before can define: " + around + '\n';
         }
         if (!found && !known.empty())
             all += "hint: " + g.file + " has no function " + name + "; it has " + known + '\n';
@@ -240,7 +266,7 @@ std::string explained(const guest_text& g, const parity::entry& e, const std::st
     }
     all.append(from, log.end());
     while (!all.empty() && all.back() == '\n') all.pop_back();
-    return all + '\n' + hints(g);
+    return all + '\n' + hints(g, log);
 }
 
 }  // namespace check

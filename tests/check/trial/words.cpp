@@ -33,6 +33,16 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
 }
 
+TEST_CASE("messages: an engine's text without the engine's macros") {
+    const std::string text =
+        "#ifdef OLD\n#else\n#endif\n#if defined(SHADOWS)\n#define OF(name) sampler2D name\n"
+        "float shadow(OF(map), vec2 uv, float z) { return z; }\n#endif\n";
+    const std::string words = words_of(text, "shadow(map, uv, z)");
+    CHECK(
+        says(words, "shadow is compiled only if these hold, which --before can define: line 4: #if defined(SHADOWS)"));
+    CHECK(!says(words, "has no function"));
+}
+
 TEST_CASE("messages: a map that nobody names") {
     const std::string text =
         "uniform sampler2D depths;\nuniform highp sampler2DShadow compared;\n"
