@@ -7,7 +7,7 @@
 
 namespace check {
 
-/// The GLSL text with `uniform` in place of `in` where it declares inputs, so that they are 0. Parameters and lines stay.
+/// The GLSL text with `uniform` for `in` where it declares inputs, so that they are 0. Parameters and lines stay.
 [[nodiscard]] std::string with_uniform_inputs(const std::string& text);
 
 }  // namespace check
