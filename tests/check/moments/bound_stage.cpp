@@ -24,8 +24,8 @@ class bounds final : public stage {
 public:
     bounds(std::uint32_t seed, verdict& v) : random_(seed), found_(v) {}
 
-    /// For each second channel the numbers can be measured alone: at a known variance where the bound is cut off, at none
-    /// the minimum. Then come random moments, to tell what fits.
+    /// Moments for each second channel, of which its numbers can be measured alone: of a known variance, where the
+    /// bound is cut off, and of none, where the minimum shows. Then random moments, to tell what fits.
     std::optional<batch> ask() override {
         if (asked_) return std::nullopt;
         asked_ = true;
