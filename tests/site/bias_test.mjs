@@ -90,7 +90,7 @@ await visit(async ({ open, check, picture, axe }) => {
     check((await colors('defaults')) > 5, `the striped floor has ${await colors('defaults')} colors`);
     await page.context().close();
 
-    for (const [hash, width, dark] of [['', 1280, false], ['#engine=unity_urp', 390, true], ['#engine=other', 390, false]]) {
+    for (const [hash, width, dark] of [['', 1280, false], ['', 390, false], ['#engine=unity_urp', 390, true], ['#engine=other', 390, false]]) {
         page = await open(`bias.html${hash}`, { width, dark });
         await ready(page);
         const room = await page.evaluate(() => document.documentElement.scrollWidth);

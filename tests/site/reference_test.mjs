@@ -58,6 +58,9 @@ check(
 );
 check(built('core/parallel.hpp').includes('<dt>omission</dt><dd>a piece that never'), 'a list is not shown as one');
 
+const kinds = all.headers.get('images/min_max.hpp').paragraphs.map(part => part.kind).join();
+check(kinds === 'text,code,text', `code above a text in min_max.hpp is read as ${kinds}`);
+
 // Faults that it must see.
 check(
     without_entry(['filter/pcf/box.hpp box', 'filter/pcf/box.hpp box_count'], place =>

@@ -46,7 +46,7 @@ ${number('range', '<span id="range_words"></span>', 0.001, 1e6)}
 <div class="bar"><button type="button" class="main" id="copy">Copy</button> <button type="button" id="link">Copy link</button></div>
 <div class="bias_pair of_directional">${picture('these', 'with these settings')}${picture('defaults', 'with the engine\'s defaults')}</div>
 <p class="faint of_directional" id="scale"></p>
-<div class="scroll"><table><thead><tr><td></td><th scope="col">these settings</th><th scope="col">the engine's defaults</th></tr></thead><tbody>
+<div class="scroll" tabindex="0" role="region" aria-label="Table of these settings and the defaults"><table><thead><tr><td></td><th scope="col">these settings</th><th scope="col">the engine's defaults</th></tr></thead><tbody>
 ${row('settings', 'settings')}
 ${row('striped', 'planes that may stripe, by their tilt against the light')}
 ${row('all', 'falsely dark, on planes of all tilts', ' class="of_directional"')}

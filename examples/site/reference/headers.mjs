@@ -36,20 +36,19 @@ function read_header(place, text) {
     return { place, lines, paragraphs, also_called: also ? also_called(also[1].replace(/\s+/g, ' ')) : [] };
 }
 
-/// A block of a comment as code, or as texts and lists between them. A list's first row is "  term  text". The texts of all
-/// rows begin in one column, and lines that are indented farther than terms continue them.
+/// A block of a comment as texts, lists and code. A list's first row is "  term  text". The texts of all rows begin in one
+/// column, and lines that are indented farther than terms continue them. Elsewhere four spaces begin code.
 export function parts_of(block) {
-    const lines = block.split('\n').filter(line => line.trim() !== '');
-    if (lines.every(line => line.startsWith('    ')))
-        return [{ kind: 'code', text: block.replace(/^ {4}/gm, '') }];
     const parts = [];
-    for (const line of lines) {
+    for (const line of block.split('\n').filter(each => each.trim() !== '')) {
         const last = parts.at(-1),
             words = line.trim().replace(/\s+/g, ' '),
             first = /^ {2}\S+(?: \S+)* {2,}(?=\S)/.exec(line);
         const row = column => ({ term: line.slice(0, column).trim(), text: line.slice(column).trim() });
         if (last?.kind === 'rows' && /^ {2}\S/.test(line)) last.rows.push(row(last.column));
         else if (last?.kind === 'rows' && line.startsWith('    ')) last.rows.at(-1).text += ` ${words}`;
+        else if (line.startsWith('    ') && last?.kind === 'code') last.text += `\n${line.slice(4)}`;
+        else if (line.startsWith('    ')) parts.push({ kind: 'code', text: line.slice(4) });
         else if (first) parts.push({ kind: 'rows', column: first[0].length, rows: [row(first[0].length)] });
         else if (last?.kind === 'text') last.text += ` ${words}`;
         else parts.push({ kind: 'text', text: words });
