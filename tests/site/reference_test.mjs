@@ -56,7 +56,7 @@ check(
         'texture_2d,atlas,array,cube,cube_faces,integer,depth, depth_array,shadow, shadow_array',
     'the list of types in the docstring of texture is another',
 );
-check(built('core/parallel.hpp').includes('<dt>omission</dt><dd>a piece that never'), 'a list is not shown as one');
+check(built('core/parallel.hpp').includes('<dt><code>omission</code></dt><dd>a piece that never'), 'a list is not shown as one');
 
 const kinds = all.headers.get('images/min_max.hpp').paragraphs.map(part => part.kind).join();
 check(kinds === 'text,code,text', `code above a text in min_max.hpp is read as ${kinds}`);

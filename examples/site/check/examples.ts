@@ -13,14 +13,17 @@ export const examples: Record<string, Example> = {
         text: `// Bilinear filter of four comparisons.
 float compared(sampler2D map, ivec2 texel, float z) {
     ivec2 last = textureSize(map, 0) - 1;
-    return z <= texelFetch(map, clamp(texel, ivec2(0), last), 0).r ? 1.0 : 0.0;
+    float stored = texelFetch(map, clamp(texel, ivec2(0), last), 0).r;
+    return z <= stored ? 1.0 : 0.0;
 }
 
 float shadow(sampler2D map, vec2 uv, float z) {
     vec2 at = uv * vec2(textureSize(map, 0)), weight = fract(at);
     ivec2 texel = ivec2(floor(at));
-    float low = mix(compared(map, texel, z), compared(map, texel + ivec2(1, 0), z), weight.x);
-    float high = mix(compared(map, texel + ivec2(0, 1), z), compared(map, texel + ivec2(1, 1), z), weight.x);
+    float low = mix(compared(map, texel, z),
+                    compared(map, texel + ivec2(1, 0), z), weight.x);
+    float high = mix(compared(map, texel + ivec2(0, 1), z),
+                     compared(map, texel + ivec2(1, 1), z), weight.x);
     return mix(low, high, weight.y);
 }
 `,

@@ -52,7 +52,7 @@ export function paragraph(context, part, to) {
     }
     if (part.kind === 'text') return `<p>${prose(part.text, to)}</p>`;
     if (part.kind === 'rows') {
-        const rows = part.rows.map(({ term, text }) => `<dt>${prose(term, to)}</dt><dd>${prose(text, to)}</dd>`);
+        const rows = part.rows.map(({ term, text }) => `<dt><code>${escape(term)}</code></dt><dd>${prose(text, to)}</dd>`);
         return `<dl class="parts">${rows.join('')}</dl>`;
     }
     const list = part.kind === 'orderedlist' ? 'ol' : 'ul';
