@@ -14,22 +14,24 @@ import { dot, roundings, snapping } from './fit.mjs';
 
 const scaled = (vector, factor) => vector.map(value => value * factor);
 const sum = (...vectors) => vectors.reduce((all, vector) => all.map((value, i) => value + vector[i]));
-const axis = [0, 0, 1], sixteen_bits = 2 ** -16;
+const axis = [0, 0, 1], sixteen_bits = 2 ** -16, nearest = 1 / 8;  // of the farthest receiver's depth: settings serve what lies between
 
 /** Edge of a projection's depths: a receiver at depth z has scale / z, and a constant. */
 const scale_of = (near, far) => near * far / (far - near);
 
-/** A stored depth's error in world units, at the farthest receiver. Coordinates round as they are far from the origin. */
-const error_of = (step, { depth, scale, extent }) => (step * depth + roundings * extent) * depth / scale;
+/** What the nearest of 16 bits is off by, in world units. Coordinates round as they are far from the origin. */
+const error_of = ({ depth, scale, extent }) => (sixteen_bits / 2 * depth + roundings * extent) * depth / scale;
 
 /** Unity's rasterizer adds texels' slope to casters: the larger of both axes, of which a diagonal has the least. */
 const unity_slope = 2.5;
 
+const filament_defaults = { normalBias: 1, constantBias: 0.001, polygonOffsetSlope: 2, polygonOffsetConstant: 0.5 };
+
 /** Each engine: of which lights it has numbers, the near plane, and
  *    initial   of its settings for a kind of light, and most: the largest value, where there is one
  *    error     of a stored depth, world units along the map's axis
- *    numbers   settings that free all planes; offset serves a plane along the axis, tangent and secant are those of the widest
- *              angle between light and axis
+ *    numbers   settings that free all planes; offset serves a plane along the axis, secant is that of the widest angle between
+ *              light and axis
  *    moves     as in engines.mjs; a plane has its receiver's depth and distance to the light
  *    reach     of filters that have another one under this light, texels */
 export const cones = {
@@ -40,7 +42,7 @@ export const cones = {
         formula: 'receiver + normal * shadow_normal_bias * 10 / map size * distance * (1 - normal . light); clip z + shadow_bias / 100 * blur',
         sources: ['servers/rendering/renderer_rd/storage_rd/light_storage.cpp', 'servers/rendering/renderer_scene_cull.cpp',
             'servers/rendering/renderer_rd/shaders/scene_forward_lights_inc.glsl'],
-        error: light => error_of(sixteen_bits, light),
+        error: error_of,
         numbers({ offset, error, depth, scale, size, blur }) {
             const share = (offset + error) / depth;  // of the distance, by which the clip bias moves towards the light
             return { shadow_normal_bias: offset / depth * size / 10, shadow_bias: share / (1 - share) * scale / blur * 100 };
@@ -57,7 +59,7 @@ export const cones = {
         near: range => Math.min(0.2, range / 2),
         formula: 'caster - (light * depthBias + normal * (1 - normal . light) * normalBias) * kernel * texel at half the range, and 2.5 texels of slope; point lights have no normalBias',
         sources: ['Packages/com.unity.render-pipelines.universal/Runtime/ShadowUtils.cs', 'ShaderLibrary/Shadows.hlsl there'],
-        error: light => error_of(sixteen_bits, light),
+        error: error_of,
         numbers({ kind, offset, error, secant, depth, unit, range, filter: { kernel } }) {
             const texel = unit * range / 2, left = Math.max(offset - unity_slope * Math.SQRT1_2 * unit * depth, 0);
             return { depthBias: (offset + error * secant) / (kernel * texel), ...kind === 'spot' && { normalBias: left / (kernel * texel) } };
@@ -85,19 +87,20 @@ export const cones = {
             sum(scaled(normal, shadow_normal_bias * Math.SQRT2 * unit * depth), scaled(to_light, shadow_depth_bias)) }),
     },
     filament: {
-        initial: { spot: { normalBias: 1, constantBias: 0.001 }, point: { normalBias: 1, constantBias: 0.001 } },
+        initial: { spot: filament_defaults, point: filament_defaults },
         near: () => 0.01,
-        formula: 'receiver + normal * sin(normal, light) * normalBias * texel / 2 at the receiver\'s depth; the light\'s camera moves back by constantBias',
+        formula: 'receiver + normal * sin(normal, light) * normalBias * texel / 2 at the receiver\'s depth; the light\'s camera moves back by constantBias, casters by polygonOffsetSlope texels of slope',
         sources: ['filament/src/ShadowMapManager.cpp', 'filament/src/ShadowMap.cpp', 'shaders/src/common_shadowing.glsl',
             'shaders/src/surface_shadowing.fs'],
-        error: light => error_of(sixteen_bits, light),
-        numbers({ offset, error, secant, tangent, depth, unit }) {  // the camera alone serves what faces the light
-            const back = offset * tangent + error * secant * secant, sine = tangent / secant;
-            return { normalBias: 2 * (offset + back * sine) / (unit * depth), constantBias: back };
+        error: error_of,
+        // the slope serves what faces the light away from the axis, a normal bias edges; a step of depth grows as its error
+        numbers: ({ offset, depth, unit, extent }) => ({ normalBias: 2 * offset / (unit * depth), constantBias: 0,
+            polygonOffsetSlope: Math.SQRT2 * offset / (unit * depth), polygonOffsetConstant: 0.5 + roundings * extent / (sixteen_bits * depth * nearest) }),
+        moves({ normalBias, constantBias, polygonOffsetSlope, polygonOffsetConstant }, { unit, scale }, { normal, to_light, cosine, depth, slope }) {
+            const along = polygonOffsetSlope * slope * unit * depth + polygonOffsetConstant * sixteen_bits * depth * depth / scale / to_light[2];
+            return { receiver: scaled(normal, normalBias / 2 * unit * depth * Math.sqrt(Math.max(1 - cosine * cosine, 0))),
+                caster: sum(scaled(axis, -constantBias), scaled(to_light, -along)) };
         },
-        moves: ({ normalBias, constantBias }, { unit }, { normal, cosine, depth }) => ({
-            receiver: scaled(normal, normalBias / 2 * unit * depth * Math.sqrt(Math.max(1 - cosine * cosine, 0))),
-            caster: scaled(axis, -constantBias) }),
     },
 };
 
@@ -133,7 +136,7 @@ const rays_of = ({ tangent }) => [0, 0.5, 1].flatMap(part => [0, Math.PI / 4].ma
 /** What settings do to planes of all tilts, whose receivers are as far as any, or nearer. */
 export function judged_in_cone(facts, settings, light) {
     const { r, unit, offset, secant } = light, rays = rays_of(light), texel = unit * light.depth;
-    const depths = [1, 0.5, 0.25, 0.125, 0.0625].map(part => part * light.depth);
+    const depths = [1, 0.5, 0.25, nearest].map(part => part * light.depth);
     const errors = depths.map(depth => facts.error({ ...light, depth }));
     const height_of = (to_light, normal, i) => {
         const depth = depths[i], cosine = dot(normal, to_light), slope = Math.max(Math.abs(normal[0]), Math.abs(normal[1])) / cosine;

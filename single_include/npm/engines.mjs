@@ -114,15 +114,19 @@ export const engines = {
         version: 'commit 003e5005, ShadowType PCF, lispsm off',
         sources: ['filament/src/ShadowMapManager.cpp', 'filament/src/ShadowMap.cpp', 'shaders/src/common_shadowing.glsl',
             'shaders/src/surface_shadowing.fs'],
-        formula: 'receiver + normal * sin(normal, light) * normalBias * texel / 2; the light\'s camera moves back by constantBias',
+        formula: 'receiver + normal * sin(normal, light) * normalBias * texel / 2; the light\'s camera moves back by constantBias, casters by polygonOffsetSlope texels of slope',
         filters: { PCF: square(2) },
         border: 1,
         stored: sixteen_bits,
-        settings: { normalBias: { initial: 1 }, constantBias: { initial: 0.001 } },
-        numbers: ({ offset, error, texel }) => ({ normalBias: 2 * offset / texel, constantBias: error }),
-        moves: ({ normalBias, constantBias }, { texel }, { normal, to_light, cosine }) => ({
-            receiver: scaled(normal, normalBias / 2 * texel * Math.sqrt(Math.max(1 - cosine * cosine, 0))),
-            caster: scaled(to_light, -constantBias) }),
+        settings: { normalBias: { initial: 1 }, constantBias: { initial: 0.001 }, polygonOffsetSlope: { initial: 2 }, polygonOffsetConstant: { initial: 0.5 } },
+        // an offset by slope fails beside edges, and would only detach what normalBias frees
+        numbers: ({ offset, error, texel }) =>
+            ({ normalBias: 2 * offset / texel, constantBias: error, polygonOffsetSlope: 0, polygonOffsetConstant: 0 }),
+        moves({ normalBias, constantBias, polygonOffsetSlope, polygonOffsetConstant }, { texel, range }, { normal, to_light, cosine, slope }) {
+            const along = constantBias + polygonOffsetSlope * slope * texel + polygonOffsetConstant * sixteen_bits * range;
+            return { receiver: scaled(normal, normalBias / 2 * texel * Math.sqrt(Math.max(1 - cosine * cosine, 0))),
+                caster: scaled(to_light, -along) };
+        },
     },
 };
 

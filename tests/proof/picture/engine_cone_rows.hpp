@@ -99,9 +99,11 @@ private:
             move = -(r_->first * light + r_->second * tilt * p.normal) * kernel * texel;
         }
         c.offset = glm::dot(p.normal, p.receiver + move);
-        if (r_->engine == "unity_urp")  // depth is whole - scale / z, and 1 / z is linear in texels
-            c.depth_bias = 2.5 * (glm::max)(std::abs(p.normal.x), std::abs(p.normal.y)) * 2 * r_->tangent() /
+        const double slopes = r_->engine == "unity_urp" ? 2.5 : r_->engine == "filament" ? r_->third : 0.0;
+        if (slopes > 0)  // depth is whole - scale / z, and 1 / z is linear in texels
+            c.depth_bias = slopes * (glm::max)(std::abs(p.normal.x), std::abs(p.normal.y)) * 2 * r_->tangent() /
                            r_->map_size / std::abs(c.offset) * near_ * far_ / (far_ - near_);
+        if (r_->engine == "filament") c.depth_bias += r_->fourth / 65536;
         return c;
     }
 

@@ -60,7 +60,7 @@ private:
         const cone_map map(r, to_world, origin);
         for (int i = 0; i < 100; ++i) {
             const glm::dvec3 ray = random.ray(r);
-            const double depth = random.real(0.05, 1) * r.range;
+            const double depth = random.real(0.125, 1) * r.range;
             if (glm::length(ray) * depth > r.range && r.light == "point") continue;  // beyond the light
             const lone_plane plane{.receiver = ray * depth,
                                    .normal = random.tilted(-glm::normalize(ray), glm::radians(random.real(0, 89)))};

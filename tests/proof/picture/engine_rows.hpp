@@ -34,8 +34,9 @@ struct engine_row {
     double radius = 0;                 ///< of the filter, texels; 0 where it has none
     double reach = 0;                  ///< texels
     double first = 0, second = 0;      ///< settings, in the order of the package
-    double lacking = 0;                ///< what the package says that they lack, texels
-    double edges = 90;                 ///< and up to which tilt faces are free of acne beside their edges, degrees
+    double third = 0, fourth = 0;
+    double lacking = 0;  ///< what the package says that they lack, texels
+    double edges = 90;   ///< and up to which tilt faces are free of acne beside their edges, degrees
 
     [[nodiscard]] double texel() const { return width / map_size; }
     [[nodiscard]] bool has_16_bits() const { return engine != "three" && engine != "bevy"; }
@@ -45,7 +46,8 @@ struct engine_row {
     std::istringstream fields(line);
     engine_row r;
     std::getline(fields, r.engine, '\t'), std::getline(fields, r.filter, '\t'), std::getline(fields, r.kind, '\t');
-    fields >> r.map_size >> r.width >> r.range >> r.radius >> r.reach >> r.first >> r.second >> r.lacking >> r.edges;
+    fields >> r.map_size >> r.width >> r.range >> r.radius >> r.reach >> r.first >> r.second >> r.third >> r.fourth >>
+        r.lacking >> r.edges;
     if (!fields) throw std::runtime_error(path + " has a line that is none: " + line);
     return r;
 }
@@ -84,8 +86,11 @@ struct engine_moves {
     }
     if (r.engine == "bevy") return {.receiver = r.first * std::numbers::sqrt2 * r.texel() * normal + r.second * light};
     if (r.engine == "filament") {
-        const double sine = std::sqrt(1 - cosine * cosine);
-        return {.receiver = r.first * 0.5 * r.texel() * sine * normal, .caster = -r.second * light};
+        const double sine = std::sqrt(1 - cosine * cosine), steps = r.fourth * r.range / 65536;
+        const double slope = (glm::max)(std::abs(glm::dot(normal, axes.x)), std::abs(glm::dot(normal, axes.y))) /
+                             (glm::max)(cosine, 1e-6);
+        return {.receiver = r.first * 0.5 * r.texel() * sine * normal,
+                .caster = -(r.second + r.third * slope * r.texel() + steps) * light};
     }
     if (r.engine != "unity_urp") throw std::runtime_error("no engine is called " + r.engine);
     const double kernel = unity_kernel(r);
