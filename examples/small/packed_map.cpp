@@ -54,16 +54,18 @@ int main() {
 
     float error = 0;
     int dark = 0, differ = 0;
-    umbrage::image<float> picture({512, 512});  // above low and high bytes, below depths and shadows
-    for (int y = 0; y < 256; ++y)
-        for (int x = 0; x < 256; ++x) {
-            const glm::ivec2 t(2 * x, 2 * y);
-            picture[{x, y}] = float(map[t].x) / 255, picture[{x + 256, y}] = float(map[t].y) / 255;
-            picture[{x, y + 256}] = depths[t];
+    const glm::ivec2 part = map_size / 2;
+    umbrage::image<float> picture(part + part);  // above low and high bytes, below depths and shadows
+    for (int y = 0; y < part.y; ++y)
+        for (int x = 0; x < part.x; ++x) {
+            const glm::ivec2 p(x, y), t = p * map_size / part;
+            picture[{x, y}] = float(map[t].x) / 255, picture[{x + part.x, y}] = float(map[t].y) / 255;
+            picture[{x, y + part.y}] = depths[t];
             error = std::max(error, std::abs(packed.encoding().decode(map[t]) - depths[t]));
-            const glm::vec3 point(float(x) / 16, height(x / 16, y / 16), float(y) / 16);
+            const glm::vec2 ground = 16.0f * glm::vec2(p) / glm::vec2(part);
+            const glm::vec3 point(ground.x, height(int(ground.x), int(ground.y)), ground.y);
             const float visibility = packed(map, point, {0, 1, 0});
-            picture[{x + 256, y + 256}] = (point.y > 0 ? 0.95f : 0.5f) * (0.1f + 0.9f * visibility);
+            picture[p + part] = (point.y > 0 ? 0.95f : 0.5f) * (0.1f + 0.9f * visibility);
             dark += visibility < 0.5f;
             differ += (visibility < 0.5f) != (exact(depths, point, {0, 1, 0}) < 0.5f);
         }
@@ -71,6 +73,6 @@ int main() {
     std::printf(
         "packed_map.png: %d of %d pixels are in shadow, %d other than with 32-bit floats; a depth is off by %.2f "
         "of a code, %.4f units\n",
-        dark, 256 * 256, differ, error * 2048, error / umbrage::make_light_units(light, map_size).y);
+        dark, part.x * part.y, differ, error * 2048, error / umbrage::make_light_units(light, map_size).y);
     return same && error <= 1.0f / 2048 ? 0 : 1;
 }

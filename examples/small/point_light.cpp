@@ -25,19 +25,19 @@ int main() {
     const glm::vec3 position(0.3f, 2, 0.2f);
     const umbrage::point_light<float> light{
         .position = position, .z_far = 20, .map_size = 512, .border = 6, .clip = umbrage::cpu_clip_space};
-    const umbrage::shadow bulb(light, {512, 512}, umbrage::filters::disc{});
+    const umbrage::shadow bulb(light, glm::ivec2(light.map_size), umbrage::filters::disc{});
     umbrage::image<float> map(bulb.size(), bulb.cleared());  // 3 x 2 maps
     bulb.draw(map, {vertices, triangles});
 
     umbrage::image<float> picture({512, 512});
     int dark = 0;
-    for (int y = 0; y < 512; ++y)
-        for (int x = 0; x < 512; ++x) {
+    for (int y = 0; y < picture.size().y; ++y)
+        for (int x = 0; x < picture.size().x; ++x) {
             const glm::vec3 point(float(x) / 32 - 8, 0, float(y) / 32 - 8), way = position - point;
             const float visibility = bulb(map, point, {0, 1, 0}, {x, y});  // the disc turns from pixel to pixel
             dark += visibility < 0.5f;
             picture[{x, y}] = 0.02f + 5 * visibility * way.y / std::pow(glm::length(way), 3.0f);
         }
     write_picture("point_light.png", picture);
-    std::printf("point_light.png: %d of %d pixels are in shadow\n", dark, 512 * 512);
+    std::printf("point_light.png: %d of %d pixels are in shadow\n", dark, picture.size().x * picture.size().y);
 }
