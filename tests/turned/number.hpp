@@ -8,6 +8,7 @@
 #include <concepts>
 #include <exception>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 
@@ -17,10 +18,10 @@
 
 namespace turned {
 
-/// What becomes of a number.
-enum class turn { none, twice, half, thousandth, zero, negative, nan };
-inline constexpr std::array<std::string_view, 7> turn_names{"as it is", "twice",    "half", "a thousandth",
-                                                            "zero",     "negative", "NaN"};
+/// What becomes of a number. A field is left out while a program is written, for each of which it is another program.
+enum class turn { none, twice, half, thousandth, zero, negative, nan, left_out };
+inline constexpr std::array<std::string_view, 8> turn_names{"as it is", "twice",    "half", "a thousandth",
+                                                            "zero",     "negative", "NaN",  "left out"};
 
 /// The number that changes in this run.
 struct change {
@@ -28,6 +29,7 @@ struct change {
     turn what = turn::none;
 };
 inline change chosen;
+inline bool is_running = false;  ///< a program is: its numbers outside of functions would not change
 
 /// The change means nothing here: an integer cannot be NaN, and a number may turn into itself.
 struct no_change : std::exception {
@@ -98,25 +100,47 @@ using with_int = std::common_type_t<int, T>;
 TURNED_OPERATOR(+)
 TURNED_OPERATOR(-)
 TURNED_OPERATOR(*)
-TURNED_OPERATOR(/)
 TURNED_OPERATOR(<)
 TURNED_OPERATOR(>)
 TURNED_OPERATOR(==)
 #undef TURNED_OPERATOR
+
+/// An integer that another is divided by. A division by zero is the program's own error, and no answer of the library.
+template <plain T>
+[[nodiscard]] T divisor(integer b) {
+    const auto own = static_cast<T>(b);
+    if (std::is_integral_v<T> && own == T(0)) throw no_change();
+    return own;
+}
+template <plain T>
+auto operator/(integer a, T b) {
+    return static_cast<with_int<T>>(a) / b;
+}
+template <plain T>
+auto operator/(T a, integer b) {
+    return a / divisor<with_int<T>>(b);
+}
+inline auto operator/(integer a, integer b) { return int(a) / divisor<int>(b); }
+template <glm::length_t N, class T>
+auto operator/(const glm::vec<N, T>& a, integer b) {
+    return a / divisor<T>(b);
+}
+inline auto operator%(int a, integer b) { return a % divisor<int>(b); }
 template <plain T>
 T& operator+=(T& a, integer b) {
     return a = static_cast<T>(a + b);
 }
-inline auto operator%(int a, integer b) { return int(b) == 0 ? throw no_change() : a % int(b); }
 
 /// The number at a place of a program.
 template <std::floating_point T>
 [[nodiscard]] T number(int place, T value) {
+    if (!is_running) throw std::logic_error("a number outside of functions, which no run changes");
     if (place != chosen.place) return value;
     const auto now = static_cast<T>(turned(double(value)));
     return now == value ? throw no_change() : now;
 }
 [[nodiscard]] inline integer number(int place, int value) {
+    if (!is_running) throw std::logic_error("a number outside of functions, which no run changes");
     if (place != chosen.place) return integer(value);
     const double now = turned(value);
     return now == value ? throw no_change() : integer(now, true, value);

@@ -37,7 +37,7 @@ bool names_argument(const std::string& message) {
 
 reply answer(const program& p, change c) {
     reply r;
-    chosen = c;
+    chosen = c, is_running = true;
     try {
         p.run();
         judge_unused_lights();

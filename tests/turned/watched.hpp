@@ -117,7 +117,7 @@ public:
     void visibility(image_view<const texel> map, image_view<const glm::vec3> points,
                     image_view<const glm::vec3> normals, image_view<float> out, ParallelFor&& parallel = {}) const {
         base::visibility(map, points, normals, out, parallel);
-        for (int i = 0; i < 64; ++i) {
+        for (int i = 0; i < 64 && !out.empty(); ++i) {
             const glm::ivec2 p(i * 7919 % out.size.x, i * 104729 % out.size.y);
             drawn_->judge(points[p], normals[p], out[p]);
         }
