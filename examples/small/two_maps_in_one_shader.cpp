@@ -47,10 +47,11 @@ void main() { color = vec4(0.7 * umbrage_sun(world, normal) + vec3(0.3, 0.2, 0.1
 
     // Functions that both maps share are there once. Functions that read a map are there for each map, under its name.
     int shared = 0, of_sun = 0, of_spot = 0;
+    const std::string mark = "// ";
     std::istringstream lines(shader);
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("// umbrage_")) continue;
-        const std::string function = line.substr(3, line.find(':') - 3);
+        if (!line.starts_with(mark + "umbrage_")) continue;
+        const std::string function = line.substr(mark.size(), line.find(':') - mark.size());
         ++(function.ends_with("_sun") ? of_sun : function.ends_with("_spot") ? of_spot : shared);
     }
     std::printf("%d functions for both, %d of the sun's map, %d of the spot's\n", shared, of_sun, of_spot);
