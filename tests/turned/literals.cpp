@@ -163,6 +163,34 @@ std::vector<literal> literals_of(std::string_view code, const std::vector<token>
     return finder(code, tokens).find();
 }
 
+std::vector<field> fields_of(std::string_view code, const std::vector<token>& tokens) {
+    std::vector<token> all;
+    for (const token& t : tokens)
+        if (t.kind != token_kind::text && t.kind != token_kind::directive) all.push_back(t);
+    const auto text = [&](std::size_t i) { return i < all.size() ? code.substr(all[i].at, all[i].size) : ""; };
+    const auto end_of = [&](std::size_t i) { return all[i].at + all[i].size; };
+    std::vector<field> found;
+    bool is_constant = false;
+    for (std::size_t i = 0; i + 2 < all.size(); ++i) {
+        if (text(i) == "constexpr") is_constant = true;
+        if (text(i) == ";") is_constant = false;
+        const std::string_view before = i > 0 ? text(i - 1) : "";
+        if (is_constant || text(i) != "." || text(i + 2) != "=" || (before != "{" && before != ",")) continue;
+        std::size_t last = i + 2;
+        for (int depth = 0; last < all.size(); ++last) {
+            const std::string_view s = text(last);
+            if (depth == 0 && (s == "," || s == "}")) break;
+            if (s == "{" || s == "(" || s == "[") ++depth;
+            if (s == "}" || s == ")" || s == "]") --depth;
+        }
+        const bool takes_next = text(last) == ",", takes_previous = !takes_next && before == ",";
+        const std::size_t from = takes_previous ? all[i - 1].at : all[i].at;
+        const std::size_t to = takes_next ? end_of(last) : all[last].at;
+        found.push_back({from, to - from, end_of(i + 1) - all[i].at, all[i].at});
+    }
+    return found;
+}
+
 std::string_view name_of(kept why) {
     static constexpr std::array<std::string_view, 5> names{"turned", "loop", "subscript", "constant", "output"};
     return names[std::size_t(why)];

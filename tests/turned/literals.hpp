@@ -34,4 +34,14 @@ struct literal {
 
 [[nodiscard]] std::string_view name_of(kept why);
 
+/// A designated initializer, `.name = value`, with the comma that separates it.
+struct field {
+    std::size_t at, size;   ///< of what is left out
+    std::size_t name_size;  ///< of `.name`, which `name_at` begins
+    std::size_t name_at;
+};
+
+/// Designated initializers of code in their order, without those of constants, which a compiler may refuse to change.
+[[nodiscard]] std::vector<field> fields_of(std::string_view code, const std::vector<token>& tokens);
+
 }  // namespace turned

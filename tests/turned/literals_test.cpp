@@ -19,6 +19,14 @@ std::string found_in(std::string_view code) {
     return all;
 }
 
+/// Code without each of its fields in turn.
+std::string without_each(std::string_view code) {
+    std::string all;
+    for (const field& f : fields_of(code, tokens_of(code)))
+        all += std::string(code.substr(0, f.at)) + std::string(code.substr(f.at + f.size)) + " | ";
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("literals: every form of a number is one token") {
@@ -43,4 +51,16 @@ TEST_CASE("literals: loops, subscripts, constants and output stay") {
           "2:subscript 3:subscript 4:subscript 5:turned 16:subscript 6:turned ");
     CHECK(found_in("constexpr int a = f({1, 2}); b = 3;") == "1:constant 2:constant 3:turned ");
     CHECK(found_in("std::printf(\"%d\", f({1}, 2)); g(3);") == "1:output 2:output 3:turned ");
+}
+
+TEST_CASE("fields: each goes with a comma that separates it, and with fields of its own") {
+    CHECK(without_each("f({.a = 1, .b = g(2, {3}), .c = x});") ==
+          "f({ .b = g(2, {3}), .c = x}); | f({.a = 1,  .c = x}); | f({.a = 1, .b = g(2, {3})}); | ");
+    CHECK(without_each("f({.a = {.b = 1}});") == "f({}); | f({.a = {}}); | ");
+    CHECK(without_each("f({.a = 1,});") == "f({}); | ");
+}
+
+TEST_CASE("fields: none in assignments, comparisons, text and constants") {
+    CHECK(without_each("x.a = 1; if (x.a == 1) f(\"{.a = 1}\");").empty());
+    CHECK(without_each("constexpr light a{.b = 1}; light c{.d = 2};") == "constexpr light a{.b = 1}; light c{}; | ");
 }

@@ -2,9 +2,9 @@
 //
 // Runs the programs of pages with each of their numbers changed, and says what became of them:
 //     turned --sample 500 LIST     so many changes of all programs, spread evenly
-//     turned --all LIST            every change
+//     turned --all LIST [PROGRAM]  every change, of one program
 //     turned --faults LIST         each planted fault, of which all must be seen
-//     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN)
+//     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN), 7 (left out)
 // A run is a process of its own, so that one that crashes or hangs is a result too.
 #include <algorithm>
 #include <array>
@@ -36,6 +36,7 @@ std::vector<job> all_jobs() {
     for (const program& p : programs())
         for (std::size_t i = 0; i < p.places.size(); ++i)
             for (const turn t : turns) all.push_back({&p, int(i), t});
+    for (const program& p : programs_without()) all.push_back({&p, 0, turn::left_out});
     return all;
 }
 
@@ -45,7 +46,11 @@ std::string described(const job& j) {
     const auto column = std::size_t(at.column);
     text.insert(column + std::size_t(at.size), "]").insert(column, "[");
     text.erase(0, text.find_first_not_of(' '));
-    return j.of->name + ' ' + std::to_string(j.place) + ' ' + std::to_string(int(j.what)) + " (line " +
+    // Programs without a field are numbered, as places are.
+    int number = j.place;
+    if (j.what == turn::left_out)
+        for (const program* p = j.of; p != programs_without().data() && (p - 1)->name == j.of->name; --p) ++number;
+    return j.of->name + ' ' + std::to_string(number) + ' ' + std::to_string(int(j.what)) + " (line " +
            std::to_string(at.line) + ", " + std::string(turn_names[std::size_t(j.what)]) + "): " + text;
 }
 
@@ -68,7 +73,7 @@ bool prove(const std::vector<job>& jobs, const exceptions& listed) {
     std::size_t lit = 0, dark = 0, kept_back = 0;
     for (const job& j : jobs) {
         const place& at = j.of->places[std::size_t(j.place)];
-        if (std::string_view(at.why) != "turned") {
+        if (j.what != turn::left_out && std::string_view(at.why) != "turned") {
             ++counts[std::string("kept: ") + at.why], ++kept_back;
             continue;
         }
@@ -134,24 +139,33 @@ std::vector<job> sample_of(std::vector<job> all, std::size_t count) {
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);
     std::ranges::sort(programs(), {}, &program::name);
+    std::ranges::stable_sort(programs_without(), {}, &program::name);
     const std::string_view what = argc > 1 ? argv[1] : "";
     if (what == "--faults" && argc == 3) return plant_faults(exceptions(argv[2])) ? 0 : 1;
     if (argc == 4 && !what.starts_with("--")) {
-        for (const program& p : programs())
-            if (p.name == what) {
-                const outcome o = run(p, {std::atoi(argv[2]), turn(std::atoi(argv[3]))});
-                std::printf("%zu lit, %zu dark: %s\n", o.lit, o.dark, o.message.c_str());
-                return o.how == ending::right || o.how == ending::refused ? 0 : 1;
-            }
+        const int number = std::atoi(argv[2]);
+        const auto what_becomes = turn(std::atoi(argv[3]));
+        const bool is_without = what_becomes == turn::left_out;
+        const std::vector<program>& all = is_without ? programs_without() : programs();
+        const auto first = std::ranges::find(all, what, &program::name);
+        if (first != all.end()) {
+            const outcome o = run(is_without ? first[number] : *first, {number, what_becomes});
+            std::printf("%zu lit, %zu dark: %s\n", o.lit, o.dark, o.message.c_str());
+            return o.how == ending::right || o.how == ending::refused ? 0 : 1;
+        }
     }
     const bool is_sample = what == "--sample" && argc == 4;
-    if (is_sample || (what == "--all" && argc == 3)) {
-        const exceptions listed(argv[argc - 1]);
+    if (is_sample || (what == "--all" && (argc == 3 || argc == 4))) {
+        const exceptions listed(argv[is_sample ? 3 : 2]);
+        std::vector<job> all = all_jobs();
+        if (!is_sample && argc == 4) {
+            std::erase_if(all, [&](const job& j) { return j.of->name != argv[3]; });
+            return prove(all, listed) ? 0 : 1;
+        }
         const bool is_right = prove_unchanged();
-        const std::vector<job> all = all_jobs();
         const bool is_proven = prove(is_sample ? sample_of(all, std::strtoul(argv[2], nullptr, 10)) : all, listed);
         return is_right && is_proven ? 0 : 1;
     }
-    std::puts("usage: turned --sample N LIST | --all LIST | --faults LIST | PROGRAM PLACE TURN");
+    std::puts("usage: turned --sample N LIST | --all LIST [PROGRAM] | --faults LIST | PROGRAM PLACE TURN");
     return 2;
 }

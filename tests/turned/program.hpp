@@ -32,6 +32,13 @@ inline std::vector<program>& programs() {
 }
 inline bool add(program p) { return programs().push_back(std::move(p)), true; }
 
+/// Programs without a field, which is their one place. Each has the name of the whole program.
+inline std::vector<program>& programs_without() {
+    static std::vector<program> all;
+    return all;
+}
+inline bool add_without(program p) { return programs_without().push_back(std::move(p)), true; }
+
 }  // namespace turned
 
 /// Pictures are no result here.

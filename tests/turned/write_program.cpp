@@ -3,6 +3,7 @@
 // Writes a page's C++, or a whole program, with its numbers taken from a table at run time:
 //     write_program ID PAGE.md OUT.cpp        or: write_program ID PROGRAM.cpp OUT.cpp
 // A block with a main is a function, as tests/readme has it. Other blocks of a page are one function in their order.
+// With `--without` behind, OUT has a program for each field that an initializer names, as it is but for that field.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -45,9 +46,13 @@ std::vector<block> blocks_of(const std::string& page) {
     return all;
 }
 
+/// A program, with its numbers from a table, or without a field.
 class writer {
 public:
-    void add(const block& b) {
+    explicit writer(bool is_turned) : is_turned_(is_turned) {}
+
+    /// @param without   left out of the block; none: null
+    void add(const block& b, const field* without = nullptr) {
         const std::vector<token> tokens = tokens_of(b.code);
         const std::vector<literal> numbers = literals_of(b.code, tokens);
         std::string text;
@@ -59,10 +64,12 @@ public:
         };
         for (const token& t : tokens) {
             const std::string own = b.code.substr(t.at, t.size);
-            if (t.kind == token_kind::directive) {
+            if (t.at < copied) continue;
+            if (without && t.at == without->at) put({token_kind::text, without->at, without->size}, "");
+            else if (t.kind == token_kind::directive) {
                 if (own.starts_with("#include <")) includes_ += own + '\n';
                 put(t, "");
-            } else if (next < numbers.size() && numbers[next].at == t.at) {
+            } else if (is_turned_ && next < numbers.size() && numbers[next].at == t.at) {
                 put(t, turned_number(b, numbers[next++]));
             } else if (t.kind == token_kind::word && own == "main") {
                 const std::string name = "program_" + std::to_string(programs_++);
@@ -73,27 +80,34 @@ public:
         if (has_main)
             put({token_kind::sign, tokens.back().at, 1}, "return 0;\n}");  // which the last brace may leave out
         text += b.code.substr(copied);
+        if (without) places_ = place_of(b, without->name_at, without->name_size, "left out");
         if (has_main) functions_ += text + '\n';
         else body_ += text + watched_values(b.code, tokens) + '\n';
     }
 
-    [[nodiscard]] std::string program(const std::string& id) const {
-        std::string name = id;
+    [[nodiscard]] const std::string& includes() const { return includes_; }
+
+    /// @param suffix   of the namespace, which is another one for each program
+    [[nodiscard]] std::string program(const std::string& id, const std::string& suffix = "") const {
+        std::string name = "turned_" + id + suffix;
         for (char& c : name)
             if (c == '.' || c == '-') c = '_';
-        return "// SPDX-License-Identifier: MIT\n" + includes_ + "#include \"program.hpp\"\n\nnamespace turned_" +
-               name + " {\nnamespace umbrage = ::watched;\nnamespace {\n\n" + functions_ + "void code() {\n" + body_ +
-               "}\n\nconst bool known = ::turned::add({\"" + id + "\", {\n" + places_ + "}, [] {\n" + calls_ +
-               "    code();\n}});\n\n}  // namespace\n}  // namespace turned_" + name + "\n";
+        const std::string add = is_turned_ ? "::turned::add" : "::turned::add_without";
+        return "\nnamespace " + name + " {\nnamespace umbrage = ::watched;\nnamespace {\n\n" + functions_ +
+               "void code() {\n" + body_ + "}\n\nconst bool known = " + add + "({\"" + id + "\", {\n" + places_ +
+               "}, [] {\n" + calls_ + "    code();\n}});\n\n}  // namespace\n}  // namespace " + name + "\n";
     }
 
 private:
+    static std::string place_of(const block& b, std::size_t at, std::size_t size, std::string_view why) {
+        const std::size_t from = b.code.rfind('\n', at) + 1;  // npos + 1 is 0
+        const std::string line = b.code.substr(from, b.code.find('\n', at) - from);
+        const auto lines = std::count(b.code.begin(), b.code.begin() + std::ptrdiff_t(at), '\n');
+        return "    {" + std::to_string(b.line + lines) + ", " + std::to_string(at - from) + ", " +
+               std::to_string(size) + ", \"" + std::string(why) + "\", R\"~~(" + line + ")~~\"},\n";
+    }
     std::string turned_number(const block& b, const literal& l) {
-        const std::size_t from = b.code.rfind('\n', l.at) + 1;  // npos + 1 is 0
-        const std::string line = b.code.substr(from, b.code.find('\n', l.at) - from);
-        const auto lines = std::count(b.code.begin(), b.code.begin() + std::ptrdiff_t(l.at), '\n');
-        places_ += "    {" + std::to_string(b.line + lines) + ", " + std::to_string(l.at - from) + ", " +
-                   std::to_string(l.size) + ", \"" + std::string(name_of(l.why)) + "\", R\"~~(" + line + ")~~\"},\n";
+        places_ += place_of(b, l.at, l.size, name_of(l.why));
         const std::string own = b.code.substr(l.at, l.size), place = std::to_string(count_++);
         return l.why == kept::no ? "::turned::number(" + place + ", " + own + ")" : own;
     }
@@ -117,18 +131,36 @@ private:
 
     std::string includes_, functions_, body_, places_, calls_;
     int programs_ = 0, count_ = 0;
+    bool is_turned_;
 };
+
+std::string programs_without(const std::string& id, const std::vector<block>& blocks) {
+    std::string all, includes;
+    int count = 0;
+    for (const block& changed : blocks)
+        for (const field& f : fields_of(changed.code, tokens_of(changed.code))) {
+            writer w(false);
+            for (const block& b : blocks) w.add(b, &b == &changed ? &f : nullptr);
+            includes = w.includes();
+            all += w.program(id, "_without_" + std::to_string(count++));
+        }
+    return includes + "#include \"program.hpp\"\n" + all;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 4) return 2;
-    const std::string text = read(argv[2]);
-    writer w;
-    if (std::string_view(argv[2]).ends_with(".md"))
-        for (const block& b : blocks_of(text)) w.add(b);
-    else w.add({text, 1});
-    std::ofstream(argv[3]) << w.program(argv[1]);
+    const bool is_without = argc == 5 && std::string_view(argv[4]) == "--without";
+    if (argc != 4 && !is_without) return 2;
+    const std::string text = read(argv[2]), id = argv[1];
+    const std::vector<block> blocks =
+        std::string_view(argv[2]).ends_with(".md") ? blocks_of(text) : std::vector<block>{{text, 1}};
+    std::ofstream out(argv[3]);
+    out << "// SPDX-License-Identifier: MIT\n";
+    if (is_without) return out << programs_without(id, blocks), 0;
+    writer w(true);
+    for (const block& b : blocks) w.add(b);
+    out << w.includes() << "#include \"program.hpp\"\n" << w.program(id);
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "write_program: %s\n", e.what());
