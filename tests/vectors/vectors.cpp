@@ -43,7 +43,7 @@ std::string hex(float v) {
 }
 std::string hex(const vec4& v) { return hex(v.x) + hex(v.y) + hex(v.z) + hex(v.w); }
 
-std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+std::string in_quotes(std::string_view text) { return '"' + std::string(text) + '"'; }
 
 /// Components of x0 .. x5 that a call names: of a whole x0 all four. The x2 of pcf_2x2 is none of them.
 std::vector<int> components(const std::string& call) {
@@ -72,7 +72,7 @@ private:
         std::string digits;
         for (const vec4& texel : map.texels()) digits += hex(texel);
         return "{\"size\": [" + std::to_string(map.size().x) + ", " + std::to_string(map.size().y) +
-               "], \"texels\": " + quoted(digits) + "}";
+               "], \"texels\": " + in_quotes(digits) + "}";
     }
     std::vector<std::string> lines_;
 };
@@ -128,19 +128,19 @@ std::string function(const entry& e, const texels* map, std::uint64_t serial, st
 
     std::string arguments, vectors;
     for (const int c : named)
-        arguments += (arguments.empty() ? "" : ", ") + quoted("x" + std::to_string(c / 4) + '.' + "xyzw"[c % 4]);
+        arguments += (arguments.empty() ? "" : ", ") + in_quotes("x" + std::to_string(c / 4) + '.' + "xyzw"[c % 4]);
     const bool is_one = std::all_of(results.begin(), results.end(),
                                     [](const result& r) { return hex(r.value) == hex(vec4(r.value.x)); });
     for (const result& r : results)
-        vectors += (vectors.empty() ? "" : ", ") + quoted(r.inputs + ' ' + (is_one ? hex(r.value.x) : hex(r.value)));
+        vectors += (vectors.empty() ? "" : ", ") + in_quotes(r.inputs + ' ' + (is_one ? hex(r.value.x) : hex(r.value)));
 
-    std::string line = "{\"function\": " + quoted("umbrage_" + std::string(e.primitive->name)) +
-                       ", \"name\": " + quoted(e.name()) + ", \"call\": " + quoted(e.call);
+    std::string line = "{\"function\": " + in_quotes("umbrage_" + std::string(e.primitive->name)) +
+                       ", \"name\": " + in_quotes(e.name()) + ", \"call\": " + in_quotes(e.call);
     if (e.map_kind.direction == umbrage::depth_direction::reversed) line += ", \"direction\": \"reversed\"";
     if (map)
         line += ", \"map\": " + std::to_string(maps.number_of(*map)) +
                 ", \"outside\": " + (umbrage::glsl::detail::is_bordered(e.map_kind) ? "\"bordered\"" : "\"clamped\"");
-    if (map && !e.map_kind.depth.empty()) line += ", \"depth\": " + quoted(e.map_kind.depth);
+    if (map && !e.map_kind.depth.empty()) line += ", \"depth\": " + in_quotes(e.map_kind.depth);
     if (e.table.size().x) line += ", \"table\": " + std::to_string(maps.number_of(e.table));
     return line + ", \"arguments\": [" + arguments + "],\n \"vectors\": [" + vectors + "]}";
 }

@@ -205,7 +205,14 @@ TEST_CASE("shadow: its bias detaches shadows as far as peter_panning_distance sa
     CHECK(disc.peter_panning_distance(world, normal) ==
           acne_free_disc_bias(place.slope, round.filter_terms.y, round.error + disc_bias + place.rounding));
     CHECK(disc.peter_panning_distance(world, glm::vec3(std::numeric_limits<float>::quiet_NaN())) == 1.0f);
-    static_assert(detaches<shadow<single_map, filters::hard>> && !detaches<shadow<single_map, filters::pcss>>);
+    const shadow soft(light, {256, 128}, filters::pcss{.softness = make_penumbra_params(0.2f, 1.0f, 6.0f)});
+    const shadow_terms widest = soft.uniforms().terms;
+    CHECK(widest.reach > 6.0f);
+    CHECK(soft.peter_panning_distance(world, normal) ==
+          acne_free_bias(
+              place.slope, widest.reach,
+              widest.error + acne_free_bias(place.slope, 0.5f, widest.error + place.rounding) + place.rounding));
+    static_assert(detaches<shadow<single_map, filters::hard>> && !detaches<shadow<single_map, prefilters::vsm>>);
 }
 
 TEST_CASE("shadow: bad input") {
