@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a function's arguments stand for, guessed from their types and names. A reader can put any expression there.
-import type { Language, Needed, Signature } from './read';
+import { without_comments, type Language, type Needed, type Signature } from './read';
 
 /** Kinds of functions, in the order of check::subject. */
 export const subjects = { filter: 'reads a shadow map', pack: 'packs a depth', unpack: 'unpacks a depth' } as const;
@@ -114,11 +114,20 @@ export function guess(needed: Needed, of: Signature, subject: Subject, language:
 /** Names of functions that a reader means, the likeliest first. */
 const telling = [/shadow|pcf|visib/i, /depth/i, /pack|filter|code/i, /./];
 
-/** The function that a reader means, most probably: of the likeliest name, the last that returns something. */
-export function chosen(functions: readonly Signature[]): Signature | undefined {
-    const returning = functions.filter(each => each.returns !== '');
+/** Functions that return something, and that no other of these calls. */
+function outermost(functions: readonly Signature[], text: string): Signature[] {
+    const lines = without_comments(text).split('\n'),
+        returning = functions.filter(each => each.returns !== '');
+    const body = (of: Signature) => lines.slice(of.line - 1, (functions[functions.indexOf(of) + 1]?.line ?? Infinity) - 1);
+    const calls = (of: Signature, name: string) => new RegExp(`\\b${name}\\s*\\(`).test(body(of).join('\n'));
+    return returning.filter(each => !returning.some(other => other.name !== each.name && calls(other, each.name)));
+}
+
+/** The function that a reader means, most probably: an outermost one, of the likeliest name the last. */
+export function chosen(functions: readonly Signature[], text: string): Signature | undefined {
+    const outer = outermost(functions, text);
     for (const names of telling) {
-        const found = returning.filter(each => names.test(each.name)).at(-1);
+        const found = outer.filter(each => names.test(each.name)).at(-1);
         if (found) return found;
     }
     return functions.at(-1);

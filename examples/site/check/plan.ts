@@ -16,7 +16,7 @@ export function make_plan(state: State): Plan {
     const language = state.language || language_of(state.text),
         reading = read(state.text, language),
         uniforms = uniforms_of(reading);
-    const of = reading.functions.find(each => signature(each) === state.of) ?? chosen(reading.functions);
+    const of = reading.functions.find(each => signature(each) === state.of) ?? chosen(reading.functions, state.text);
     const has_texture = uniforms.some(each => textures_of(each.type).length > 0);
     const subject = state.subject || (of ? subject_of(of, has_texture) : 'filter');
     const bound = (all: readonly Needed[]): Bound[] =>

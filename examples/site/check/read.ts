@@ -37,7 +37,7 @@ const spaces = (text: string) => text.replace(/[^\n]/g, ' ');
 const line_of = (text: string, at: number) => text.slice(0, at).split('\n').length;
 
 /** The text with spaces for comments, at the same places. */
-const without_comments = (text: string) => text.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, spaces);
+export const without_comments = (text: string) => text.replace(/\/\/[^\n]*|\/\*[^]*?(?:\*\/|$)/g, spaces);
 
 /** The text with spaces between braces, so that only declarations are left. */
 function without_bodies(text: string): string {
