@@ -118,7 +118,10 @@ const telling = [/shadow|pcf|visib/i, /depth/i, /pack|filter|code/i, /./];
 function outermost(functions: readonly Signature[], text: string): Signature[] {
     const lines = without_comments(text).split('\n'),
         returning = functions.filter(each => each.returns !== '');
-    const body = (of: Signature) => lines.slice(of.line - 1, (functions[functions.indexOf(of) + 1]?.line ?? Infinity) - 1);
+    const body = (of: Signature) => {
+        const next = functions[functions.indexOf(of) + 1];
+        return lines.slice(of.line - 1, next && next.line - 1);
+    };
     const calls = (of: Signature, name: string) => new RegExp(`\\b${name}\\s*\\(`).test(body(of).join('\n'));
     return returning.filter(each => !returning.some(other => other.name !== each.name && calls(other, each.name)));
 }
