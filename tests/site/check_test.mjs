@@ -67,10 +67,10 @@ await visit(
 
         // A filter whose name does not say so, below functions that it calls.
         for (const [language, text] of [
-            ['glsl300', glsl.source('300 es', [glsl.tent3])],
-            ['wgsl', wgsl.text([wgsl.tent3])],
+            ['glsl300', glsl.source('300 es', [glsl.hard])],
+            ['wgsl', wgsl.text([wgsl.hard])],
         ])
-            says(await ask(page, text), 'The same bits as tent3', `tent3 in ${language}`);
+            says(await ask(page, text), 'The same bits as hard', `hard in ${language}`);
 
         // Half a texel, planted into a call: named, with an exhibit, an input, and the inputs that agree.
         await ask(page, glsl.source('300 es', [glsl.pcf_2x2]), () => argument(page, 'coord').fill('coord + 0.5'));
