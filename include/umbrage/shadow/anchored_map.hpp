@@ -150,9 +150,9 @@ inline void require_digits(double away, double extent) {
         return {0.0, 1.0, (glm::max)(fixed[0], fixed[1]), fixed[2]};
     }
     // Where w varies, its rounding moves texels by their number, and depths by what they differ from the anchor's.
-    const glm::dvec2 size(map_size), far = glm::abs(glm::dvec2(m[3])) + size * std::abs(m[3][3]);
+    const glm::dvec2 size(map_size), moved = glm::abs(glm::dvec2(m[3])) + size * std::abs(m[3][3]);
     const glm::dvec2 texels(glm::length(rows[0]) + size.x, glm::length(rows[1]) + size.y);
-    const double offsets = (glm::max)(std::abs(m[3][3]), (glm::max)(far.x / texels.x, far.y / texels.y));
+    const double offsets = (glm::max)(std::abs(m[3][3]), (glm::max)(moved.x / texels.x, moved.y / texels.y));
     return {one_rounding * 10.0 * wide, one_rounding * (2.0 * away + 6.0 * offsets), (glm::max)(texels.x, texels.y),
             glm::length(rows[2] - m[3][2] / m[3][3] * rows[3])};
 }
