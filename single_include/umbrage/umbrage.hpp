@@ -23469,7 +23469,7 @@ namespace detail {
 
 /// Largest relative error of one rounding in binary32.
 inline constexpr double one_rounding = 0x1p-24;
-/// Distance by which rounding moves positions under parallel rays, in place of 1: there z does not add to the bound.
+/// Scale of k and d under parallel rays, so small that |z| adds nothing to the bound. g and s are divided by it.
 inline constexpr float unmoved = 0x1p-40f;
 
 [[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
@@ -23543,7 +23543,8 @@ inline void require_digits(double away, double extent) {
 ///
 /// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
 /// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
-/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance.
+/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance. In a
+/// warped map z and w change nearly together, so z counts without the anchor's depth times w.
 /// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
 /// @param anchor   as the shader gets it
 [[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
@@ -23562,26 +23563,35 @@ inline void require_digits(double away, double extent) {
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
                 (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
-    double farthest = 0.0, wide = 0.0;  // of the box' corners; the longest way in w
-    double sums[3]{}, fixed[3]{};       // largest sum of a row over the box; the anchor's share, and offsets
+    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
+    double nearest_w = highest<double>, farthest_w = 0.0;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
-        wide = (glm::max)(wide, glm::length(p) / (glm::dot(rows[3], p) + m[3][3]));
+        const double w = glm::dot(rows[3], p) + m[3][3];
+        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
         for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
-        farthest = (glm::max)(farthest, 2.0 * glm::length(p));
+        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
     if (rows[3] == glm::dvec3(0)) {
-        for (glm::length_t r = 0; r < 3; ++r)
-            fixed[r] = one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor));
-        return {0.0, 1.0, (glm::max)(fixed[0], fixed[1]), fixed[2]};
+        const auto off = [&](int r) { return one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor)); };
+        return {0.0, 1.0, (glm::max)(off(0), off(1)), off(2)};
     }
-    // Where w varies, its rounding moves texels by their number, and depths by what they differ from the anchor's.
-    const glm::dvec2 size(map_size), moved = glm::abs(glm::dvec2(m[3])) + size * std::abs(m[3][3]);
-    const glm::dvec2 texels(glm::length(rows[0]) + size.x, glm::length(rows[1]) + size.y);
-    const double offsets = (glm::max)(std::abs(m[3][3]), (glm::max)(moved.x / texels.x, moved.y / texels.y));
-    return {one_rounding * 10.0 * wide, one_rounding * (2.0 * away + 6.0 * offsets), (glm::max)(texels.x, texels.y),
-            glm::length(rows[2] - m[3][2] / m[3][3] * rows[3])};
+    // The rounding of w is k + d i of w. It moves a texel by as much of its coordinate, and a depth by as much of its
+    // distance from the anchor's depth.
+    const double w = glm::length(rows[3]), k = 10.0 * w * way, d = 2.0 * w * away + 6.0 * std::abs(m[3][3]);
+    // The rounding of another row is length (10 way + 2 away i) + 6 offset i. Returns the lower of two bounds of it
+    // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
+    const auto share = [&](double length, double offset) {
+        const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
+        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
+    };
+    const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
+                 y = map_size.y + share(glm::length(rows[1]), m[3][1]);
+    glm::dmat4 without_depth = m;
+    static_cast<void>(take_depth(without_depth));
+    const double z = share(glm::length(row_of(without_depth, 2)), 0.0);
+    return {one_rounding * k, one_rounding * d, (glm::max)(x, y), z};
 }
 
 /// Uniforms of a map for a given anchor.
@@ -23589,12 +23599,11 @@ inline void require_digits(double away, double extent) {
 [[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size) {
     const glm::dvec3 exact(anchor);
     glm::dmat4 m = moved_to(here, exact);
-    const double forward = glm::length(row_of(m, 3));
-    if (forward > 0.0) m /= forward;
+    if (is_lens(m)) m /= glm::length(row_of(m, 3));
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));
     out.rounding = glm::vec4(rounding_of(m, map_size, exact));
-    if (!(forward > 0.0)) out.rounding *= glm::vec4(1.0f, unmoved, 1.0f / unmoved, 1.0f / unmoved);
+    if (row_of(m, 3) == glm::dvec3(0)) out.rounding *= glm::vec4(1.0f, unmoved, 1.0f / unmoved, 1.0f / unmoved);
     out.anchor = glm::vec4(anchor, static_cast<float>(take_depth(m)));
     out.to_texels = glm::mat4(m);
     return out;
@@ -23638,8 +23647,9 @@ inline void require_digits(double away, double extent) {
 /// @edge                                        behind the light: a place that every filter takes as lit
 /// @formula     place = (x, y, z) / w + (0, 0, anchor.w), where (x, y, z, w) = to_texels way. With i = 1 / w and
 ///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |z| i) + 8 u (|z| i + |anchor.w|):
-///              positions move by k w + d, which is g texels and s of depth a unit where w is 1. The last term has the
-///              products, sums, divisions and stores of depths themselves, and those of plane_reference
+///              positions in a lens move by k w + d, which is g texels and s of depth a unit where w is 1. In a warped
+///              map w is off by (k + d i) w, and a texel and a depth by g and s times that share. The last term has
+///              the products, sums, divisions and stores of depths themselves, and those of plane_reference
 /// @exactness   C, n = 121: as receiver_slope of way, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place anchored_place(const glm::mat4& to_texels, const glm::mat4& planes,
                                                              const glm::vec4& anchor, const glm::vec4& rounding,

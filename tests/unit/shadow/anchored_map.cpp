@@ -177,6 +177,23 @@ TEST_CASE("anchored_map: warped maps need few digits near the camera, and their 
     CHECK(seen.bound < 200);
 }
 
+TEST_CASE("anchored_map: a warp that hardly bends has nearly the bound of parallel rays") {
+    const light_space<double> sun = detail::in_double(shadow_scene::fitted(cpu_clip_space));
+    const vec3 world(0.5f, 0.25f, -0.5f), normal(1, 3, 2);
+    const auto rounding = [&](double bend) {
+        light_space<double> bent = sun;
+        bent.projection[0][3] = bend;  // w along the map's x
+        const anchored_map map = make_anchored_map(bent, {256, 256});
+        return anchored_place(map.to_texels, map.planes, map.anchor, map.rounding, world - vec3(map.anchor), normal)
+            .rounding;
+    };
+    for (const double bend : {1e-18, 1e-12, 1e-6, 1e-3}) {
+        CAPTURE(bend);
+        CHECK(rounding(bend) >= 0.5f * rounding(0));
+        CHECK(rounding(bend) <= 4 * rounding(0));
+    }
+}
+
 TEST_CASE("anchored_map: at a distance the bound is a few times what is needed") {
     for (const char* kind : {"spot", "directional"}) {
         const seen_tiles seen = try_tiles(kind, cpu_clip_space, 0.05, 600, rounds(1600));
