@@ -147,9 +147,9 @@ int main(int argc, char** argv) {
         const auto what_becomes = turn(std::atoi(argv[3]));
         const bool is_without = what_becomes == turn::left_out;
         const std::vector<program>& all = is_without ? programs_without() : programs();
-        const auto first = std::ranges::find(all, what, &program::name);
-        if (first != all.end()) {
-            const outcome o = run(is_without ? first[number] : *first, {number, what_becomes});
+        const auto own = std::ranges::equal_range(all, what, {}, &program::name);
+        if (!own.empty() && number >= 0 && (!is_without || number < std::ssize(own))) {
+            const outcome o = run(is_without ? own[number] : own.front(), {number, what_becomes});
             std::printf("%zu lit, %zu dark: %s\n", o.lit, o.dark, o.message.c_str());
             return o.how == ending::right || o.how == ending::refused ? 0 : 1;
         }

@@ -123,7 +123,7 @@ struct choices {
     c.seed = seed;
     c.setup = setup_kind(d.whole(0, int(setup_names.size()) - 1));
     c.filter = {d.whole(0, int(filter_names.size()) - 1), 8 << d.whole(0, 2), d.real(0, 1)};
-    if (c.setup == setup_kind::paraboloids && c.filter.number == 5) c.filter.number = 4;  // refused, as it is compiled
+    if (c.setup == setup_kind::paraboloids && c.filter.number == 5) c.filter.number = 4;  // which does not compile
     c.encoding = d.whole(0, int(encoding_names.size()) - 1);
     c.clip = draw_clip_space(d);
     c.in_double = d.one_in(2);

@@ -19,10 +19,6 @@
 
 namespace joints {
 
-/// True for a filter that hardens contacts, which paraboloids refuse.
-template <class Filter>
-inline constexpr bool hardens = std::is_same_v<Filter, umbrage::filters::pcss>;
-
 template <class Setup, class Filter, class Encoding>
 class host final : public any_host {
 public:
@@ -58,7 +54,8 @@ public:
 private:
     /// Two encodings show every fault; more would only cost compile time.
     static constexpr bool gets_wrong =
-        !hardens<Filter> && (std::is_same_v<Encoding, umbrage::depth32f> || std::is_same_v<Encoding, umbrage::depth16>);
+        !umbrage::detail::contact_hardening<Filter> &&
+        (std::is_same_v<Encoding, umbrage::depth32f> || std::is_same_v<Encoding, umbrage::depth16>);
 
     shadow shadow_;
     glm::dvec3 origin_;
@@ -73,7 +70,7 @@ template <class Filter>
     using namespace umbrage;
     return std::visit(
         [&]<class Setup>(const Setup& setup) -> std::unique_ptr<any_host> {
-            if constexpr (umbrage::has_bent_lines<Setup> && hardens<Filter>)
+            if constexpr (has_bent_lines<Setup> && detail::contact_hardening<Filter>)
                 throw std::logic_error("joints: a paraboloid that hardens contacts was drawn");
             else {
                 const auto with = [&]<class Encoding>(const Encoding& encoding) -> std::unique_ptr<any_host> {
