@@ -330,7 +330,7 @@ export const encodings: Readonly<Record<EncodingName, Encoding>>;
 /** debug color, unless position or normal is wrong */ export const probe_inputs: Snippet;
 /** first texel of a map in an atlas of equal maps */ export const map_tile: Snippet;
 /** vertex of a depth pass in clip space, far from the origin too */ export const anchored_vertex: Snippet;
-/** place of a point in one map, and a bound of its rounding */ export const anchored_place: Snippet;
+/** place of a point in one map, and the slack of its plane */ export const anchored_place: Snippet;
 /** place of a point of the world in a light's one map */ export const single_map_places: Snippet;
 /** texels beyond the part of a cascade where a filter stays inside */ export const cascade_edge: Snippet;
 /** places in a cascade and in the next one, with their weights */ export const cascade_pair: Snippet;

@@ -1903,12 +1903,12 @@ float4 umbrage_anchored_vertex(float4x4 to_clip, float3 world, float4 anchor) {
 
 #ifndef UMBRAGE_HAS_ANCHORED_PLACE
 #define UMBRAGE_HAS_ANCHORED_PLACE
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
-float4x4 umbrage_anchored_place(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float3 way,
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
+float4x4 umbrage_anchored_place(float4x4 to_texels, float4x4 planes, float4 rounding, float4 slack, float3 way,
                                 float3 normal) {
     float4 none = float4(0.0, 0.0, 0.0, 0.0);
     float4 c = transpose(to_texels)[3] + transpose(to_texels)[0] * way.x + transpose(to_texels)[1] * way.y +
@@ -1919,21 +1919,22 @@ float4x4 umbrage_anchored_place(float4x4 to_texels, float4x4 planes, float4 anch
     float3 at = float3(c.x, c.y, c.z) * i;
     float steep = abs(slope.x) + abs(slope.y);
     float moves = rounding.x + rounding.y * i;
-    float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return transpose(float4x4(float4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), float4(slope, 1.0, all),
-                              none, none));
+    float off = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    float all = (moves * rounding.z + slack.x) * steep + off;
+    return transpose(float4x4(float4(before ? at.x : 65536.0, at.y, at.z + slack.w, 0.0), float4(slope, 1.0, all), none,
+                              none));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_SINGLE_MAP_PLACES
 #define UMBRAGE_HAS_SINGLE_MAP_PLACES
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
-float4x4 umbrage_single_map_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 terms,
-                                   float3 world, float3 normal) {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
+float4x4 umbrage_single_map_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 slack,
+                                   float4 terms, float3 world, float3 normal) {
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }
 #endif
 
@@ -1958,12 +1959,13 @@ float umbrage_cascade_edge(float3 coordinate, float2 size, float reach) {
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
-float4x4 umbrage_cascade_pair(float3 across, float4 found, float3 there, float2 edges, float4 scale, float4 next_scale,
-                              float4 blending) {
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
+float4x4 umbrage_cascade_pair(float3 across, float4 found, float3 there, float2 edges, float2 slacks, float4 scale,
+                              float4 next_scale, float4 blending) {
     bool last = found.w >= blending.y;
     float2 v = edges * blending.x + 1.0;
     float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
@@ -1972,10 +1974,10 @@ float4x4 umbrage_cascade_pair(float3 across, float4 found, float3 there, float2 
     float3 next = last ? float3(-65536.0, -65536.0, 0.0) : there;
     float2 slope = umbrage_cascade_slope(across, scale);
     float2 next_slope = umbrage_cascade_slope(across, next_scale);
-    float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return transpose(float4x4(float4(found.x, found.y, found.z, min(found.w, blending.y)), float4(slope, 1.0, off),
-                              float4(next, min(found.w + 1.0, blending.y)), float4(next_slope, weight, next_off)));
+    float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return transpose(float4x4(float4(found.x, found.y, found.z, min(found.w, blending.y)), float4(slope, 1.0, slack),
+                              float4(next, min(found.w + 1.0, blending.y)), float4(next_slope, weight, next_slack)));
 }
 #endif
 
@@ -2017,8 +2019,11 @@ float4x4 umbrage_cascaded_maps_places(float4x4 rotation, float4x4 scales, float4
     float4 scale =
         in_a ? transpose(scales)[0] : (in_b ? transpose(scales)[1] : (in_c ? transpose(scales)[2] : transpose(scales)[3]));
     float4 next_scale = in_a ? transpose(scales)[1] : (in_b ? transpose(scales)[2] : transpose(scales)[3]);
+    float next_slack = in_a ? transpose(offsets)[1].w : (in_b ? transpose(offsets)[2].w : transpose(offsets)[3].w);
+    float slack =
+        in_a ? transpose(offsets)[0].w : (in_b ? transpose(offsets)[1].w : (in_c ? transpose(offsets)[2].w : transpose(offsets)[3].w));
     return umbrage_cascade_pair(float3(across.x, across.y, across.z), found, float3(there.x, there.y, there.z),
-                                float2(edge, next_edge), scale, next_scale, blending);
+                                float2(edge, next_edge), float2(slack, next_slack), scale, next_scale, blending);
 }
 #endif
 
@@ -2041,11 +2046,12 @@ float4x4 umbrage_cascaded_maps_places_8(float4x4 rotation, float4x4 scales, floa
     float number = min(found.w, blending.y);
     float next = min(number + 1.0, blending.y);
     float4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    float3 there =
-        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    float4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    float3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    float4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
     float edge = umbrage_cascade_edge(float3(found.x, found.y, found.z), size, terms.z);
     float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, float2(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, float2(edge, next_edge), float2(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 #endif
@@ -2053,14 +2059,15 @@ float4x4 umbrage_cascaded_maps_places_8(float4x4 rotation, float4x4 scales, floa
 #ifndef UMBRAGE_HAS_CUBE_MAPS_PLACES
 #define UMBRAGE_HAS_CUBE_MAPS_PLACES
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
-float4x4 umbrage_cube_maps_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 terms,
-                                  float3 world, float3 normal) {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
+//   anchor                               position of the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+float4x4 umbrage_cube_maps_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 slack,
+                                  float4 terms, float3 world, float3 normal) {
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     float face = umbrage_cube_face(way);
     float4x4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
                                umbrage_cube_face_point(face, normal));
     return transpose(float4x4(float4(transpose(place)[0].x, transpose(place)[0].y, transpose(place)[0].z, face),
                               transpose(place)[1], transpose(place)[2], transpose(place)[3]));
@@ -2070,16 +2077,17 @@ float4x4 umbrage_cube_maps_places(float4x4 to_texels, float4x4 planes, float4 an
 #ifndef UMBRAGE_HAS_TETRAHEDRON_MAP_PLACES
 #define UMBRAGE_HAS_TETRAHEDRON_MAP_PLACES
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
 float4x4 umbrage_tetrahedron_map_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding,
-                                        float4 center, float4 terms, float3 world, float3 normal) {
+                                        float4 slack, float4 center, float4 terms, float3 world, float3 normal) {
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     float face = umbrage_tetrahedron_face(way);
     float4x4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     float2 at = umbrage_tetrahedron_turned(face, float2(transpose(place)[0].x, transpose(place)[0].y)) + center.x;
     float2 slope = umbrage_tetrahedron_turned(face, float2(transpose(place)[1].x, transpose(place)[1].y));
@@ -2095,7 +2103,7 @@ float4x4 umbrage_tetrahedron_map_places(float4x4 to_texels, float4x4 planes, flo
 //   position   position of the light, and depth per world unit
 //   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
 //   rounding   error of a depth by rounding
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 float4x4 umbrage_paraboloid_maps_places(float4 position, float4 halves, float4 rounding, float4 terms, float3 world,
                                         float3 normal) {
     float4 none = float4(0.0, 0.0, 0.0, 0.0);
@@ -2127,16 +2135,15 @@ float4 umbrage_paraboloid_vertex(float4x4 to_clip, float3 world, float4 anchor, 
 #define UMBRAGE_HAS_WARPED_MAPS_PLACES
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 float4x4 umbrage_warped_maps_places(float4x4 to_texels_0, float4x4 to_texels_1, float4x4 to_texels_2,
                                     float4x4 to_texels_3, float4x4 planes_0, float4x4 planes_1, float4x4 planes_2,
-                                    float4x4 planes_3, float4x4 rounding, float4x4 fades, float4 added, float4 anchor,
+                                    float4x4 planes_3, float4x4 rounding, float4x4 slack, float4x4 fades, float4 anchor,
                                     float4 ahead, float4 ends, float4 terms, float3 world, float3 normal) {
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     precise float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
@@ -2147,32 +2154,28 @@ float4x4 umbrage_warped_maps_places(float4x4 to_texels_0, float4x4 to_texels_1, 
     float4x4 planes = planes_0;
     float4x4 to_next = to_texels_1;
     float4x4 next_planes = planes_1;
-    float4 depths = float4(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = float4(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = float4(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = float4(added.w, added.w, 0.0, 0.0);
     }
     float4x4 at =
-        umbrage_anchored_place(to_texels, planes, float4(0.0, 0.0, 0.0, depths.x),
-                               umbrage_cascade_column(rounding, number), way, normal);
+        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                               umbrage_cascade_column(slack, number), way, normal);
     float4x4 there =
-        umbrage_anchored_place(to_next, next_planes, float4(0.0, 0.0, 0.0, depths.y),
-                               umbrage_cascade_column(rounding, number + 1.0), way, normal);
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     float3 after = float3(transpose(there)[0].x, transpose(there)[0].y, transpose(there)[0].z);
     float3 next = number >= ends.w ? float3(-65536.0, -65536.0, 0.0) : after;
     return transpose(float4x4(float4(transpose(at)[0].x, transpose(at)[0].y, transpose(at)[0].z, number),
@@ -2189,12 +2192,13 @@ float4x4 umbrage_warped_maps_places(float4x4 to_texels_0, float4x4 to_texels_1, 
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x4 cells_0, float4x4 cells_1,
                                       float4x4 cells_2, float4x4 cells_3, float4x4 cells_4, float4x4 cells_5,
-                                      float4x4 cells_6, float4x4 cells_7, float4 anchor, float4 pages, float4 terms,
-                                      float3 world, float3 normal) {
+                                      float4x4 cells_6, float4x4 cells_7, float4 anchor, float4 pages, float4 slack,
+                                      float4 terms, float3 world, float3 normal) {
     float4 none = float4(0.0, 0.0, 0.0, 0.0);
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     float4 in_root = umbrage_shadow_coordinate(to_root, way);
@@ -2223,8 +2227,10 @@ float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x
     float2 within = (place - floor(place)) * pages.x + pages.y;
     float2 at = inside ? within : float2(32768.0, 32768.0);
     float2 deepest = umbrage_receiver_slope(planes, normal, way);
-    float2 slope = deepest * (16.0 / across);
-    precise float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    float larger = 16.0 / across;
+    float2 slope = deepest * larger;
+    float steep = abs(deepest.x) + abs(deepest.y);
+    float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return transpose(float4x4(float4(at, in_root.z, code - before * 64.0),
                               float4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none,
                               none));

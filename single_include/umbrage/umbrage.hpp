@@ -23001,6 +23001,168 @@ inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14, &f
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/shadow/map_slack.hpp
+// What a map's numbers tell of the slack that a comparison on a receiver's plane needs: the rounding of receivers and
+// of the vertices of their own surface, the texels beside the plane, and what texels miss of a concave edge.
+//
+// See also: anchored_map.hpp, which makes uniforms of it.
+
+namespace umbrage::detail {
+
+/// Largest relative error of one rounding in binary32.
+inline constexpr double one_rounding = 0x1p-24;
+/// Error of a depth by its products, sums, divisions and stores, and by those of plane_reference, as a share of it.
+inline constexpr double depth_rounding = 8.0 * one_rounding;
+/// Texels of slope that cover a slope's own rounding, where the light grazes a surface.
+inline constexpr double grazing = 0.125;
+
+/// Texels of slope by which a texel may lie beside a receiver's plane: for the rasterizer's snap, for the rounding of
+/// coordinates, and for that of the slope itself.
+[[nodiscard]] inline double texels_beside_plane(const clip_space& clip, glm::ivec2 map_size) {
+    return 2.0 / (1 << clip.subpixel_bits) + 0x1p-21 * (glm::max)(map_size.x, map_size.y) + grazing;
+}
+
+[[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
+    return {m[0][row], m[1][row], m[2][row]};
+}
+/// Sum of the magnitudes that a row of a matrix adds.
+[[nodiscard]] inline double magnitudes(const glm::dvec3& row, const glm::dvec3& p) {
+    return glm::dot(glm::abs(row), glm::abs(p));
+}
+
+/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
+    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// True where depth depends on w alone, as under every perspective along the axis of a view.
+[[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
+}
+
+/// Point where the rays of a lens meet, or else the middle of the map.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
+    if (is_lens(m)) {
+        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
+        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
+    }
+    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
+    return glm::dvec3(middle) / middle.w;
+}
+
+/// Matrix for positions relative to a point.
+[[nodiscard]] inline glm::dmat4 moved_to(glm::dmat4 m, glm::dvec3 anchor) {
+    m[3] = m * glm::dvec4(anchor, 1.0);
+    return m;
+}
+
+/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
+/// elsewhere. Rounding then enters the depth by z or by w alone.
+/// @return   the multiple: depth to add after the division
+[[nodiscard]] inline double take_depth(glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    const bool lens = is_lens(m);
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
+    for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
+    if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
+    else m[3][2] = 0.0;
+    return depth;
+}
+
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
+    return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
+}
+
+/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
+    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+}
+
+/// Depth of a texel's width along the light, where w is 1. It covers what a map's texels miss of a concave edge.
+[[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
+    const glm::dvec2 units = map_units(m, map_size);
+    return units.x * units.y;
+}
+
+/// Corner of a map's box at a depth, less the anchor.
+/// @param back   inverse of the texture matrix of positions less the anchor
+[[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
+    const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
+    return glm::dvec3(p) / p.w;
+}
+
+/// Refuses a light so far from the origin that float is too coarse for what it covers.
+/// @param away           distance of the anchor from the origin of positions
+/// @param extent         size of what the light covers
+inline void require_digits(double away, double extent) {
+    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
+            "Pass an origin near it.");
+}
+
+/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
+/// surface.
+///
+/// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
+/// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
+/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance. In a
+/// warped map z and w change nearly together, so z counts without the anchor's depth times w.
+/// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
+/// @param anchor   as the shader gets it
+[[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
+    const glm::dmat4 back = glm::inverse(m);
+    const glm::dvec3 rows[]{row_of(m, 0), row_of(m, 1), row_of(m, 2), row_of(m, 3)};
+    const double away = glm::length(anchor);
+    if (is_lens(m)) {
+        double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
+            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
+            for (const double end : {0.0, 1.0})
+                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
+        }
+        require_digits(away, farthest);
+        return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
+                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
+    }
+    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
+    double nearest_w = highest<double>, farthest_w = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
+        const double w = glm::dot(rows[3], p) + m[3][3];
+        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
+        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
+        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
+    }
+    require_digits(away, farthest);
+    if (rows[3] == glm::dvec3(0)) {
+        const auto off = [&](int r) { return one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor)); };
+        return {0.0, 1.0, (glm::max)(off(0), off(1)), off(2)};
+    }
+    // The rounding of w is k + d i of w. It moves a texel by as much of its coordinate, and a depth by as much of its
+    // distance from the anchor's depth.
+    const double w = glm::length(rows[3]), k = 10.0 * w * way, d = 2.0 * w * away + 6.0 * std::abs(m[3][3]);
+    // The rounding of another row is length (10 way + 2 away i) + 6 offset i. Returns the lower of two bounds of it
+    // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
+    const auto share = [&](double length, double offset) {
+        const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
+        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
+    };
+    const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
+                 y = map_size.y + share(glm::length(rows[1]), m[3][1]);
+    glm::dmat4 without_depth = m;
+    static_cast<void>(take_depth(without_depth));
+    const double z = share(glm::length(row_of(without_depth, 2)), 0.0);
+    return {one_rounding * k, one_rounding * d, (glm::max)(x, y), z};
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/shader/translate/layout.hpp
 // Line breaks of translated text, whose words have other lengths.
 //
@@ -23325,10 +23487,9 @@ namespace umbrage {
 
 /// Last members of every shadow's uniform block.
 struct shadow_terms {
-    glm::vec2 map_size{1};  ///< size of one map, texels
-    float reach = 0;        ///< reach of the filter, as its bias counts it, texels
-    float error = 0;        ///< largest error of a stored depth, less the 2^-23 that acne_free_bias adds: rounding is
-                            ///< map_place's
+    glm::vec2 map_size{1};      ///< size of one map, texels
+    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
+    float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
     glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
@@ -23340,7 +23501,7 @@ struct map_place {
     glm::vec3 at{0};      ///< x and y in texels, z depth
     glm::vec2 slope{0};   ///< change of depth per texel of the receiver's plane
     float weight = 1.0f;  ///< share in the blend with the places before it, 0 to 1; the first place has 1
-    float rounding = 0;   ///< largest error of `at` and of the casters' depth there by rounding, in depth
+    float slack = 0;      ///< depth by which texels of the receiver's own surface may lie before its plane
 };
 
 /// Position outside all maps, in texels and depth. Every filter takes it as lit.
@@ -23356,8 +23517,7 @@ struct map_grid {
 /// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
 /// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
 /// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
-/// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
-/// anything.
+/// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
 ///
 /// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
@@ -23444,14 +23604,15 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/anchored_map.hpp
-// A light's map for positions relative to an anchor, with a bound of what rounding does to a receiver's place in it.
+// A light's map for positions relative to an anchor, with the slack that a comparison on a receiver's plane needs in it.
 //
 // Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms, so far
 // from the origin a receiver and the vertices of its own surface would round apart. Both are therefore taken relative
 // to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
 //
 //     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
-//     umbrage::map_place at = umbrage::anchored_place(lamp.to_texels, lamp.planes, lamp.anchor, lamp.rounding, p, n);
+//     glm::vec3 way = world - glm::vec3(lamp.anchor);
+//     umbrage::map_place at = umbrage::anchored_place(lamp.to_texels, lamp.planes, lamp.rounding, lamp.slack, way, n);
 //
 // See also: single_map.hpp, which has nothing else; depth_pass.hpp, whose vertices take the same anchor.
 
@@ -23459,165 +23620,49 @@ namespace umbrage {
 
 /// Uniforms of a map for positions relative to an anchor.
 struct anchored_map {
-    glm::mat4 to_texels{0};  ///< texture_matrix of positions less the anchor, but its depth is less anchor.w
+    glm::mat4 to_texels{0};  ///< texture_matrix of positions less the anchor, but its depth is less slack.w
     glm::mat4 planes{0};     ///< plane_matrix of the texture matrix of positions less the anchor
-    glm::vec4 anchor{0};     ///< xyz: position that is subtracted; w: depth that is added
-    glm::vec4 rounding{0};   ///< (k, d, g, s) of anchored_place
+    glm::vec4 anchor{0};     ///< xyz: position that is subtracted
+    glm::vec4 rounding{0};   ///< (k, d, g, s) of anchored_place; 0 under parallel rays, whose rounding slack has
+    glm::vec4 slack{0};      ///< (t, p, q, a) of anchored_place
 };
 
 namespace detail {
 
-/// Largest relative error of one rounding in binary32.
-inline constexpr double one_rounding = 0x1p-24;
-/// Scale of k and d under parallel rays, so small that |z| adds nothing to the bound. g and s are divided by it.
-inline constexpr float unmoved = 0x1p-40f;
-
-[[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
-    return {m[0][row], m[1][row], m[2][row]};
-}
-/// Sum of the magnitudes that a row of a matrix adds.
-[[nodiscard]] inline double magnitudes(const glm::dvec3& row, const glm::dvec3& p) {
-    return glm::dot(glm::abs(row), glm::abs(p));
-}
-
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
-/// True where depth depends on w alone, as under every perspective along the axis of a view.
-[[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
-    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
-}
-
-/// Point where the rays of a lens meet, or else the middle of the map.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) {
-        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
-        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
-    }
-    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
-    return glm::dvec3(middle) / middle.w;
-}
-
-/// Matrix for positions relative to a point.
-[[nodiscard]] inline glm::dmat4 moved_to(glm::dmat4 m, glm::dvec3 anchor) {
-    m[3] = m * glm::dvec4(anchor, 1.0);
-    return m;
-}
-
-/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
-/// elsewhere. Rounding then enters the depth by z or by w alone.
-/// @return   the multiple: depth to add after the division
-[[nodiscard]] inline double take_depth(glm::dmat4& m) {
-    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    const bool lens = is_lens(m);
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
-    for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
-    if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
-    else m[3][2] = 0.0;
-    return depth;
-}
-
-/// Corner of a map's box at a depth, less the anchor.
-/// @param back   inverse of the texture matrix of positions less the anchor
-[[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
-    const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
-    return glm::dvec3(p) / p.w;
-}
-
-/// Refuses a light so far from the origin that float is too coarse for what it covers.
-/// @param away           distance of the anchor from the origin of positions
-/// @param extent         size of what the light covers
-inline void require_digits(double away, double extent) {
-    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
-            "Pass an origin near it.");
-}
-
-/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
-/// surface.
-///
-/// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
-/// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
-/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance. In a
-/// warped map z and w change nearly together, so z counts without the anchor's depth times w.
-/// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
-/// @param anchor   as the shader gets it
-[[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
-    const glm::dmat4 back = glm::inverse(m);
-    const glm::dvec3 rows[]{row_of(m, 0), row_of(m, 1), row_of(m, 2), row_of(m, 3)};
-    const double away = glm::length(anchor);
-    if (is_lens(m)) {
-        double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
-        for (int i = 0; i < 4; ++i) {
-            const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
-            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
-            for (const double end : {0.0, 1.0})
-                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
-        }
-        require_digits(away, farthest);
-        return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
-                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
-    }
-    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
-    double nearest_w = highest<double>, farthest_w = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
-        const double w = glm::dot(rows[3], p) + m[3][3];
-        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
-        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
-        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
-    }
-    require_digits(away, farthest);
-    if (rows[3] == glm::dvec3(0)) {
-        const auto off = [&](int r) { return one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor)); };
-        return {0.0, 1.0, (glm::max)(off(0), off(1)), off(2)};
-    }
-    // The rounding of w is k + d i of w. It moves a texel by as much of its coordinate, and a depth by as much of its
-    // distance from the anchor's depth.
-    const double w = glm::length(rows[3]), k = 10.0 * w * way, d = 2.0 * w * away + 6.0 * std::abs(m[3][3]);
-    // The rounding of another row is length (10 way + 2 away i) + 6 offset i. Returns the lower of two bounds of it
-    // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
-    const auto share = [&](double length, double offset) {
-        const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
-        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
-    };
-    const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
-                 y = map_size.y + share(glm::length(rows[1]), m[3][1]);
-    glm::dmat4 without_depth = m;
-    static_cast<void>(take_depth(without_depth));
-    const double z = share(glm::length(row_of(without_depth, 2)), 0.0);
-    return {one_rounding * k, one_rounding * d, (glm::max)(x, y), z};
-}
-
 /// Uniforms of a map for a given anchor.
 /// @param here   texture matrix of positions as they are given
-[[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size) {
+[[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
+                                              const clip_space& clip) {
     const glm::dvec3 exact(anchor);
     glm::dmat4 m = moved_to(here, exact);
-    if (is_lens(m)) m /= glm::length(row_of(m, 3));
+    const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
+    if (lens) m /= glm::length(row_of(m, 3));
+    glm::dvec4 rounding = rounding_of(m, map_size, exact);
+    const double width = width_in_depth(m, map_size);
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));
-    out.rounding = glm::vec4(rounding_of(m, map_size, exact));
-    if (row_of(m, 3) == glm::dvec3(0)) out.rounding *= glm::vec4(1.0f, unmoved, 1.0f / unmoved, 1.0f / unmoved);
-    out.anchor = glm::vec4(anchor, static_cast<float>(take_depth(m)));
+    const double depth = take_depth(m);
+    glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
+    if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
+    else slack.z += width;
+    if (parallel) slack.x += rounding.z, slack.z += rounding.w, rounding = glm::dvec4(0);
     out.to_texels = glm::mat4(m);
+    out.anchor = glm::vec4(anchor, 0.0f);
+    out.rounding = glm::vec4(rounding);
+    out.slack = glm::vec4(slack);
     return out;
 }
 
 /// Uniforms of maps whose matrix takes positions in a face's axes, relative to a light. Their bound leaves out the
 /// rounding of the light's own position. That is half the rounding of casters and receivers together.
 /// @param m   from a face's axes to texels
-[[nodiscard]] inline anchored_map anchored_axes(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& light) {
+[[nodiscard]] inline anchored_map anchored_axes(const glm::dmat4& m, glm::ivec2 map_size, const clip_space& clip,
+                                                const glm::dvec3& light) {
     const glm::dmat4 back = glm::inverse(m);
     require_digits(glm::length(light), (glm::max)(glm::length(corner_of(back, map_size, 0, 0.0)),
                                                   glm::length(corner_of(back, map_size, 0, 1.0))));
-    anchored_map out = anchored_at(glm::vec3(0), m, map_size);
-    out.anchor = glm::vec4(glm::vec3(light), out.anchor.w);
+    anchored_map out = anchored_at(glm::vec3(0), m, map_size, clip);
+    out.anchor = glm::vec4(glm::vec3(light), 0.0f);
     out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));
     return out;
 }
@@ -23633,37 +23678,35 @@ inline void require_digits(double away, double extent) {
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    return detail::anchored_at(glm::vec3(detail::anchor_of(here, map_size)), here, map_size);
+    return detail::anchored_at(glm::vec3(detail::anchor_of(here, map_size)), here, map_size, light.clip);
 }
 
-/// Place of a point of the world in one map, and a bound of its rounding.
-/// @param to_texels                             of an anchored_map
-/// @param planes                                likewise
-/// @param anchor                                likewise
-/// @param rounding                              likewise
-/// @param way                                   position less anchor.xyz, as the map's matrix takes it
-/// @param normal                                normal of the point
-/// @return                                      its place in map 0, with weight 1
-/// @edge                                        behind the light: a place that every filter takes as lit
-/// @formula     place = (x, y, z) / w + (0, 0, anchor.w), where (x, y, z, w) = to_texels way. With i = 1 / w and
-///              u = 2^-24, rounding = (k + d i) (g (|slope.x| + |slope.y|) + s + |z| i) + 8 u (|z| i + |anchor.w|):
-///              positions in a lens move by k w + d, which is g texels and s of depth a unit where w is 1. In a warped
-///              map w is off by (k + d i) w, and a texel and a depth by g and s times that share. The last term has
-///              the products, sums, divisions and stores of depths themselves, and those of plane_reference
+/// Place of a point of the world in one map, with the slack of its plane.
+/// @param to_texels   of an anchored_map
+/// @param planes      likewise
+/// @param rounding    likewise
+/// @param slack       likewise
+/// @param way         position less anchor.xyz, as the map's matrix takes it
+/// @param normal      normal of the point
+/// @return            its place in map 0, with weight 1
+/// @edge        behind the light: a place that every filter takes as lit
+/// @formula     place = (x, y, z) / w + (0, 0, a), where (x, y, z, w) = to_texels way. With i = 1 / w and
+///              steep = |slope.x| + |slope.y|, slack = ((k + d i) g + t) steep + (k + d i) (s + |z| i) + p |z| i + q.
+///              Positions in a lens move by k w + d, which is g texels and s of depth a unit where w is 1. In a warped
+///              map w is off by (k + d i) w, and a texel and a depth by g and s times that share. Texels lie t texels
+///              of slope beside the plane. p and q have the rounding of depths, and a texel's width along the light
 /// @exactness   C, n = 121: as receiver_slope of way, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place anchored_place(const glm::mat4& to_texels, const glm::mat4& planes,
-                                                             const glm::vec4& anchor, const glm::vec4& rounding,
+                                                             const glm::vec4& rounding, const glm::vec4& slack,
                                                              glm::vec3 way, glm::vec3 normal) {
     const glm::vec4 c = shadow_coordinate(to_texels, way);
     const glm::vec2 slope = receiver_slope(planes, normal, way);
     const auto magnitude = [](float v) { return v < 0.0f ? -v : v; };
     const bool before = !is_nan(c.w) && c.w > 0.0f;
     const float i = before ? 1.0f / c.w : 0.0f, z = c.z * i, steep = magnitude(slope.x) + magnitude(slope.y);
-    const float moves = rounding.x + rounding.y * i;
-    const float off = moves * (rounding.z * steep + (rounding.w + magnitude(z)));
-    return {.at = {before ? c.x * i : 65536.0f, c.y * i, z + anchor.w},
-            .slope = slope,
-            .rounding = off + (magnitude(z) + magnitude(anchor.w)) * (8.0f / 16777216.0f)};
+    const float moves = rounding.x + rounding.y * i, beside = moves * rounding.z + slack.x;
+    const float off = moves * (rounding.w + magnitude(z)) + (magnitude(z) * slack.y + slack.z);
+    return {.at = {before ? c.x * i : 65536.0f, c.y * i, z + slack.w}, .slope = slope, .slack = beside * steep + off};
 }
 
 /// View of a depth pass for positions relative to an anchor: what the vertex function of bind_vertex_pass takes.
@@ -23739,18 +23782,18 @@ UMBRAGE_HIGHP vec4 umbrage_anchored_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_H
 
 inline constexpr snippet anchored_place{
     .name = "anchored_place",
-    .summary = "place of a point in one map, and a bound of its rounding",
+    .summary = "place of a point in one map, and the slack of its plane",
     .exactness = tier::c,
     .operations = 121,
     .needs = list<&receiver_slope>,
     .source = R"GLSL(
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
 UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
                                           UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -23760,9 +23803,9 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+    UMBRAGE_HIGHP float off = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + slack.w, 0.0), vec4(slope, 1.0, all), none, none);
 }
 )GLSL",
 };
@@ -23803,41 +23846,41 @@ namespace umbrage {
 /// @param found                     (texels, texels, depth, index) in the cascade, as cascade_by_projection has it
 /// @param there                     (texels, texels, depth) in the next cascade
 /// @param edges                     cascade_edge of both
-/// @param scale                     scale of that cascade, or of the last one; w: error of texels by rounding
+/// @param slacks                    w of the offsets of both: slack of a plane in depth
+/// @param scale                     scale of that cascade, or of the last one; w: slack of a plane in texels of slope
 /// @param next_scale                scale of the next cascade
-/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade;
-///                                  z: error of depths by rounding
+/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade
 /// @return                          both places. The second has a weight of 0 where only the first counts
 /// @exactness                       C, n = 14: as cascade_border_fade and cascade_slope. S of each
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascade_pair(glm::vec3 across, glm::vec4 found,
                                                                           glm::vec3 there, glm::vec2 edges,
-                                                                          const glm::vec4& scale,
+                                                                          glm::vec2 slacks, const glm::vec4& scale,
                                                                           const glm::vec4& next_scale,
                                                                           const glm::vec4& blending) {
     const bool last = !(found.w < blending.y);
     const int number = static_cast<int>(last ? blending.y : found.w);
-    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float weight) {
+    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float slack, float weight) {
         const glm::vec2 slope = cascade_slope(across, of);
         const float steep = glm::abs(slope.x) + glm::abs(slope.y);
-        return map_place{map, at, slope, weight, steep * of.w + blending.z};
+        return map_place{map, at, slope, weight, steep * of.w + slack};
     };
-    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, 1.0f), map_place{.weight = 0.0f}};
+    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, slacks.x, 1.0f), map_place{.weight = 0.0f}};
     if (!(blending.x > 0.0f && found.w <= blending.y)) return both;
     const float leaves = cascade_weight(edges.x * blending.x + 1.0f);
     if (!(leaves > 0.0f)) return both;
     if (last) {
-        both[1] = place(number, outside_all_maps, next_scale, leaves);
+        both[1] = place(number, outside_all_maps, next_scale, slacks.y, leaves);
         return both;
     }
     if (!(edges.y <= 0.0f)) return both;
     const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
-    both[1] = place(number + 1, there, next_scale, (glm::min)(leaves, held));
+    both[1] = place(number + 1, there, next_scale, slacks.y, (glm::min)(leaves, held));
     return both;
 }
 
 /// Places of a point of the world in up to four cascades.
 /// @param rotation          rotation from the world to the light's axes
-/// @param scales            one column per cascade, as for cascade_by_projection; w of scales as for cascade_pair
+/// @param scales            one column per cascade, as for cascade_by_projection; w as for cascade_pair
 /// @param offsets           likewise
 /// @param anchor            xyz: position that is subtracted from the point's
 /// @param blending          as for cascade_pair
@@ -23863,7 +23906,8 @@ namespace umbrage {
     const glm::length_t last = 3, here = (glm::min)(i, last), next = (glm::min)(i + 1, last);
     const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
     const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
-    return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
+    const glm::vec2 slacks(offsets[here].w, offsets[next].w);
+    return cascade_pair(across, found, there, edges, slacks, scales[here], scales[next], blending);
 }
 
 /// Places of a world position in up to eight cascades. As cascaded_maps_places, with further columns for the cascades
@@ -23878,12 +23922,14 @@ namespace umbrage {
     const glm::vec4 found =
         cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
     const float number = (glm::min)(found.w, blending.y), next = (glm::min)(number + 1.0f, blending.y);
-    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next);
-    const glm::vec3 there = cascade_coordinate(light, next_scale, cascade_column_8(offsets, farther_offsets, next));
+    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next),
+                    next_offset = cascade_column_8(offsets, farther_offsets, next);
+    const glm::vec3 there = cascade_coordinate(light, next_scale, next_offset);
     const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),
                           cascade_edge(there, terms.map_size, terms.reach));
-    return cascade_pair(across, found, there, edges, cascade_column_8(scales, farther_scales, number), next_scale,
-                        blending);
+    const glm::vec2 slacks(cascade_column_8(offsets, farther_offsets, number).w, next_offset.w);
+    return cascade_pair(across, found, there, edges, slacks, cascade_column_8(scales, farther_scales, number),
+                        next_scale, blending);
 }
 
 namespace glsl {
@@ -23921,13 +23967,15 @@ inline constexpr snippet cascade_pair{
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
-                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
-                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec2 slacks,
+                                        UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 next_scale,
+                                        UMBRAGE_HIGHP vec4 blending) {
     bool last = found.w >= blending.y;
     UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
     UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
@@ -23936,10 +23984,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP
     UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
     UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
     UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
-    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
-                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    UMBRAGE_HIGHP float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, slack),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_slack));
 }
 )GLSL",
 };
@@ -23987,8 +24035,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMB
     UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
     UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
     UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
+    UMBRAGE_HIGHP float next_slack = in_a ? offsets[1].w : (in_b ? offsets[2].w : offsets[3].w);
+    UMBRAGE_HIGHP float slack = in_a ? offsets[0].w : (in_b ? offsets[1].w : (in_c ? offsets[2].w : offsets[3].w));
     return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
-                                vec2(edge, next_edge), scale, next_scale, blending);
+                                vec2(edge, next_edge), vec2(slack, next_slack), scale, next_scale, blending);
 }
 )GLSL",
 };
@@ -24020,11 +24070,12 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, U
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
     UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
-                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP vec4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    UMBRAGE_HIGHP vec4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
     UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
     UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge), vec2(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 )GLSL",
@@ -24049,14 +24100,15 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param world                                 position of the point
 /// @param normal                                its normal
 /// @return                                      its place, with weight 1
 /// @exactness                                   C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
-    return {anchored_place(to_texels, planes, anchor, rounding, world - glm::vec3(anchor), normal)};
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
 }
 
 namespace glsl {
@@ -24069,13 +24121,14 @@ inline constexpr snippet single_map_places{
     .needs = list<&anchored_place>,
     .source = R"GLSL(
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
 UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                              UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                             UMBRAGE_HIGHP vec3 normal) {
+                                             UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                             UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }
 )GLSL",
 };
@@ -24092,7 +24145,8 @@ struct single_map {
     explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
 
     using uniforms = anchored_map;
-    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}};
+    static constexpr uniform_field fields[]{
+        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"slack", false}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
 
@@ -24104,7 +24158,7 @@ struct single_map {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::single_map_places;
 };
@@ -24138,11 +24192,11 @@ namespace umbrage {
 /// @exactness                                   C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const int face = cube_face(way);
     const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
     place.number = face;
     return {place};
 }
@@ -24157,16 +24211,17 @@ inline constexpr snippet cube_maps_places{
     .needs = list<&cube_face, &cube_face_point, &anchored_place>,
     .source = R"GLSL(
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
+//   anchor                               position of the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                            UMBRAGE_HIGHP vec3 normal) {
+                                            UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                            UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_cube_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
                                umbrage_cube_face_point(face, normal));
     return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
 }
@@ -24209,12 +24264,12 @@ struct cube_maps {
         m[0][0] = m[1][1] = inner;
         m[2] = {half, half, depth.x, 1.0};
         m[3][2] = depth.y;
-        return detail::anchored_axes(m, map_size, light.position - origin);
+        return detail::anchored_axes(m, map_size, light.clip, light.position - origin);
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
 };
@@ -24283,15 +24338,16 @@ namespace umbrage {
 /// @param cells           16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1). Each
 ///                        number holds two cells: first + 1024 second
 /// @param anchor          xyz: position that is subtracted from the point's
-/// @param pages           x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
-///                        level and of depths by rounding
+/// @param pages           x: size of a page, y: width of its gutter, texels
+/// @param slack           of a plane: texels of slope x of the page and y of the deepest level; depth z, and w in the
+///                        deepest level, which larger texels multiply
 /// @param world           position of the point
 /// @param normal          its normal
 /// @return                its place, with weight 1. Outside the root page: one that every filter takes as lit
 /// @exactness             C, n = 68: as receiver_slope, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> adaptive_maps_places(
     const glm::mat4& to_root, const glm::mat4& planes, const std::array<glm::mat4, 8>& cells, const glm::vec4& anchor,
-    const glm::vec4& pages, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& pages, const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     constexpr int side = 16;
     const glm::vec3 way = world - glm::vec3(anchor);
     const glm::vec3 in_root(shadow_coordinate(to_root, way));
@@ -24305,10 +24361,11 @@ namespace umbrage {
     const float across = static_cast<float>(code / 64 + 1);
     const glm::vec2 place = coord * across;
     const glm::vec2 at = inside ? (place - glm::floor(place)) * pages.x + pages.y : glm::vec2(32768);
-    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * (16.0f / across);
-    const float rounding = (glm::abs(deepest.x) + glm::abs(deepest.y)) * pages.z + pages.w;
-    return {
-        map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, rounding}};
+    const float larger = 16.0f / across;  // than texels of the deepest level
+    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * larger;
+    const float steep = glm::abs(deepest.x) + glm::abs(deepest.y);
+    const float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
+    return {map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, off}};
 }
 
 namespace glsl {
@@ -24326,16 +24383,17 @@ inline constexpr snippet adaptive_maps_places{
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
                                                 UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
                                                 UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
                                                 UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
                                                 UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
                                                 UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
-                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                                UMBRAGE_HIGHP vec3 normal) {
+                                                UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
@@ -24364,8 +24422,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
-    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    UMBRAGE_HIGHP float larger = 16.0 / across;
+    UMBRAGE_HIGHP vec2 slope = deepest * larger;
+    UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
+    UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
                 vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }
@@ -24433,7 +24493,7 @@ inline constexpr snippet paraboloid_maps_places{
 //   position   position of the light, and depth per world unit
 //   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
 //   rounding   error of a depth by rounding
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_paraboloid_maps_places(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves,
                                                   UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms,
                                                   UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
@@ -25533,9 +25593,9 @@ template <class = umbrage::detail::on_use>
 // ---- umbrage/shadow/lookup.hpp
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
-// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with a bias of
-// half a texel of its slope. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered
-// maps (VSM, ESM, EVSM, MSM), which have texels of their own.
+// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with the slack
+// of its place as bias. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered maps
+// (VSM, ESM, EVSM, MSM), which have texels of their own.
 
 namespace umbrage {
 
@@ -25644,25 +25704,25 @@ template <class Filter>
 template <class Setup, class Filter>
 inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<Setup>;
 
-/// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
-/// map's texels miss of a concave edge.
-inline constexpr float plane_slack = 0.5f;
-
 /// Bias of a receiver for a filter's whole reach, in depth.
 template <class Filter>
 [[nodiscard]] float kernel_bias_of(const shadow_terms& terms, const map_place& place) {
-    const float error = terms.error + place.rounding;
+    const float error = terms.error + place.slack;
     if constexpr (disc_filter<Filter>)
         return acne_free_disc_bias(place.slope, terms.filter_terms[component_for_disc<Filter>], error);
     else return acne_free_bias(place.slope, terms.reach, error);
 }
 
-/// Bias of a receiver, in depth.
+/// Slope from which on a plane counts as seen edge-on by the light: clamp_slope's limit.
+inline constexpr float edge_on = 2.0f;
+
+/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on, so that nothing is in shadow there.
 template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
-    if constexpr (along_plane<Setup, Filter>)
-        return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
-    else return kernel_bias_of<Filter>(terms, place);
+    if constexpr (along_plane<Setup, Filter>) {
+        const bool is_seen = glm::abs(place.slope.x) < edge_on && glm::abs(place.slope.y) < edge_on;
+        return is_seen ? clamp_bias(terms.error + place.slack) : 1.0f;
+    } else return kernel_bias_of<Filter>(terms, place);
 }
 
 /// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
@@ -25725,18 +25785,22 @@ template <class Filter>
 /// Snippet that computes bias_of.
 template <class Setup, class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> && !along_plane<Setup, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    if constexpr (along_plane<Setup, Filter>) return glsl::clamp_bias;
+    else return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
+    const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
+    if constexpr (along_plane<Setup, Filter>)
+        return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
+               "    bool is_seen = max(abs(slope.x), abs(slope.y)) < 2.0;  // not edge-on by the light\n"
+               "    UMBRAGE_HIGHP float bias = is_seen ? umbrage_clamp_bias(error) : 1.0;\n";
     std::string reach = "terms.z";
-    if constexpr (along_plane<Setup, Filter>) reach = linear ? "1.0" : "0.5";
-    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
-           "    UMBRAGE_HIGHP float bias = umbrage_" +
-           std::string(bias_snippet<Setup, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
+    if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
+    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(bias_snippet<Setup, Filter>().name) +
+           "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.
@@ -25855,20 +25919,6 @@ void require_light_size(const Filter& filter) {
             "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
 }
 
-/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
-[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& to_texels, const glm::dvec3& world) {
-    const glm::dvec3 rays =
-        is_lens(to_texels) ? row_of(to_texels, 3) : glm::cross(row_of(to_texels, 0), row_of(to_texels, 1));
-    return light_units_at(to_texels, rays, world).units;
-}
-
-/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
-[[nodiscard]] inline glm::dvec2 softness_units(const light_space<double>& light, glm::ivec2 map_size) {
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
-    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
-}
-
 /// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
 /// light has one 0.
 template <shadow_setup Setup>
@@ -25876,7 +25926,7 @@ template <shadow_setup Setup>
     std::vector<float> all;
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows))
-            all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
+            all.push_back(softness_per_code(map_units(texture_matrix(light, map_size), map_size), double(light_size)));
     if (all.empty()) all.push_back(0.0f);
     return all;
 }
@@ -25929,6 +25979,7 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param center                                x: half the map's size, texels
 /// @param world                                 position of the point
 /// @param normal                                its normal
@@ -25936,11 +25987,11 @@ namespace umbrage {
 /// @exactness                                   C, n = 121: as anchored_place. S of each, and half the map's size
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> tetrahedron_map_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& slack, const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const int face = tetrahedron_face(way);
     const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
-    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
     place.at = glm::vec3(tetrahedron_turned(face, glm::vec2(place.at)) + center.x, place.at.z);
     place.slope = tetrahedron_turned(face, place.slope);
     return {place};
@@ -25956,18 +26007,20 @@ inline constexpr snippet tetrahedron_map_places{
     .needs = list<&tetrahedron_face, &tetrahedron_face_point, &tetrahedron_turned, &anchored_place>,
     .source = R"GLSL(
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                                   UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
-                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                  UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 center,
+                                                  UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                  UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
     UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
@@ -25994,8 +26047,8 @@ struct tetrahedron_map {
                                       ///< relative to the map's center
         glm::vec4 center;             ///< x: half the map's size, texels
     };
-    static constexpr uniform_field fields[]{
-        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"center", false}};
+    static constexpr uniform_field fields[]{{"to_texels"},       {"planes"},       {"anchor", false},
+                                            {"rounding", false}, {"slack", false}, {"center", false}};
     static constexpr map_grid grid{};
     static constexpr outside_map outside = outside_map::clamped;
 
@@ -26027,12 +26080,13 @@ struct tetrahedron_map {
         m[1] = {0.0, base * up, depth.x * up, up};
         m[2] = {0.0, side + base * away, depth.x * away, away};
         m[3][2] = depth.y;
-        return {detail::anchored_axes(m, map_size, light.position - origin), glm::vec4(half, 0, 0, 0)};
+        return {detail::anchored_axes(m, map_size, light.clip, light.position - origin), glm::vec4(half, 0, 0, 0)};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.center, terms, world, normal);
+        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, u.center, terms, world,
+                                      normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
 };
@@ -26056,8 +26110,8 @@ namespace umbrage {
 /// Places of a point of the world in up to four warped cascades.
 /// @param to_texels           of the anchored_map of each map
 /// @param planes              likewise
-/// @param added               w of the anchors of all maps
 /// @param rounding            one column per map: rounding of its anchored_map
+/// @param slack               likewise
 /// @param fades               one column per map: scale and offset for cascade_fade
 /// @param anchor              xyz: the one anchor of all maps
 /// @param ahead               distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
@@ -26068,13 +26122,12 @@ namespace umbrage {
 /// @exactness                 C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> warped_maps_places(
     const std::array<glm::mat4, 4>& to_texels, const std::array<glm::mat4, 4>& planes, const glm::mat4& rounding,
-    const glm::mat4& fades, const glm::vec4& added, const glm::vec4& anchor, const glm::vec4& ahead,
+    const glm::mat4& slack, const glm::mat4& fades, const glm::vec4& anchor, const glm::vec4& ahead,
     const glm::vec4& ends, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const auto in_map = [&](std::size_t i, float weight) {
         const auto column = static_cast<glm::length_t>(i);
-        const glm::vec4 depth(0.0f, 0.0f, 0.0f, added[column]);
-        map_place place = anchored_place(to_texels[i], planes[i], depth, rounding[column], way, normal);
+        map_place place = anchored_place(to_texels[i], planes[i], rounding[column], slack[column], way, normal);
         place.number = static_cast<int>(i), place.weight = weight;
         return place;
     };
@@ -26101,19 +26154,18 @@ inline constexpr snippet warped_maps_places{
     .source = R"GLSL(
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
                                               UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
                                               UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
                                               UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
-                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
-                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
+                                              UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
                                               UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
                                               UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
                                               UMBRAGE_HIGHP vec3 normal) {
@@ -26126,30 +26178,27 @@ UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UM
     UMBRAGE_HIGHP mat4 planes = planes_0;
     UMBRAGE_HIGHP mat4 to_next = to_texels_1;
     UMBRAGE_HIGHP mat4 next_planes = planes_1;
-    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4(added.w, added.w, 0.0, 0.0);
     }
-    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
-                                                   umbrage_cascade_column(rounding, number), way, normal);
-    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
-                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                                                   umbrage_cascade_column(slack, number), way, normal);
+    UMBRAGE_HIGHP mat4 there =
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
     UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
     return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),
@@ -28280,12 +28329,12 @@ struct adaptive_maps {
         /// cells: first + 1024 second
         std::array<glm::mat4, 8> cells;
         glm::vec4 anchor;  ///< xyz: middle of the root page
-        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
-                           ///< level and of depths by rounding
+        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels
+        glm::vec4 slack;   ///< of a plane, as adaptive_maps_places takes it
     };
-    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},       {"cells_1"},
-                                            {"cells_2"}, {"cells_3"}, {"cells_4"},       {"cells_5"},
-                                            {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}};
+    static constexpr uniform_field fields[]{
+        {"to_root"}, {"planes"},  {"cells_0"}, {"cells_1"},       {"cells_2"},      {"cells_3"},     {"cells_4"},
+        {"cells_5"}, {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}, {"slack", false}};
     static constexpr map_grid grid{page_tile_columns, 8};
     static constexpr int deepest_level = 4;
     static constexpr outside_map outside = outside_map::clamped;
@@ -28317,15 +28366,15 @@ struct adaptive_maps {
         const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
         const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
         const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
-        uniforms u{glm::mat4(moved(page_matrix(here))),
-                   glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels))),
-                   {},
-                   {},
-                   {}};
+        uniforms u{};
+        u.to_root = glm::mat4(moved(page_matrix(here)));
+        u.planes = glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels)));
         u.anchor = glm::vec4(anchor, 0.0f);
         const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
-        u.pages = glm::vec4(glm::dvec4(size.texels, size.gutter, error.z + coordinate * texels.x,
-                                       error.w + 6.0 * detail::one_rounding));
+        u.pages = glm::vec4(float(size.texels), float(size.gutter), 0.0f, 0.0f);
+        u.slack = glm::vec4(glm::dvec4(detail::texels_beside_plane(root.clip, map_size),
+                                       error.z + coordinate * texels.x, error.w + 6.0 * detail::one_rounding,
+                                       detail::width_in_depth(moved(in_texels), texels)));
         int codes[side * side]{};
         for (const auto& [page, slot] : pages) {
             const int wide = side >> page.level,
@@ -28341,7 +28390,7 @@ struct adaptive_maps {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, terms, world, normal);
+        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::adaptive_maps_places;
 
@@ -28373,10 +28422,9 @@ namespace detail {
 template <int Groups>
 struct cascade_block {
     glm::mat4 rotation;         ///< rotation from the world to the light's axes
-    glm::mat4 scales, offsets;  ///< one column per cascade; w of scales: error of texels by rounding
+    glm::mat4 scales, offsets;  ///< one column per cascade; w: slack of a plane, in texels of slope and in depth
     glm::vec4 anchor{0};        ///< xyz: middle of the last map
-    glm::vec4 blending{0};  ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last; z:
-                            ///< error of depths by rounding
+    glm::vec4 blending{0};      ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last
 
     static constexpr uniform_field fields[]{
         {"rotation"}, {"scales"}, {"offsets"}, {"anchor", false}, {"blending", false}};
@@ -28463,9 +28511,11 @@ struct cascaded_maps {
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
-            const glm::vec4 error(detail::rounding_of(detail::moved_to(in_texels(c), anchor), map_size, anchor));
-            u.set(i, {glm::vec3(c.scale), error.z}, glm::vec4(glm::dvec4(offset, 0.0)));
-            u.blending.z = (glm::max)(u.blending.z, error.w + float(6.0 * detail::one_rounding));
+            const glm::dmat4 m = detail::moved_to(in_texels(c), anchor);
+            const glm::dvec4 error = detail::rounding_of(m, map_size, anchor);
+            const double texels = detail::texels_beside_plane(c.light.clip, map_size) + error.z,
+                         depth = 6.0 * detail::one_rounding + error.w + detail::width_in_depth(m, map_size);
+            u.set(i, glm::vec4(glm::dvec4(glm::dvec3(c.scale), texels)), glm::vec4(glm::dvec4(offset, depth)));
         }
         return u;
     }
@@ -28882,8 +28932,9 @@ template <class Filter>
     const float size = static_cast<float>((glm::max)(map_size.x, map_size.y));
     const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
     const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
-    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.
-    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - 0x1p-23;
+    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `slack` already has.
+    const double added = point_filter<Filter> && bends.reach == 0.0f ? 0.0 : 0x1p-23;
+    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - added;
     return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + bends.error,
             terms_of(filter, more)};
 }
@@ -28936,7 +28987,7 @@ template <class Setup, class Filter>
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: make_anchored_map, anchored_place, acne_free_bias, biased, and the filter on
+// These functions are its steps: make_anchored_map, anchored_place, biased by the place's slack, and the filter on
 // apply_receiver_plane of bordered(map).
 
 namespace umbrage {
@@ -29152,7 +29203,7 @@ public:
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
     /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
-    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + slack. For a caster of slope c, max(|c|, |c - slope|)
     ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
@@ -29161,6 +29212,7 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
+            if constexpr (detail::along_plane<Setup, Filter>) terms.error -= 0x1p-23f;  // acne_free_bias adds it
             if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
@@ -29864,16 +29916,15 @@ struct warped_maps {
 
     struct uniforms {
         std::array<glm::mat4, 4> to_texels, planes;  ///< those of each map's anchored_map
-        glm::mat4 rounding;                          ///< one column per map: its rounding
+        glm::mat4 rounding, slack;                   ///< one column per map: its rounding and slack
         glm::mat4 fades;                             ///< one column per map: scale and offset for cascade_fade
-        glm::vec4 added;                             ///< w of each map's anchor
         glm::vec4 anchor;                            ///< xyz: position of the camera, the anchor of all maps
         glm::vec4 ahead;  ///< distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
         glm::vec4 ends;   ///< xyz: ends of the first three cascades; w: number of the last one
     };
-    static constexpr uniform_field fields[]{{"to_texels_0"},  {"to_texels_1"}, {"to_texels_2"},  {"to_texels_3"},
-                                            {"planes_0"},     {"planes_1"},    {"planes_2"},     {"planes_3"},
-                                            {"rounding"},     {"fades"},       {"added", false}, {"anchor", false},
+    static constexpr uniform_field fields[]{{"to_texels_0"},  {"to_texels_1"}, {"to_texels_2"}, {"to_texels_3"},
+                                            {"planes_0"},     {"planes_1"},    {"planes_2"},    {"planes_3"},
+                                            {"rounding"},     {"slack"},       {"fades"},       {"anchor", false},
                                             {"ahead", false}, {"ends", false}};
     static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
@@ -29901,9 +29952,9 @@ struct warped_maps {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
             const glm::dmat4 here = texture_matrix(detail::relative_to(origin, c.light), map_size);
-            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size);
+            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size, c.light.clip);
             u.to_texels[i] = map.to_texels, u.planes[i] = map.planes;
-            u.rounding[column] = map.rounding, u.added[column] = map.anchor.w;
+            u.rounding[column] = map.rounding, u.slack[column] = map.slack;
             u.fades[column] = glm::vec4(glm::dvec4(detail::fade_of(c.begin, c.end, fade), 0.0, 0.0));
             if (i + 1 < cascades.size()) u.ends[column] = float(c.end);
         }
@@ -29912,7 +29963,7 @@ struct warped_maps {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.fades, u.added, u.anchor, u.ahead, u.ends, terms,
+        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.slack, u.fades, u.anchor, u.ahead, u.ends, terms,
                                   world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::warped_maps_places;

@@ -71,12 +71,11 @@ const bench::registration rows([] {
     spot.draw(*map, {s->vertices, s->triangles});
 
     const anchored_map lamp = make_anchored_map(light, map_size);
-    const float error = float(depth32f{}.error().below - 0x1p-23);
-    const float reach = tent.reach() + rasterizer_snap<float> + 0x1p-21f * 1024.0f;
+    const float reach = tent.reach(), error = -0x1p-23f;
     const auto receiver = [=](glm::vec3 world, glm::vec3 normal) {
         const glm::vec3 way = world - glm::vec3(lamp.anchor);
-        const map_place place = anchored_place(lamp.to_texels, lamp.planes, lamp.anchor, lamp.rounding, way, normal);
-        const float bias = acne_free_bias(place.slope, reach, error + place.rounding);
+        const map_place place = anchored_place(lamp.to_texels, lamp.planes, lamp.rounding, lamp.slack, way, normal);
+        const float bias = acne_free_bias(place.slope, reach, error + place.slack);
         return glm::vec3(place.at.x, place.at.y, biased(place.at.z, bias));
     };
     bench::add({.work = "shadow, spot, tent 3, whole image 1920 x 1080",
@@ -133,9 +132,10 @@ const bench::registration rows([] {
         const float number = at.w < 3.0f ? at.w : 3.0f;
         const glm::vec4 scale = cascade_column(u.maps.scales, number);
         const glm::vec2 slope = cascade_slope(across, scale);
-        const float rounding = (glm::abs(slope.x) + glm::abs(slope.y)) * scale.w + u.maps.blending.z;
+        const float slack =
+            (glm::abs(slope.x) + glm::abs(slope.y)) * scale.w + cascade_column(u.maps.offsets, number).w;
         const auto own = maps->view().region(cascade_tile(int(number), map_size), map_size);
-        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error + rounding));
+        const float depth = biased(at.z, acne_free_bias(slope, u.terms.reach, u.terms.error + slack));
         return tent(decoded(bordered(own), depth32f{}), glm::vec2(at), depth);
     };
     bench::add(

@@ -98,7 +98,7 @@ public:
             const auto uniforms = joined.uniforms();
             const map_place place = single_map::places(uniforms.maps, uniforms.terms, p, normal(own))[0];
             const float by_shadow =
-                acne_free_bias(slope(own), uniforms.terms.reach, uniforms.terms.error + place.rounding);
+                acne_free_bias(slope(own), uniforms.terms.reach, uniforms.terms.error + place.slack);
             const float bias =
                 acne_free_bias(slope(own), filter, encoding, rasterizer_snap<float> + 0x1p-10f) + rounding(p);
             const std::optional<bool> is_lit = told_by_rays(p, own, std::max(bias, by_shadow), filter.reach());

@@ -144,7 +144,7 @@ struct shadow_facts {
 
     /// Depth up to which a caster's shadow is lost, by the slopes of the receiver and of the caster.
     [[nodiscard]] float lost_before(glm::vec2 own, glm::vec2 caster, float error) const {
-        const float bias = umbrage::acne_free_bias(own, along_plane ? 0.5f : terms.reach, error);
+        const float bias = along_plane ? error : umbrage::acne_free_bias(own, terms.reach, error);
         const auto sum = [](glm::vec2 v) { return std::abs(v.x) + std::abs(v.y); };
         const bool turned = along_plane && sum(caster - own) > sum(caster);
         return umbrage::peter_panning_distance(bias + error, turned ? caster - own : caster, terms.reach);

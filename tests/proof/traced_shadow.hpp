@@ -78,9 +78,9 @@ inline void trace(const any_shadow& s, const ray_light& light, const ray_mesh& m
         }
         const double depth = s.reversed ? 1 - double(place.at.z) : double(place.at.z);
         found.misplaced += !(glm::length(glm::dvec2(place.at) - glm::dvec2(h) / h.w) < 1.0 / 64) ||
-                           !(std::abs(depth - h.z / h.w) < 0x1p-20 + double(place.rounding));
+                           !(std::abs(depth - h.z / h.w) < 0x1p-20 + double(place.slack));
         is_told = is_told && !map.is_near_edge(mesh, p, 1.5 * (s.reach + 1));
-        const float error = s.terms.error + place.rounding;
+        const float error = s.terms.error + place.slack;
         for (std::size_t k = 0; k < mesh.triangles.size() && is_told; ++k) {
             const double t = k == own ? std::nan("") : mesh.meets(k, p, way);
             if (std::isnan(t) || (light.is_point && t >= 1)) continue;
@@ -167,7 +167,7 @@ struct detached {
     const glm::dvec3 caster = here + t * own;
     const double depth = map->depth(here) - map->depth(caster);
     float error = s.terms.error;
-    static_cast<void>(s.places(*last, normal, [&](const umbrage::map_place& place) { error += place.rounding; }));
+    static_cast<void>(s.places(*last, normal, [&](const umbrage::map_place& place) { error += place.slack; }));
     const float bound = s.lost_before(map->slope(normal, here), map->slope(normal, caster), error);
     return detached{world * double(s.detaches(*last, normal)) / depth, world * double(bound) / depth, world};
 }

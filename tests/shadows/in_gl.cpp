@@ -50,8 +50,8 @@ float by_sampler(const Shadow& s, const image<float>& map, glm::vec3 world, glm:
     const auto u = s.uniforms();
     const map_place place = s.setup().places(u.maps, u.terms, world, normal)[0];
     const glm::vec2 coord(place.at), x = coord - 0.5f, texel = glm::floor(x), moved = x - texel;
-    const float z = place.at.z,
-                receiver = z > 1.0f ? z : z - acne_free_bias(place.slope, 1.0f, u.terms.error + place.rounding);
+    const float z = place.at.z, steep = glm::abs(place.slope.x) + glm::abs(place.slope.y),
+                receiver = z > 1.0f ? z : z - clamp_bias(u.terms.error + place.slack + 0.5f * steep);
     if (!in_filter_domain(coord, receiver)) return 1;
     const auto weight = [](int i, float by) {
         const float here = tent_row<3>.weight(i), before = tent_row<3>.weight(i - 1);

@@ -42,8 +42,8 @@ wanted judged(const Shadow& s, const image<float>& map, glm::vec3 world) {
             for (t.x = middle.x - reach; t.x <= middle.x + reach; ++t.x) {
                 const glm::vec2 from = glm::vec2(t) + 0.5f - glm::vec2(place.at);
                 const float apart = nearer * (map[first + t] - place.at.z - glm::dot(place.slope, from));
-                all_own = all_own && glm::abs(apart) < steep / 64.0f + 8.0f * place.rounding;
-                all_nearer = all_nearer && apart > 4.0f * steep + 8.0f * place.rounding;
+                all_own = all_own && glm::abs(apart) < steep / 64.0f + place.slack;
+                all_nearer = all_nearer && apart > 4.0f * steep + 8.0f * place.slack;
             }
     }
     return all_own ? wanted::lit : all_nearer ? wanted::dark : wanted::either;

@@ -61,12 +61,12 @@ struct adaptive_maps {
         /// cells: first + 1024 second
         std::array<glm::mat4, 8> cells;
         glm::vec4 anchor;  ///< xyz: middle of the root page
-        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
-                           ///< level and of depths by rounding
+        glm::vec4 pages;   ///< x: size of a page, y: width of its gutter, texels
+        glm::vec4 slack;   ///< of a plane, as adaptive_maps_places takes it
     };
-    static constexpr uniform_field fields[]{{"to_root"}, {"planes"},  {"cells_0"},       {"cells_1"},
-                                            {"cells_2"}, {"cells_3"}, {"cells_4"},       {"cells_5"},
-                                            {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}};
+    static constexpr uniform_field fields[]{
+        {"to_root"}, {"planes"},  {"cells_0"}, {"cells_1"},       {"cells_2"},      {"cells_3"},     {"cells_4"},
+        {"cells_5"}, {"cells_6"}, {"cells_7"}, {"anchor", false}, {"pages", false}, {"slack", false}};
     static constexpr map_grid grid{page_tile_columns, 8};
     static constexpr int deepest_level = 4;
     static constexpr outside_map outside = outside_map::clamped;
@@ -98,15 +98,15 @@ struct adaptive_maps {
         const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
         const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
         const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
-        uniforms u{glm::mat4(moved(page_matrix(here))),
-                   glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels))),
-                   {},
-                   {},
-                   {}};
+        uniforms u{};
+        u.to_root = glm::mat4(moved(page_matrix(here)));
+        u.planes = glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels)));
         u.anchor = glm::vec4(anchor, 0.0f);
         const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
-        u.pages = glm::vec4(glm::dvec4(size.texels, size.gutter, error.z + coordinate * texels.x,
-                                       error.w + 6.0 * detail::one_rounding));
+        u.pages = glm::vec4(float(size.texels), float(size.gutter), 0.0f, 0.0f);
+        u.slack = glm::vec4(glm::dvec4(detail::texels_beside_plane(root.clip, map_size),
+                                       error.z + coordinate * texels.x, error.w + 6.0 * detail::one_rounding,
+                                       detail::width_in_depth(moved(in_texels), texels)));
         int codes[side * side]{};
         for (const auto& [page, slot] : pages) {
             const int wide = side >> page.level,
@@ -122,7 +122,7 @@ struct adaptive_maps {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, terms, world, normal);
+        return adaptive_maps_places(u.to_root, u.planes, u.cells, u.anchor, u.pages, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::adaptive_maps_places;
 

@@ -47,41 +47,41 @@ namespace umbrage {
 /// @param found                     (texels, texels, depth, index) in the cascade, as cascade_by_projection has it
 /// @param there                     (texels, texels, depth) in the next cascade
 /// @param edges                     cascade_edge of both
-/// @param scale                     scale of that cascade, or of the last one; w: error of texels by rounding
+/// @param slacks                    w of the offsets of both: slack of a plane in depth
+/// @param scale                     scale of that cascade, or of the last one; w: slack of a plane in texels of slope
 /// @param next_scale                scale of the next cascade
-/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade;
-///                                  z: error of depths by rounding
+/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade
 /// @return                          both places. The second has a weight of 0 where only the first counts
 /// @exactness                       C, n = 14: as cascade_border_fade and cascade_slope. S of each
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascade_pair(glm::vec3 across, glm::vec4 found,
                                                                           glm::vec3 there, glm::vec2 edges,
-                                                                          const glm::vec4& scale,
+                                                                          glm::vec2 slacks, const glm::vec4& scale,
                                                                           const glm::vec4& next_scale,
                                                                           const glm::vec4& blending) {
     const bool last = !(found.w < blending.y);
     const int number = static_cast<int>(last ? blending.y : found.w);
-    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float weight) {
+    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float slack, float weight) {
         const glm::vec2 slope = cascade_slope(across, of);
         const float steep = glm::abs(slope.x) + glm::abs(slope.y);
-        return map_place{map, at, slope, weight, steep * of.w + blending.z};
+        return map_place{map, at, slope, weight, steep * of.w + slack};
     };
-    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, 1.0f), map_place{.weight = 0.0f}};
+    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, slacks.x, 1.0f), map_place{.weight = 0.0f}};
     if (!(blending.x > 0.0f && found.w <= blending.y)) return both;
     const float leaves = cascade_weight(edges.x * blending.x + 1.0f);
     if (!(leaves > 0.0f)) return both;
     if (last) {
-        both[1] = place(number, outside_all_maps, next_scale, leaves);
+        both[1] = place(number, outside_all_maps, next_scale, slacks.y, leaves);
         return both;
     }
     if (!(edges.y <= 0.0f)) return both;
     const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
-    both[1] = place(number + 1, there, next_scale, (glm::min)(leaves, held));
+    both[1] = place(number + 1, there, next_scale, slacks.y, (glm::min)(leaves, held));
     return both;
 }
 
 /// Places of a point of the world in up to four cascades.
 /// @param rotation          rotation from the world to the light's axes
-/// @param scales            one column per cascade, as for cascade_by_projection; w of scales as for cascade_pair
+/// @param scales            one column per cascade, as for cascade_by_projection; w as for cascade_pair
 /// @param offsets           likewise
 /// @param anchor            xyz: position that is subtracted from the point's
 /// @param blending          as for cascade_pair
@@ -107,7 +107,8 @@ namespace umbrage {
     const glm::length_t last = 3, here = (glm::min)(i, last), next = (glm::min)(i + 1, last);
     const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
     const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
-    return cascade_pair(across, found, there, edges, scales[here], scales[next], blending);
+    const glm::vec2 slacks(offsets[here].w, offsets[next].w);
+    return cascade_pair(across, found, there, edges, slacks, scales[here], scales[next], blending);
 }
 
 /// Places of a world position in up to eight cascades. As cascaded_maps_places, with further columns for the cascades
@@ -122,12 +123,14 @@ namespace umbrage {
     const glm::vec4 found =
         cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
     const float number = (glm::min)(found.w, blending.y), next = (glm::min)(number + 1.0f, blending.y);
-    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next);
-    const glm::vec3 there = cascade_coordinate(light, next_scale, cascade_column_8(offsets, farther_offsets, next));
+    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next),
+                    next_offset = cascade_column_8(offsets, farther_offsets, next);
+    const glm::vec3 there = cascade_coordinate(light, next_scale, next_offset);
     const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),
                           cascade_edge(there, terms.map_size, terms.reach));
-    return cascade_pair(across, found, there, edges, cascade_column_8(scales, farther_scales, number), next_scale,
-                        blending);
+    const glm::vec2 slacks(cascade_column_8(offsets, farther_offsets, number).w, next_offset.w);
+    return cascade_pair(across, found, there, edges, slacks, cascade_column_8(scales, farther_scales, number),
+                        next_scale, blending);
 }
 
 namespace glsl {
@@ -165,13 +168,15 @@ inline constexpr snippet cascade_pair{
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
-                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
-                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec2 slacks,
+                                        UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 next_scale,
+                                        UMBRAGE_HIGHP vec4 blending) {
     bool last = found.w >= blending.y;
     UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
     UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
@@ -180,10 +185,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP
     UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
     UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
     UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
-    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
-                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    UMBRAGE_HIGHP float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, slack),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_slack));
 }
 )GLSL",
 };
@@ -231,8 +236,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMB
     UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
     UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
     UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
+    UMBRAGE_HIGHP float next_slack = in_a ? offsets[1].w : (in_b ? offsets[2].w : offsets[3].w);
+    UMBRAGE_HIGHP float slack = in_a ? offsets[0].w : (in_b ? offsets[1].w : (in_c ? offsets[2].w : offsets[3].w));
     return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
-                                vec2(edge, next_edge), scale, next_scale, blending);
+                                vec2(edge, next_edge), vec2(slack, next_slack), scale, next_scale, blending);
 }
 )GLSL",
 };
@@ -264,11 +271,12 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, U
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
     UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
-                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP vec4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    UMBRAGE_HIGHP vec4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
     UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
     UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge), vec2(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 )GLSL",

@@ -32,10 +32,9 @@ namespace detail {
 template <int Groups>
 struct cascade_block {
     glm::mat4 rotation;         ///< rotation from the world to the light's axes
-    glm::mat4 scales, offsets;  ///< one column per cascade; w of scales: error of texels by rounding
+    glm::mat4 scales, offsets;  ///< one column per cascade; w: slack of a plane, in texels of slope and in depth
     glm::vec4 anchor{0};        ///< xyz: middle of the last map
-    glm::vec4 blending{0};  ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last; z:
-                            ///< error of depths by rounding
+    glm::vec4 blending{0};      ///< x: weight of the next cascade per texel, 1 / blend_texels; y: number of the last
 
     static constexpr uniform_field fields[]{
         {"rotation"}, {"scales"}, {"offsets"}, {"anchor", false}, {"blending", false}};
@@ -122,9 +121,11 @@ struct cascaded_maps {
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
             const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
-            const glm::vec4 error(detail::rounding_of(detail::moved_to(in_texels(c), anchor), map_size, anchor));
-            u.set(i, {glm::vec3(c.scale), error.z}, glm::vec4(glm::dvec4(offset, 0.0)));
-            u.blending.z = (glm::max)(u.blending.z, error.w + float(6.0 * detail::one_rounding));
+            const glm::dmat4 m = detail::moved_to(in_texels(c), anchor);
+            const glm::dvec4 error = detail::rounding_of(m, map_size, anchor);
+            const double texels = detail::texels_beside_plane(c.light.clip, map_size) + error.z,
+                         depth = 6.0 * detail::one_rounding + error.w + detail::width_in_depth(m, map_size);
+            u.set(i, glm::vec4(glm::dvec4(glm::dvec3(c.scale), texels)), glm::vec4(glm::dvec4(offset, depth)));
         }
         return u;
     }

@@ -32,11 +32,11 @@ namespace umbrage {
 /// @exactness                                   C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const int face = cube_face(way);
     const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
     place.number = face;
     return {place};
 }
@@ -51,16 +51,17 @@ inline constexpr snippet cube_maps_places{
     .needs = list<&cube_face, &cube_face_point, &anchored_place>,
     .source = R"GLSL(
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
+//   anchor                               position of the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                            UMBRAGE_HIGHP vec3 normal) {
+                                            UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                            UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_cube_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
                                umbrage_cube_face_point(face, normal));
     return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
 }
@@ -103,12 +104,12 @@ struct cube_maps {
         m[0][0] = m[1][1] = inner;
         m[2] = {half, half, depth.x, 1.0};
         m[3][2] = depth.y;
-        return detail::anchored_axes(m, map_size, light.position - origin);
+        return detail::anchored_axes(m, map_size, light.clip, light.position - origin);
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
 };

@@ -2,9 +2,9 @@
 //
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
-// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with a bias of
-// half a texel of its slope. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered
-// maps (VSM, ESM, EVSM, MSM), which have texels of their own.
+// Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with the slack
+// of its place as bias. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered maps
+// (VSM, ESM, EVSM, MSM), which have texels of their own.
 #pragma once
 
 #include <concepts>
@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -137,25 +138,25 @@ template <class Filter>
 template <class Setup, class Filter>
 inline constexpr bool along_plane = point_filter<Filter> && !has_bent_lines<Setup>;
 
-/// Slack on a plane, in texels of slope: it covers the rasterizer's snap and the rounding of coordinates, and what a
-/// map's texels miss of a concave edge.
-inline constexpr float plane_slack = 0.5f;
-
 /// Bias of a receiver for a filter's whole reach, in depth.
 template <class Filter>
 [[nodiscard]] float kernel_bias_of(const shadow_terms& terms, const map_place& place) {
-    const float error = terms.error + place.rounding;
+    const float error = terms.error + place.slack;
     if constexpr (disc_filter<Filter>)
         return acne_free_disc_bias(place.slope, terms.filter_terms[component_for_disc<Filter>], error);
     else return acne_free_bias(place.slope, terms.reach, error);
 }
 
-/// Bias of a receiver, in depth.
+/// Slope from which on a plane counts as seen edge-on by the light: clamp_slope's limit.
+inline constexpr float edge_on = 2.0f;
+
+/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on, so that nothing is in shadow there.
 template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
-    if constexpr (along_plane<Setup, Filter>)
-        return acne_free_bias(place.slope, plane_slack, terms.error + place.rounding);
-    else return kernel_bias_of<Filter>(terms, place);
+    if constexpr (along_plane<Setup, Filter>) {
+        const bool is_seen = glm::abs(place.slope.x) < edge_on && glm::abs(place.slope.y) < edge_on;
+        return is_seen ? clamp_bias(terms.error + place.slack) : 1.0f;
+    } else return kernel_bias_of<Filter>(terms, place);
 }
 
 /// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
@@ -218,18 +219,22 @@ template <class Filter>
 /// Snippet that computes bias_of.
 template <class Setup, class Filter>
 [[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    return disc_filter<Filter> && !along_plane<Setup, Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+    if constexpr (along_plane<Setup, Filter>) return glsl::clamp_bias;
+    else return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's rounding.
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
+    const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
+    if constexpr (along_plane<Setup, Filter>)
+        return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
+               "    bool is_seen = max(abs(slope.x), abs(slope.y)) < 2.0;  // not edge-on by the light\n"
+               "    UMBRAGE_HIGHP float bias = is_seen ? umbrage_clamp_bias(error) : 1.0;\n";
     std::string reach = "terms.z";
-    if constexpr (along_plane<Setup, Filter>) reach = linear ? "1.0" : "0.5";
-    else if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z;\n"
-           "    UMBRAGE_HIGHP float bias = umbrage_" +
-           std::string(bias_snippet<Setup, Filter>().name) + "(vec2(slope.x, slope.y), " + reach + ", error);\n";
+    if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
+    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(bias_snippet<Setup, Filter>().name) +
+           "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
 /// GLSL version of look: umbrage_look, for one filter and its map.

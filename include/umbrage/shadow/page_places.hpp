@@ -27,15 +27,16 @@ namespace umbrage {
 /// @param cells           16 x 16 cells of the deepest level, row by row. A cell is slot + 64 (2^level - 1). Each
 ///                        number holds two cells: first + 1024 second
 /// @param anchor          xyz: position that is subtracted from the point's
-/// @param pages           x: size of a page, y: width of its gutter, texels; z, w: errors of texels of the deepest
-///                        level and of depths by rounding
+/// @param pages           x: size of a page, y: width of its gutter, texels
+/// @param slack           of a plane: texels of slope x of the page and y of the deepest level; depth z, and w in the
+///                        deepest level, which larger texels multiply
 /// @param world           position of the point
 /// @param normal          its normal
 /// @return                its place, with weight 1. Outside the root page: one that every filter takes as lit
 /// @exactness             C, n = 68: as receiver_slope, and a division. S of each
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> adaptive_maps_places(
     const glm::mat4& to_root, const glm::mat4& planes, const std::array<glm::mat4, 8>& cells, const glm::vec4& anchor,
-    const glm::vec4& pages, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& pages, const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     constexpr int side = 16;
     const glm::vec3 way = world - glm::vec3(anchor);
     const glm::vec3 in_root(shadow_coordinate(to_root, way));
@@ -49,10 +50,11 @@ namespace umbrage {
     const float across = static_cast<float>(code / 64 + 1);
     const glm::vec2 place = coord * across;
     const glm::vec2 at = inside ? (place - glm::floor(place)) * pages.x + pages.y : glm::vec2(32768);
-    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * (16.0f / across);
-    const float rounding = (glm::abs(deepest.x) + glm::abs(deepest.y)) * pages.z + pages.w;
-    return {
-        map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, rounding}};
+    const float larger = 16.0f / across;  // than texels of the deepest level
+    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * larger;
+    const float steep = glm::abs(deepest.x) + glm::abs(deepest.y);
+    const float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
+    return {map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, off}};
 }
 
 namespace glsl {
@@ -70,16 +72,17 @@ inline constexpr snippet adaptive_maps_places{
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
                                                 UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
                                                 UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
                                                 UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
                                                 UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
                                                 UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
-                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                                UMBRAGE_HIGHP vec3 normal) {
+                                                UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
@@ -108,8 +111,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
-    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    UMBRAGE_HIGHP float larger = 16.0 / across;
+    UMBRAGE_HIGHP vec2 slope = deepest * larger;
+    UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
+    UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
                 vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }

@@ -26,10 +26,9 @@ namespace umbrage {
 
 /// Last members of every shadow's uniform block.
 struct shadow_terms {
-    glm::vec2 map_size{1};  ///< size of one map, texels
-    float reach = 0;        ///< reach of the filter, as its bias counts it, texels
-    float error = 0;        ///< largest error of a stored depth, less the 2^-23 that acne_free_bias adds: rounding is
-                            ///< map_place's
+    glm::vec2 map_size{1};      ///< size of one map, texels
+    float reach = 0;            ///< reach of the filter, as its bias counts it, texels
+    float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
     glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
@@ -41,7 +40,7 @@ struct map_place {
     glm::vec3 at{0};      ///< x and y in texels, z depth
     glm::vec2 slope{0};   ///< change of depth per texel of the receiver's plane
     float weight = 1.0f;  ///< share in the blend with the places before it, 0 to 1; the first place has 1
-    float rounding = 0;   ///< largest error of `at` and of the casters' depth there by rounding, in depth
+    float slack = 0;      ///< depth by which texels of the receiver's own surface may lie before its plane
 };
 
 /// Position outside all maps, in texels and depth. Every filter takes it as lit.
@@ -57,8 +56,7 @@ struct map_grid {
 /// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
 /// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
 /// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
-/// (texels, texels, depth, number), (slope, slope, weight, rounding). Columns of a place without weight may hold
-/// anything.
+/// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
 ///
 /// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,

@@ -10,7 +10,7 @@
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: make_anchored_map, anchored_place, acne_free_bias, biased, and the filter on
+// These functions are its steps: make_anchored_map, anchored_place, biased by the place's slack, and the filter on
 // apply_receiver_plane of bordered(map).
 #pragma once
 
@@ -258,7 +258,7 @@ public:
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
     /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
-    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + 2^-23. For a caster of slope c, max(|c|, |c - slope|)
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + slack. For a caster of slope c, max(|c|, |c - slope|)
     ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
@@ -267,6 +267,7 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
+            if constexpr (detail::along_plane<Setup, Filter>) terms.error -= 0x1p-23f;  // acne_free_bias adds it
             if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }

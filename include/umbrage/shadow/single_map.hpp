@@ -20,14 +20,15 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param world                                 position of the point
 /// @param normal                                its normal
 /// @return                                      its place, with weight 1
 /// @exactness                                   C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
-    return {anchored_place(to_texels, planes, anchor, rounding, world - glm::vec3(anchor), normal)};
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
 }
 
 namespace glsl {
@@ -40,13 +41,14 @@ inline constexpr snippet single_map_places{
     .needs = list<&anchored_place>,
     .source = R"GLSL(
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
 UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                              UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                             UMBRAGE_HIGHP vec3 normal) {
+                                             UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                             UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }
 )GLSL",
 };
@@ -63,7 +65,8 @@ struct single_map {
     explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
 
     using uniforms = anchored_map;
-    static constexpr uniform_field fields[]{{"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}};
+    static constexpr uniform_field fields[]{
+        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"slack", false}};
     static constexpr map_grid grid{1, 1};
     static constexpr outside_map outside = outside_map::bordered;
 
@@ -75,7 +78,7 @@ struct single_map {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, terms, world, normal);
+        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::single_map_places;
 };

@@ -14,12 +14,9 @@
 #include <tuple>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
-#include <umbrage/bias/light_units.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -99,20 +96,6 @@ void require_light_size(const Filter& filter) {
             "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
 }
 
-/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
-[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& to_texels, const glm::dvec3& world) {
-    const glm::dvec3 rays =
-        is_lens(to_texels) ? row_of(to_texels, 3) : glm::cross(row_of(to_texels, 0), row_of(to_texels, 1));
-    return light_units_at(to_texels, rays, world).units;
-}
-
-/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
-[[nodiscard]] inline glm::dvec2 softness_units(const light_space<double>& light, glm::ivec2 map_size) {
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
-    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
-}
-
 /// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
 /// light has one 0.
 template <shadow_setup Setup>
@@ -120,7 +103,7 @@ template <shadow_setup Setup>
     std::vector<float> all;
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows))
-            all.push_back(softness_per_code(softness_units(light, map_size), double(light_size)));
+            all.push_back(softness_per_code(map_units(texture_matrix(light, map_size), map_size), double(light_size)));
     if (all.empty()) all.push_back(0.0f);
     return all;
 }

@@ -29,6 +29,7 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param center                                x: half the map's size, texels
 /// @param world                                 position of the point
 /// @param normal                                its normal
@@ -36,11 +37,11 @@ namespace umbrage {
 /// @exactness                                   C, n = 121: as anchored_place. S of each, and half the map's size
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> tetrahedron_map_places(
     const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& slack, const glm::vec4& center, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const int face = tetrahedron_face(way);
     const glm::vec3 there = tetrahedron_face_point(face, way), across = tetrahedron_face_point(face, normal);
-    map_place place = anchored_place(to_texels, planes, anchor, rounding, there, across);
+    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
     place.at = glm::vec3(tetrahedron_turned(face, glm::vec2(place.at)) + center.x, place.at.z);
     place.slope = tetrahedron_turned(face, place.slope);
     return {place};
@@ -56,18 +57,20 @@ inline constexpr snippet tetrahedron_map_places{
     .needs = list<&tetrahedron_face, &tetrahedron_face_point, &tetrahedron_turned, &anchored_place>,
     .source = R"GLSL(
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                                   UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
-                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                  UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 center,
+                                                  UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                  UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
     UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
@@ -94,8 +97,8 @@ struct tetrahedron_map {
                                       ///< relative to the map's center
         glm::vec4 center;             ///< x: half the map's size, texels
     };
-    static constexpr uniform_field fields[]{
-        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"center", false}};
+    static constexpr uniform_field fields[]{{"to_texels"},       {"planes"},       {"anchor", false},
+                                            {"rounding", false}, {"slack", false}, {"center", false}};
     static constexpr map_grid grid{};
     static constexpr outside_map outside = outside_map::clamped;
 
@@ -127,12 +130,13 @@ struct tetrahedron_map {
         m[1] = {0.0, base * up, depth.x * up, up};
         m[2] = {0.0, side + base * away, depth.x * away, away};
         m[3][2] = depth.y;
-        return {detail::anchored_axes(m, map_size, light.position - origin), glm::vec4(half, 0, 0, 0)};
+        return {detail::anchored_axes(m, map_size, light.clip, light.position - origin), glm::vec4(half, 0, 0, 0)};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.center, terms, world, normal);
+        return tetrahedron_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, u.center, terms, world,
+                                      normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
 };

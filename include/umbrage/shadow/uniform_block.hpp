@@ -51,8 +51,9 @@ template <class Filter>
     const float size = static_cast<float>((glm::max)(map_size.x, map_size.y));
     const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
     const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
-    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `rounding` already has.
-    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - 0x1p-23;
+    // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `slack` already has.
+    const double added = point_filter<Filter> && bends.reach == 0.0f ? 0.0 : 0x1p-23;
+    const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - added;
     return {glm::vec2(map_size), reach_of(filter) + more, static_cast<float>(error) + bends.error,
             terms_of(filter, more)};
 }

@@ -50,16 +50,15 @@ struct warped_maps {
 
     struct uniforms {
         std::array<glm::mat4, 4> to_texels, planes;  ///< those of each map's anchored_map
-        glm::mat4 rounding;                          ///< one column per map: its rounding
+        glm::mat4 rounding, slack;                   ///< one column per map: its rounding and slack
         glm::mat4 fades;                             ///< one column per map: scale and offset for cascade_fade
-        glm::vec4 added;                             ///< w of each map's anchor
         glm::vec4 anchor;                            ///< xyz: position of the camera, the anchor of all maps
         glm::vec4 ahead;  ///< distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
         glm::vec4 ends;   ///< xyz: ends of the first three cascades; w: number of the last one
     };
-    static constexpr uniform_field fields[]{{"to_texels_0"},  {"to_texels_1"}, {"to_texels_2"},  {"to_texels_3"},
-                                            {"planes_0"},     {"planes_1"},    {"planes_2"},     {"planes_3"},
-                                            {"rounding"},     {"fades"},       {"added", false}, {"anchor", false},
+    static constexpr uniform_field fields[]{{"to_texels_0"},  {"to_texels_1"}, {"to_texels_2"}, {"to_texels_3"},
+                                            {"planes_0"},     {"planes_1"},    {"planes_2"},    {"planes_3"},
+                                            {"rounding"},     {"slack"},       {"fades"},       {"anchor", false},
                                             {"ahead", false}, {"ends", false}};
     static constexpr map_grid grid{2, 2};
     static constexpr outside_map outside = outside_map::bordered;
@@ -87,9 +86,9 @@ struct warped_maps {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
             const glm::dmat4 here = texture_matrix(detail::relative_to(origin, c.light), map_size);
-            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size);
+            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size, c.light.clip);
             u.to_texels[i] = map.to_texels, u.planes[i] = map.planes;
-            u.rounding[column] = map.rounding, u.added[column] = map.anchor.w;
+            u.rounding[column] = map.rounding, u.slack[column] = map.slack;
             u.fades[column] = glm::vec4(glm::dvec4(detail::fade_of(c.begin, c.end, fade), 0.0, 0.0));
             if (i + 1 < cascades.size()) u.ends[column] = float(c.end);
         }
@@ -98,7 +97,7 @@ struct warped_maps {
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.fades, u.added, u.anchor, u.ahead, u.ends, terms,
+        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.slack, u.fades, u.anchor, u.ahead, u.ends, terms,
                                   world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::warped_maps_places;

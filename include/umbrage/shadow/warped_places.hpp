@@ -24,8 +24,8 @@ namespace umbrage {
 /// Places of a point of the world in up to four warped cascades.
 /// @param to_texels           of the anchored_map of each map
 /// @param planes              likewise
-/// @param added               w of the anchors of all maps
 /// @param rounding            one column per map: rounding of its anchored_map
+/// @param slack               likewise
 /// @param fades               one column per map: scale and offset for cascade_fade
 /// @param anchor              xyz: the one anchor of all maps
 /// @param ahead               distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
@@ -36,13 +36,12 @@ namespace umbrage {
 /// @exactness                 C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> warped_maps_places(
     const std::array<glm::mat4, 4>& to_texels, const std::array<glm::mat4, 4>& planes, const glm::mat4& rounding,
-    const glm::mat4& fades, const glm::vec4& added, const glm::vec4& anchor, const glm::vec4& ahead,
+    const glm::mat4& slack, const glm::mat4& fades, const glm::vec4& anchor, const glm::vec4& ahead,
     const glm::vec4& ends, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
     const auto in_map = [&](std::size_t i, float weight) {
         const auto column = static_cast<glm::length_t>(i);
-        const glm::vec4 depth(0.0f, 0.0f, 0.0f, added[column]);
-        map_place place = anchored_place(to_texels[i], planes[i], depth, rounding[column], way, normal);
+        map_place place = anchored_place(to_texels[i], planes[i], rounding[column], slack[column], way, normal);
         place.number = static_cast<int>(i), place.weight = weight;
         return place;
     };
@@ -69,19 +68,18 @@ inline constexpr snippet warped_maps_places{
     .source = R"GLSL(
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
                                               UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
                                               UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
                                               UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
-                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
-                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
+                                              UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
                                               UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
                                               UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
                                               UMBRAGE_HIGHP vec3 normal) {
@@ -94,30 +92,27 @@ UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UM
     UMBRAGE_HIGHP mat4 planes = planes_0;
     UMBRAGE_HIGHP mat4 to_next = to_texels_1;
     UMBRAGE_HIGHP mat4 next_planes = planes_1;
-    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4(added.w, added.w, 0.0, 0.0);
     }
-    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
-                                                   umbrage_cascade_column(rounding, number), way, normal);
-    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
-                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                                                   umbrage_cascade_column(slack, number), way, normal);
+    UMBRAGE_HIGHP mat4 there =
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
     UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
     return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),

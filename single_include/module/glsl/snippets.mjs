@@ -4533,16 +4533,16 @@ UMBRAGE_HIGHP vec4 umbrage_anchored_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE_H
 }
 ` };
 
-export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and a bound of its rounding",
+export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and the slack of its plane",
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [receiver_slope], text: `
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
 UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
                                           UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -4552,9 +4552,9 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+    UMBRAGE_HIGHP float off = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + slack.w, 0.0), vec4(slope, 1.0, all), none, none);
 }
 ` };
 
@@ -4562,13 +4562,14 @@ export const single_map_places = { language, name: "single_map_places", summary:
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [anchored_place], text: `
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
 UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                              UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                             UMBRAGE_HIGHP vec3 normal) {
+                                             UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                             UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }
 ` };
 
@@ -4597,13 +4598,15 @@ export const cascade_pair = { language, name: "cascade_pair", summary: "places i
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
-                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
-                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec2 slacks,
+                                        UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 next_scale,
+                                        UMBRAGE_HIGHP vec4 blending) {
     bool last = found.w >= blending.y;
     UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
     UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
@@ -4612,10 +4615,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP
     UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
     UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
     UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
-    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
-                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    UMBRAGE_HIGHP float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, slack),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_slack));
 }
 ` };
 
@@ -4658,8 +4661,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMB
     UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
     UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
     UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
+    UMBRAGE_HIGHP float next_slack = in_a ? offsets[1].w : (in_b ? offsets[2].w : offsets[3].w);
+    UMBRAGE_HIGHP float slack = in_a ? offsets[0].w : (in_b ? offsets[1].w : (in_c ? offsets[2].w : offsets[3].w));
     return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
-                                vec2(edge, next_edge), scale, next_scale, blending);
+                                vec2(edge, next_edge), vec2(slack, next_slack), scale, next_scale, blending);
 }
 ` };
 
@@ -4685,11 +4690,12 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, U
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
     UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
-                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP vec4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    UMBRAGE_HIGHP vec4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
     UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
     UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge), vec2(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 ` };
@@ -4698,16 +4704,17 @@ export const cube_maps_places = { language, name: "cube_maps_places", summary: "
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_face, cube_face_point, anchored_place], text: `
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
+//   anchor                               position of the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                            UMBRAGE_HIGHP vec3 normal) {
+                                            UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                            UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_cube_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
                                umbrage_cube_face_point(face, normal));
     return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
 }
@@ -4717,18 +4724,20 @@ export const tetrahedron_map_places = { language, name: "tetrahedron_map_places"
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_face, tetrahedron_face_point, tetrahedron_turned, anchored_place], text: `
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                                   UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
-                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                  UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 center,
+                                                  UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                  UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
     UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));
@@ -4743,7 +4752,7 @@ export const paraboloid_maps_places = { language, name: "paraboloid_maps_places"
 //   position   position of the light, and depth per world unit
 //   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
 //   rounding   error of a depth by rounding
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_paraboloid_maps_places(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP vec4 halves,
                                                   UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 terms,
                                                   UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
@@ -4779,19 +4788,18 @@ export const warped_maps_places = { language, name: "warped_maps_places", summar
     needs: [anchored_place, cascade_by_depth, cascade_column, cascade_fade], text: `
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
                                               UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
                                               UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
                                               UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
-                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
-                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
+                                              UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
                                               UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
                                               UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
                                               UMBRAGE_HIGHP vec3 normal) {
@@ -4804,30 +4812,27 @@ UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UM
     UMBRAGE_HIGHP mat4 planes = planes_0;
     UMBRAGE_HIGHP mat4 to_next = to_texels_1;
     UMBRAGE_HIGHP mat4 next_planes = planes_1;
-    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4(added.w, added.w, 0.0, 0.0);
     }
-    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
-                                                   umbrage_cascade_column(rounding, number), way, normal);
-    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
-                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                                                   umbrage_cascade_column(slack, number), way, normal);
+    UMBRAGE_HIGHP mat4 there =
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
     UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
     return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),
@@ -4844,16 +4849,17 @@ export const adaptive_maps_places = { language, name: "adaptive_maps_places", su
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
                                                 UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
                                                 UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
                                                 UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
                                                 UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
                                                 UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
-                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                                UMBRAGE_HIGHP vec3 normal) {
+                                                UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
@@ -4882,8 +4888,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
-    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    UMBRAGE_HIGHP float larger = 16.0 / across;
+    UMBRAGE_HIGHP vec2 slope = deepest * larger;
+    UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
+    UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
                 vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }

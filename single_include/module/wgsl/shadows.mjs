@@ -437,7 +437,7 @@ export const calls = {
 
 const one_map = {
     grid: [1, 1], outside: "bordered", bends: false, softness: 0,
-    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.single_map_places, places: 1,
 };
 const cascaded_maps = {
@@ -452,22 +452,22 @@ const cascaded_maps_8 = {
 };
 const warped_maps = {
     grid: [2, 2], outside: "bordered", bends: false, softness: 1,
-    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "fades", matrix: true }, { name: "added", matrix: false }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
+    fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "slack", matrix: true }, { name: "fades", matrix: true }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
     placing: snippets.warped_maps_places, places: 2,
 };
 const adaptive_maps = {
     grid: [8, 8], outside: "clamped", bends: false, softness: 4,
-    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }],
+    fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.adaptive_maps_places, places: 1,
 };
 const cube_maps = {
     grid: [3, 2], outside: "clamped", bends: false, softness: 0,
-    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }],
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.cube_maps_places, places: 1,
 };
 const tetrahedron_map = {
     grid: [1, 1], outside: "clamped", bends: false, softness: 0,
-    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "center", matrix: false }],
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }, { name: "center", matrix: false }],
     placing: snippets.tetrahedron_map_places, places: 1,
 };
 const paraboloid_maps = {

@@ -4369,15 +4369,15 @@ fn umbrage_anchored_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f) -> vec
 }
 ` };
 
-export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and a bound of its rounding",
+export const anchored_place = { language, name: "anchored_place", summary: "place of a point in one map, and the slack of its plane",
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [receiver_slope], text: `
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
-fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, rounding: vec4f, slack: vec4f, way: vec3f,
                           normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -4387,10 +4387,9 @@ fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, ro
     let at: vec3f = vec3f(c.x, c.y, c.z) * i;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
-                   none);
+    let off: f32 = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    let all: f32 = (moves * rounding.z + slack.x) * steep + off;
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + slack.w, 0.0), vec4f(slope, 1.0, all), none, none);
 }
 ` };
 
@@ -4398,11 +4397,12 @@ export const single_map_places = { language, name: "single_map_places", summary:
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [anchored_place], text: `
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
-fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
-                             world: vec3f, normal: vec3f) -> mat4x4f {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
+fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
+                             terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }
 ` };
 
@@ -4429,12 +4429,13 @@ export const cascade_pair = { language, name: "cascade_pair", summary: "places i
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
-fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, scale: vec4f, next_scale: vec4f,
-                        blending: vec4f) -> mat4x4f {
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
+fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, slacks: vec2f, scale: vec4f,
+                        next_scale: vec4f, blending: vec4f) -> mat4x4f {
     let last: bool = found.w >= blending.y;
     let v: vec2f = edges * blending.x + 1.0;
     let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
@@ -4443,10 +4444,10 @@ fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f,
     let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
     let slope: vec2f = umbrage_cascade_slope(across, scale);
     let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
-    let off: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    let next_off: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, off),
-                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_off));
+    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    let next_slack: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, slack),
+                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_slack));
 }
 ` };
 
@@ -4486,8 +4487,10 @@ fn umbrage_cascaded_maps_places(rotation: mat4x4f, scales: mat4x4f, offsets: mat
     let next_edge: f32 = select(select(edge_d, edge_c, in_b), edge_b, in_a);
     let scale: vec4f = select(select(select(scales[3], scales[2], in_c), scales[1], in_b), scales[0], in_a);
     let next_scale: vec4f = select(select(scales[3], scales[2], in_b), scales[1], in_a);
+    let next_slack: f32 = select(select(offsets[3].w, offsets[2].w, in_b), offsets[1].w, in_a);
+    let slack: f32 = select(select(select(offsets[3].w, offsets[2].w, in_c), offsets[1].w, in_b), offsets[0].w, in_a);
     return umbrage_cascade_pair(vec3f(across.x, across.y, across.z), found, vec3f(there.x, there.y, there.z),
-                                vec2f(edge, next_edge), scale, next_scale, blending);
+                                vec2f(edge, next_edge), vec2f(slack, next_slack), scale, next_scale, blending);
 }
 ` };
 
@@ -4511,11 +4514,12 @@ fn umbrage_cascaded_maps_places_8(rotation: mat4x4f, scales: mat4x4f, offsets: m
     let number: f32 = min(found.w, blending.y);
     let next: f32 = min(number + 1.0, blending.y);
     let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
-    let there: vec3f =
-        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    let next_offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    let there: vec3f = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    let offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, number);
     let edge: f32 = umbrage_cascade_edge(vec3f(found.x, found.y, found.z), size, terms.z);
     let next_edge: f32 = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge), vec2f(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 ` };
@@ -4524,14 +4528,15 @@ export const cube_maps_places = { language, name: "cube_maps_places", summary: "
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cube_face, cube_face_point, anchored_place], text: `
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes; the anchor is the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
-fn umbrage_cube_maps_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
-                            world: vec3f, normal: vec3f) -> mat4x4f {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
+//   anchor                               position of the light
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+fn umbrage_cube_maps_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
+                            terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
     let face: f32 = umbrage_cube_face(way);
     let place: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_cube_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
                                umbrage_cube_face_point(face, normal));
     return mat4x4f(vec4f(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
 }
@@ -4541,16 +4546,17 @@ export const tetrahedron_map_places = { language, name: "tetrahedron_map_places"
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [tetrahedron_face, tetrahedron_face_point, tetrahedron_turned, anchored_place], text: `
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
-fn umbrage_tetrahedron_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, center: vec4f,
-                                  terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
+fn umbrage_tetrahedron_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
+                                  center: vec4f, terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
     let face: f32 = umbrage_tetrahedron_face(way);
     let place: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     let at: vec2f = umbrage_tetrahedron_turned(face, vec2f(place[0].x, place[0].y)) + center.x;
     let slope: vec2f = umbrage_tetrahedron_turned(face, vec2f(place[1].x, place[1].y));
@@ -4565,7 +4571,7 @@ export const paraboloid_maps_places = { language, name: "paraboloid_maps_places"
 //   position   position of the light, and depth per world unit
 //   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
 //   rounding   error of a depth by rounding
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 fn umbrage_paraboloid_maps_places(position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, world: vec3f,
                                   normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
@@ -4598,17 +4604,16 @@ export const warped_maps_places = { language, name: "warped_maps_places", summar
     needs: [anchored_place, cascade_by_depth, cascade_column, cascade_fade], text: `
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
                               planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
-                              rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
-                              terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+                              rounding: mat4x4f, slack: mat4x4f, fades: mat4x4f, anchor: vec4f, ahead: vec4f,
+                              ends: vec4f, terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
     let depth: f32 = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     let number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
@@ -4618,32 +4623,28 @@ fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_tex
     var planes: mat4x4f = planes_0;
     var to_next: mat4x4f = to_texels_1;
     var next_planes: mat4x4f = planes_1;
-    var depths: vec4f = vec4f(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4f(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4f(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4f(added.w, added.w, 0.0, 0.0);
     }
     let at: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, vec4f(0.0, 0.0, 0.0, depths.x),
-                               umbrage_cascade_column(rounding, number), way, normal);
+        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                               umbrage_cascade_column(slack, number), way, normal);
     let there: mat4x4f =
-        umbrage_anchored_place(to_next, next_planes, vec4f(0.0, 0.0, 0.0, depths.y),
-                               umbrage_cascade_column(rounding, number + 1.0), way, normal);
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     let after: vec3f = vec3f(there[0].x, there[0].y, there[0].z);
     let next: vec3f = select(after, vec3f(-65536.0, -65536.0, 0.0), number >= ends.w);
     return mat4x4f(vec4f(at[0].x, at[0].y, at[0].z, number), at[1], vec4f(next, min(number + 1.0, ends.w)),
@@ -4660,11 +4661,12 @@ export const adaptive_maps_places = { language, name: "adaptive_maps_places", su
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
                                 cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
-                                cells_7: mat4x4f, anchor: vec4f, pages: vec4f, terms: vec4f, world: vec3f,
+                                cells_7: mat4x4f, anchor: vec4f, pages: vec4f, slack: vec4f, terms: vec4f, world: vec3f,
                                 normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
@@ -4694,8 +4696,10 @@ fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4
     let within: vec2f = (place - floor(place)) * pages.x + pages.y;
     let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
     let deepest: vec2f = umbrage_receiver_slope(planes, normal, way);
-    let slope: vec2f = deepest * (16.0 / across);
-    let off: f32 = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    let larger: f32 = 16.0 / across;
+    let slope: vec2f = deepest * larger;
+    let steep: f32 = abs(deepest.x) + abs(deepest.y);
+    let off: f32 = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4x4f(vec4f(at, in_root.z, code - before * 64.0),
                    vec4f(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }

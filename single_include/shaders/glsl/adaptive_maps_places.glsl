@@ -94,16 +94,17 @@ UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRA
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBRAGE_HIGHP mat4 planes,
                                                 UMBRAGE_HIGHP mat4 cells_0, UMBRAGE_HIGHP mat4 cells_1,
                                                 UMBRAGE_HIGHP mat4 cells_2, UMBRAGE_HIGHP mat4 cells_3,
                                                 UMBRAGE_HIGHP mat4 cells_4, UMBRAGE_HIGHP mat4 cells_5,
                                                 UMBRAGE_HIGHP mat4 cells_6, UMBRAGE_HIGHP mat4 cells_7,
                                                 UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 pages,
-                                                UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                                UMBRAGE_HIGHP vec3 normal) {
+                                                UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP vec4 in_root = umbrage_shadow_coordinate(to_root, way);
@@ -132,8 +133,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 within = (place - floor(place)) * pages.x + pages.y;
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
-    UMBRAGE_HIGHP vec2 slope = deepest * (16.0 / across);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    UMBRAGE_HIGHP float larger = 16.0 / across;
+    UMBRAGE_HIGHP vec2 slope = deepest * larger;
+    UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
+    UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
                 vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }

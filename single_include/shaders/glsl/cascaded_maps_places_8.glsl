@@ -163,13 +163,15 @@ UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
-                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec4 scale,
-                                        UMBRAGE_HIGHP vec4 next_scale, UMBRAGE_HIGHP vec4 blending) {
+                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec2 slacks,
+                                        UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 next_scale,
+                                        UMBRAGE_HIGHP vec4 blending) {
     bool last = found.w >= blending.y;
     UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
     UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
@@ -178,10 +180,10 @@ UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP
     UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
     UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
     UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
-    UMBRAGE_HIGHP float off = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    UMBRAGE_HIGHP float next_off = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, off),
-                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_off));
+    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    UMBRAGE_HIGHP float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, slack),
+                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_slack));
 }
 #endif
 
@@ -206,11 +208,12 @@ UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, U
     UMBRAGE_HIGHP float number = min(found.w, blending.y);
     UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
     UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale,
-                                                          umbrage_cascade_column_8(offsets, farther_offsets, next));
+    UMBRAGE_HIGHP vec4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    UMBRAGE_HIGHP vec4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
     UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
     UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge), vec2(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }
 #endif

@@ -89,13 +89,13 @@ UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRA
 
 #ifndef UMBRAGE_HAS_ANCHORED_PLACE
 #define UMBRAGE_HAS_ANCHORED_PLACE
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
 UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
                                           UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -105,27 +105,29 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+    UMBRAGE_HIGHP float off = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + slack.w, 0.0), vec4(slope, 1.0, all), none, none);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_TETRAHEDRON_MAP_PLACES
 #define UMBRAGE_HAS_TETRAHEDRON_MAP_PLACES
 // umbrage_tetrahedron_map_places: place of a point of the world in a tetrahedron's map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
-//                                         to the center; the anchor is the light
-//   center                                half the map's size in texels
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding)
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes to texels of face 0, relative
+//                                        to the center
+//   anchor                               position of the light
+//   center                               half the map's size in texels
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack)
 UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
                                                   UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                                  UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP vec4 terms,
-                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                  UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 center,
+                                                  UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                                  UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(way);
     UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, anchor, rounding, umbrage_tetrahedron_face_point(face, way),
+        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_tetrahedron_face_point(face, way),
                                umbrage_tetrahedron_face_point(face, normal));
     UMBRAGE_HIGHP vec2 at = umbrage_tetrahedron_turned(face, vec2(place[0].x, place[0].y)) + center.x;
     UMBRAGE_HIGHP vec2 slope = umbrage_tetrahedron_turned(face, vec2(place[1].x, place[1].y));

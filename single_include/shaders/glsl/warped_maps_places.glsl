@@ -57,13 +57,13 @@ UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRA
 
 #ifndef UMBRAGE_HAS_ANCHORED_PLACE
 #define UMBRAGE_HAS_ANCHORED_PLACE
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
 UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                          UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                          UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
                                           UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -73,9 +73,9 @@ UMBRAGE_HIGHP mat4 umbrage_anchored_place(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_
     UMBRAGE_HIGHP vec3 at = vec3(c.x, c.y, c.z) * i;
     UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
     UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
-    UMBRAGE_HIGHP float off = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    UMBRAGE_HIGHP float all = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + anchor.w, 0.0), vec4(slope, 1.0, all), none, none);
+    UMBRAGE_HIGHP float off = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(before ? at.x : 65536.0, at.y, at.z + slack.w, 0.0), vec4(slope, 1.0, all), none, none);
 }
 #endif
 
@@ -121,19 +121,18 @@ UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGH
 #define UMBRAGE_HAS_WARPED_MAPS_PLACES
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
                                               UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
                                               UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
                                               UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
-                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 fades,
-                                              UMBRAGE_HIGHP vec4 added, UMBRAGE_HIGHP vec4 anchor,
+                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
+                                              UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
                                               UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
                                               UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
                                               UMBRAGE_HIGHP vec3 normal) {
@@ -146,30 +145,27 @@ UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UM
     UMBRAGE_HIGHP mat4 planes = planes_0;
     UMBRAGE_HIGHP mat4 to_next = to_texels_1;
     UMBRAGE_HIGHP mat4 next_planes = planes_1;
-    UMBRAGE_HIGHP vec4 depths = vec4(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4(added.w, added.w, 0.0, 0.0);
     }
-    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, vec4(0.0, 0.0, 0.0, depths.x),
-                                                   umbrage_cascade_column(rounding, number), way, normal);
-    UMBRAGE_HIGHP mat4 there = umbrage_anchored_place(to_next, next_planes, vec4(0.0, 0.0, 0.0, depths.y),
-                                                      umbrage_cascade_column(rounding, number + 1.0), way, normal);
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                                                   umbrage_cascade_column(slack, number), way, normal);
+    UMBRAGE_HIGHP mat4 there =
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
     UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
     return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),

@@ -56,11 +56,12 @@ fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) ->
 //   cells_0 to cells_7   16 x 16 cells of that level, row by row, two in each number: first + 1024.0 second; a cell is
 //                        slot + 64.0 (2^level - 1.0)
 //   anchor               position that is subtracted from world
-//   pages                size of a page and width of its gutter, in texels; errors of texels and of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   pages                size of a page and width of its gutter, in texels
+//   slack                of a plane: texels of slope of the page and of the deepest level; depth, and depth there
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4x4f, cells_1: mat4x4f, cells_2: mat4x4f,
                                 cells_3: mat4x4f, cells_4: mat4x4f, cells_5: mat4x4f, cells_6: mat4x4f,
-                                cells_7: mat4x4f, anchor: vec4f, pages: vec4f, terms: vec4f, world: vec3f,
+                                cells_7: mat4x4f, anchor: vec4f, pages: vec4f, slack: vec4f, terms: vec4f, world: vec3f,
                                 normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
@@ -90,8 +91,10 @@ fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4
     let within: vec2f = (place - floor(place)) * pages.x + pages.y;
     let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
     let deepest: vec2f = umbrage_receiver_slope(planes, normal, way);
-    let slope: vec2f = deepest * (16.0 / across);
-    let off: f32 = (abs(deepest.x) + abs(deepest.y)) * pages.z + pages.w;
+    let larger: f32 = 16.0 / across;
+    let slope: vec2f = deepest * larger;
+    let steep: f32 = abs(deepest.x) + abs(deepest.y);
+    let off: f32 = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4x4f(vec4f(at, in_root.z, code - before * 64.0),
                    vec4f(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
 }

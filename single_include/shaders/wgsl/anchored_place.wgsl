@@ -1,4 +1,4 @@
-// umbrage 0.1.0, anchored_place: place of a point in one map, and a bound of its rounding. Exactness: tier C.
+// umbrage 0.1.0, anchored_place: place of a point in one map, and the slack of its plane. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
 // anchored_place, tier C: within 121 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
@@ -29,12 +29,12 @@ fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) ->
     return select(slope, vec2f(0.0, 0.0), none);
 }
 
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
-fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, rounding: vec4f, slack: vec4f, way: vec3f,
                           normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -44,8 +44,7 @@ fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, ro
     let at: vec3f = vec3f(c.x, c.y, c.z) * i;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
-                   none);
+    let off: f32 = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    let all: f32 = (moves * rounding.z + slack.x) * steep + off;
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + slack.w, 0.0), vec4f(slope, 1.0, all), none, none);
 }

@@ -32,12 +32,13 @@ fn umbrage_cascade_weight(v: f32) -> f32 {
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
-fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, scale: vec4f, next_scale: vec4f,
-                        blending: vec4f) -> mat4x4f {
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
+fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, slacks: vec2f, scale: vec4f,
+                        next_scale: vec4f, blending: vec4f) -> mat4x4f {
     let last: bool = found.w >= blending.y;
     let v: vec2f = edges * blending.x + 1.0;
     let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
@@ -46,8 +47,8 @@ fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f,
     let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
     let slope: vec2f = umbrage_cascade_slope(across, scale);
     let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
-    let off: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    let next_off: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, off),
-                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_off));
+    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    let next_slack: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, slack),
+                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_slack));
 }

@@ -43,12 +43,13 @@ fn umbrage_cascade_weight(v: f32) -> f32 {
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
-fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, scale: vec4f, next_scale: vec4f,
-                        blending: vec4f) -> mat4x4f {
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
+fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, slacks: vec2f, scale: vec4f,
+                        next_scale: vec4f, blending: vec4f) -> mat4x4f {
     let last: bool = found.w >= blending.y;
     let v: vec2f = edges * blending.x + 1.0;
     let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
@@ -57,10 +58,10 @@ fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f,
     let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
     let slope: vec2f = umbrage_cascade_slope(across, scale);
     let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
-    let off: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    let next_off: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, off),
-                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_off));
+    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    let next_slack: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, slack),
+                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_slack));
 }
 
 // umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
@@ -96,6 +97,8 @@ fn umbrage_cascaded_maps_places(rotation: mat4x4f, scales: mat4x4f, offsets: mat
     let next_edge: f32 = select(select(edge_d, edge_c, in_b), edge_b, in_a);
     let scale: vec4f = select(select(select(scales[3], scales[2], in_c), scales[1], in_b), scales[0], in_a);
     let next_scale: vec4f = select(select(scales[3], scales[2], in_b), scales[1], in_a);
+    let next_slack: f32 = select(select(offsets[3].w, offsets[2].w, in_b), offsets[1].w, in_a);
+    let slack: f32 = select(select(select(offsets[3].w, offsets[2].w, in_c), offsets[1].w, in_b), offsets[0].w, in_a);
     return umbrage_cascade_pair(vec3f(across.x, across.y, across.z), found, vec3f(there.x, there.y, there.z),
-                                vec2f(edge, next_edge), scale, next_scale, blending);
+                                vec2f(edge, next_edge), vec2f(slack, next_slack), scale, next_scale, blending);
 }

@@ -105,12 +105,13 @@ fn umbrage_cascade_weight(v: f32) -> f32 {
 //   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
 //   there                     (texels, texels, depth) in the next one
 //   edges                     umbrage_cascade_edge of both
-//   scale                     scale of the cascade, and error of its texels by rounding
+//   slacks                    w of the offsets of both: slack of a plane in depth
+//   scale                     scale of the cascade; w: slack of a plane in texels of slope
 //   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade; error of depths
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
-fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, scale: vec4f, next_scale: vec4f,
-                        blending: vec4f) -> mat4x4f {
+//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
+fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, slacks: vec2f, scale: vec4f,
+                        next_scale: vec4f, blending: vec4f) -> mat4x4f {
     let last: bool = found.w >= blending.y;
     let v: vec2f = edges * blending.x + 1.0;
     let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
@@ -119,10 +120,10 @@ fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f,
     let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
     let slope: vec2f = umbrage_cascade_slope(across, scale);
     let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
-    let off: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + blending.z;
-    let next_off: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + blending.z;
-    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, off),
-                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_off));
+    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
+    let next_slack: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
+    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, slack),
+                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_slack));
 }
 
 // umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
@@ -142,10 +143,11 @@ fn umbrage_cascaded_maps_places_8(rotation: mat4x4f, scales: mat4x4f, offsets: m
     let number: f32 = min(found.w, blending.y);
     let next: f32 = min(number + 1.0, blending.y);
     let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
-    let there: vec3f =
-        umbrage_cascade_coordinate(light, next_scale, umbrage_cascade_column_8(offsets, farther_offsets, next));
+    let next_offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, next);
+    let there: vec3f = umbrage_cascade_coordinate(light, next_scale, next_offset);
+    let offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, number);
     let edge: f32 = umbrage_cascade_edge(vec3f(found.x, found.y, found.z), size, terms.z);
     let next_edge: f32 = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge),
+    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge), vec2f(offset.w, next_offset.w),
                                 umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
 }

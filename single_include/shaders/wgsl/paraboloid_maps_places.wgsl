@@ -46,7 +46,7 @@ fn umbrage_dual_paraboloid_slope(way: vec3f, normal: vec3f, per_texel: f32) -> v
 //   position   position of the light, and depth per world unit
 //   halves     size of a paraboloid's image and its border in texels, slope of a depth per texel, depth at the light
 //   rounding   error of a depth by rounding
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding)
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
 fn umbrage_paraboloid_maps_places(position: vec4f, halves: vec4f, rounding: vec4f, terms: vec4f, world: vec3f,
                                   normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);

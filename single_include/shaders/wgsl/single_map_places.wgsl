@@ -29,12 +29,12 @@ fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) ->
     return select(slope, vec2f(0.0, 0.0), none);
 }
 
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
-fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, rounding: vec4f, slack: vec4f, way: vec3f,
                           normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -44,16 +44,16 @@ fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, ro
     let at: vec3f = vec3f(c.x, c.y, c.z) * i;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
-                   none);
+    let off: f32 = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    let all: f32 = (moves * rounding.z + slack.x) * steep + off;
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + slack.w, 0.0), vec4f(slope, 1.0, all), none, none);
 }
 
 // umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, anchor, rounding   of umbrage_anchored_place, which has what it returns
-fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, terms: vec4f,
-                             world: vec3f, normal: vec3f) -> mat4x4f {
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
+fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
+                             terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, anchor, rounding, way, normal);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
 }

@@ -29,12 +29,12 @@ fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) ->
     return select(slope, vec2f(0.0, 0.0), none);
 }
 
-// umbrage_anchored_place: place of a point in one map, and a bound of its rounding
+// umbrage_anchored_place: place of a point in one map, and the slack of its plane
 //   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   anchor, rounding    anchor.w is added to depth; rounding of anchored_map
-//   way                 position less anchor.xyz
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, rounding); behind the light: a place taken as lit
-fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, way: vec3f,
+//   rounding, slack     of anchored_map; slack.w is added to depth
+//   way                 position less the anchor
+//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
+fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, rounding: vec4f, slack: vec4f, way: vec3f,
                           normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
@@ -44,10 +44,9 @@ fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, ro
     let at: vec3f = vec3f(c.x, c.y, c.z) * i;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.z * steep + (rounding.w + abs(at.z)));
-    let all: f32 = off + (abs(at.z) + abs(anchor.w)) * (8.0 / 16777216.0);
-    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + anchor.w, 0.0), vec4f(slope, 1.0, all), none,
-                   none);
+    let off: f32 = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    let all: f32 = (moves * rounding.z + slack.x) * steep + off;
+    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + slack.w, 0.0), vec4f(slope, 1.0, all), none, none);
 }
 
 // umbrage_cascade_by_depth: cascade that contains a distance along the camera's axis, 0.0 to 3.0
@@ -77,17 +76,16 @@ fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {
 
 // umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
 //   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding                  one column per map: its rounding there
+//   rounding, slack           one column per map: its rounding and slack there
 //   fades                     one column per map: scale and offset of the next one's weight
-//   added                     for each map what is added to its depth
 //   anchor                    the one anchor of all maps
 //   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
 //   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, rounding) of both. After the last: outside, lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
 fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
                               planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
-                              rounding: mat4x4f, fades: mat4x4f, added: vec4f, anchor: vec4f, ahead: vec4f, ends: vec4f,
-                              terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+                              rounding: mat4x4f, slack: mat4x4f, fades: mat4x4f, anchor: vec4f, ahead: vec4f,
+                              ends: vec4f, terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
     let depth: f32 = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     let number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
@@ -97,32 +95,28 @@ fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_tex
     var planes: mat4x4f = planes_0;
     var to_next: mat4x4f = to_texels_1;
     var next_planes: mat4x4f = planes_1;
-    var depths: vec4f = vec4f(added.x, added.y, 0.0, 0.0);
     if (number > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
         to_next = to_texels_2;
         next_planes = planes_2;
-        depths = vec4f(added.y, added.z, 0.0, 0.0);
     }
     if (number > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
         to_next = to_texels_3;
         next_planes = planes_3;
-        depths = vec4f(added.z, added.w, 0.0, 0.0);
     }
     if (number > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
-        depths = vec4f(added.w, added.w, 0.0, 0.0);
     }
     let at: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, vec4f(0.0, 0.0, 0.0, depths.x),
-                               umbrage_cascade_column(rounding, number), way, normal);
+        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
+                               umbrage_cascade_column(slack, number), way, normal);
     let there: mat4x4f =
-        umbrage_anchored_place(to_next, next_planes, vec4f(0.0, 0.0, 0.0, depths.y),
-                               umbrage_cascade_column(rounding, number + 1.0), way, normal);
+        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
+                               umbrage_cascade_column(slack, number + 1.0), way, normal);
     let after: vec3f = vec3f(there[0].x, there[0].y, there[0].z);
     let next: vec3f = select(after, vec3f(-65536.0, -65536.0, 0.0), number >= ends.w);
     return mat4x4f(vec4f(at[0].x, at[0].y, at[0].z, number), at[1], vec4f(next, min(number + 1.0, ends.w)),

@@ -54,7 +54,7 @@ const std::vector<fault> faults{
     {"bias: none, as the normal is zero", [](tweaks& t) { t.drops_normal = true; }},
     {"bias: towards the caster", [](tweaks& t) { t.turns_bias = true; }},
     {"bias: error of the encoding dropped", [](tweaks& t) { t.drops_error = true; }, is_depth16},
-    {"bias: rounding dropped", [](tweaks& t) { t.drops_rounding = true; }, is_far},
+    {"bias: slack dropped", [](tweaks& t) { t.drops_slack = true; }, is_far},
     {"bias: planes transformed as points", [](tweaks& t) { t.drops_slope = true; }},
 
     {"bias: the rasterizer moves casters to the light", [](tweaks& t) { t.moves_casters = 0.01; }},

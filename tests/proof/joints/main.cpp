@@ -121,8 +121,7 @@ bool repeat(std::uint64_t seed) {
                 std::printf(
                     "    map %d at (%.7g, %.7g, %.9g), slope (%.6g, %.6g), rounding %.4g; exactly at (%.7g, "
                     "%.7g), %.9g from the near plane\n",
-                    p.number, p.at.x, p.at.y, p.at.z, p.slope.x, p.slope.y, p.rounding, h.x / h.w, h.y / h.w,
-                    h.z / h.w);
+                    p.number, p.at.x, p.at.y, p.at.z, p.slope.x, p.slope.y, p.slack, h.x / h.w, h.y / h.w, h.z / h.w);
             }));
         });
         return found.wrong() == 0;

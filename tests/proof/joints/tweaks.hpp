@@ -38,15 +38,15 @@ struct tweaks {
     bool stores_linear = false;  ///< depth squared, as a gamma does
     double moves_casters = 0;    ///< depth added by a rasterizer's bias of the wrong sign
     // the uniforms
-    float slope = 1;              ///< factor of the plane's slope
-    double reach = 1;             ///< of terms, a factor
-    bool drops_error = false;     ///< of terms
-    bool drops_rounding = false;  ///< of places
-    bool drops_slope = false;     ///< the matrix of planes is of points
-    bool other_column = false;    ///< cascades' columns are one map on
-    bool other_size = false;      ///< made for maps of half the size
+    float slope = 1;            ///< factor of the plane's slope
+    double reach = 1;           ///< of terms, a factor
+    bool drops_error = false;   ///< of terms
+    bool drops_slack = false;   ///< of places
+    bool drops_slope = false;   ///< the matrix of planes is of points
+    bool other_column = false;  ///< cascades' columns are one map on
+    bool other_size = false;    ///< made for maps of half the size
     bool uniforms_drop_origin = false, uniforms_stale_origin = false;
-    bool uniforms_drop_added = false;  ///< anchor.w
+    bool uniforms_drop_added = false;  ///< slack.w
     bool uniforms_drop_anchor = false;
     // the look
     glm::vec2 moves_texels{0};  ///< added to the place

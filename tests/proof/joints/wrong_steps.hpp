@@ -145,7 +145,7 @@ private:
         auto& terms = uniforms_.terms;
         terms.reach *= float(t_.reach);
         if (umbrage::detail::disc_filter<filter_type>) terms.filter_terms *= float(t_.reach);
-        if (t_.drops_error) terms.error = -0x1p-23f;
+        if (t_.drops_error) terms.error = 0.0f;
         return true;
     }
     bool change_look() {

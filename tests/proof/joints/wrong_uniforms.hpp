@@ -38,9 +38,9 @@ public:
         if (t.uniforms_drop_origin) u_ = setup_.make_uniforms(map_size_, glm::dvec3(0));
         if (t.uniforms_stale_origin)
             u_ = setup_.make_uniforms(map_size_, origin_ + step_of(setup_.lights().front(), origin_));
-        return (!t.drops_rounding || drop_rounding()) && (!t.drops_slope || drop_slope()) &&
+        return (!t.drops_slack || drop_slack()) && (!t.drops_slope || drop_slope()) &&
                (!t.other_column || turn_columns()) && (!t.other_size || halve_size(reach)) &&
-               (!t.uniforms_drop_added || drop_anchor(true)) && (!t.uniforms_drop_anchor || drop_anchor(false)) &&
+               (!t.uniforms_drop_added || drop_added()) && (!t.uniforms_drop_anchor || drop_anchor()) &&
                (!t.drops_border || drop_border());
     }
 
@@ -55,20 +55,13 @@ private:
         }
         return {};
     }
-    bool drop_rounding() {
-        if (const auto rounding = field("rounding"); !rounding.empty()) {
-            std::ranges::fill(rounding, glm::vec4(0));
-            return true;
-        }
-        if (const auto blending = field("blending"); !blending.empty()) {
-            blending[0].z = 0;
-            for (const auto* name : {"scales", "farther_scales"})
-                for (glm::vec4& column : field(name)) column.w = 0;
-            return true;
-        }
-        const auto pages = field("pages");
-        if (!pages.empty()) pages[0].z = pages[0].w = 0;
-        return !pages.empty();
+    bool drop_slack() {
+        std::ranges::fill(field("rounding"), glm::vec4(0));
+        if (!field("pages").empty()) field("slack")[0].w = 0;  // in others that is the depth to add
+        for (glm::vec4& column : field("slack")) column = {0, 0, 0, column.w};
+        for (const auto* name : {"scales", "farther_scales", "offsets", "farther_offsets"})
+            for (glm::vec4& column : field(name)) column.w = 0;
+        return true;
     }
     bool drop_slope() {
         const auto planes = field("planes"), points = field("to_texels");
@@ -91,11 +84,16 @@ private:
             return true;
         } else return false;  // refused by name
     }
-    /// @param depth   its fourth component, or the others
-    bool drop_anchor(bool depth) {
+    bool drop_anchor() {
         const auto anchor = field("anchor");
-        if (anchor.empty() || (depth && anchor[0].w == 0.0f)) return false;
-        anchor[0] = depth ? glm::vec4(glm::vec3(anchor[0]), 0) : glm::vec4(0, 0, 0, anchor[0].w);
+        if (anchor.empty()) return false;
+        anchor[0] = glm::vec4(0);
+        return true;
+    }
+    bool drop_added() {
+        const auto slack = field("slack");
+        if (slack.empty() || !field("pages").empty() || slack[0].w == 0.0f) return false;
+        for (glm::vec4& column : slack) column.w = 0;
         return true;
     }
     bool drop_border() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -73,6 +74,14 @@ public:
     [[nodiscard]] glm::dvec3 axis(int map) const {
         const glm::dmat4& view = light(map).view;
         return -glm::dvec3(view[0][2], view[1][2], view[2][2]);
+    }
+    /// A texel's width along the light, in depth.
+    [[nodiscard]] double width_in_depth(int map, glm::dvec3 p) const { return units(map).x * units(map).y / w(map, p); }
+    /// Bound of rounding in the slack of a place.
+    [[nodiscard]] float rounding(const umbrage::map_place& place, glm::dvec3 p) const {
+        const double steep = std::abs(place.slope.x) + std::abs(place.slope.y);
+        const double beside = umbrage::detail::texels_beside_plane(light(place.number).clip, size_);
+        return float((std::max)(0.0, place.slack - width_in_depth(place.number, p) - beside * steep));
     }
     /// Edge of a texel across the light, world units.
     [[nodiscard]] double texel(int map, glm::dvec3 p) const { return units(map).x * w(map, p); }

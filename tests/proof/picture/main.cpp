@@ -45,8 +45,8 @@ namespace {
 // is mostly in grazing light, where half a texel of slope is as deep as the caster is near, under either bias. A sample
 // has only a few leaks in all.
 constexpr double most_acne_percent = 0.01, most_acne_by_derivatives_percent = 0.01;
-constexpr double most_lost_contact = 0.40, most_rms = 0.90;
-constexpr double most_leak = 0.85, most_point_leak = 0.95, most_leak_of_sample = 1.0;
+constexpr double most_lost_contact = 0.20, most_rms = 0.75;
+constexpr double most_leak = 0.80, most_point_leak = 0.80, most_leak_of_sample = 1.0;
 constexpr int map_size = 1024, point_map_size = 512, all_step = 2, sample_step = 8;
 constexpr std::uint32_t seeds[]{1, 2, 3};  // each kind of scene is made from each, in a sample from the first two
 

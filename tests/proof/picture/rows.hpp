@@ -53,18 +53,15 @@ inline const float snap = umbrage::rasterizer_snap<float>, default_reach = defau
     return glm::vec3(-maps.rays.way(r.exact) / maps.w(r.place.number, r.exact));
 }
 
-/// The default with another bias on the receiver's plane: texels of its slope, and texels' widths along the light. The
-/// widths are the same however steep the receiver is. They cover concave edges and what an interpolated normal misses,
-/// which half a texel of a gentle slope does not.
+/// The default with another bias on the receiver's plane: texels of its slope, and texels' widths along the light.
 [[nodiscard]] inline std::function<float(const receiver&, const umbrage::map_place&)> by_width(const light_maps& maps,
                                                                                                const drawn_maps& drawn,
                                                                                                float texels_of_slope,
                                                                                                double widths) {
     return [&maps, drawn, texels_of_slope, widths](const receiver& r, const umbrage::map_place& place) {
         using namespace umbrage;
-        const glm::dvec2 units = maps.units(place.number);
-        const auto width = float(widths * units.x * units.y / maps.w(place.number, r.exact));
-        const float bias = acne_free_bias(place.slope, texels_of_slope, place.rounding + width);
+        const auto width = float(widths * maps.width_in_depth(place.number, r.exact));
+        const float bias = acne_free_bias(place.slope, texels_of_slope, maps.rounding(place, r.exact) + width);
         const glm::vec3 at = place.at - glm::vec3(0, 0, bias);
         const auto fetch = bordered(maps.map_of(*drawn, place.number));
         return default_filter(apply_receiver_plane(fetch, place.slope, at), glm::vec2(at), at.z);
@@ -80,12 +77,13 @@ inline const float snap = umbrage::rasterizer_snap<float>, default_reach = defau
         return look(maps, drawn, default_filter, r.place.number, r.place.at - glm::vec3(0, 0, bias));
     };
     const auto width_of = [](const receiver& r) { return offset_width(default_reach, float(r.texel)); };
-    const auto widths = by_width(maps, drawn, snap, 1.5);
-    return {{"tried: 1.5 texels' width in place of half a texel of slope",
-             [widths](const receiver& r) { return widths(r, r.place); }},
+    const auto half = by_width(maps, drawn, 0.5f, 0.0);
+    return {{"tried: half a texel of slope in place of a texel's width",
+             [half](const receiver& r) { return half(r, r.place); }},
             {"one bias for the whole kernel",
-             [=](const receiver& r) {
-                 return biased_look(r, acne_free_bias(r.place.slope, default_reach, r.place.rounding));
+             [&maps, biased_look](const receiver& r) {
+                 const float rounding = maps.rounding(r.place, r.exact);
+                 return biased_look(r, acne_free_bias(r.place.slope, default_reach, rounding));
              }},
             {"normal_offset",
              [&maps, plain, width_of](const receiver& r) {
@@ -98,7 +96,7 @@ inline const float snap = umbrage::rasterizer_snap<float>, default_reach = defau
                  const float world = kernel_bias(r.normal, axis, way_of(maps, r), width_of(r), 20.0f);
                  const glm::vec2 units(maps.units(r.place.number));
                  const float w = float(maps.w(r.place.number, r.exact));
-                 return biased_look(r, world_to_depth(world, units, w) + r.place.rounding + 0x1p-23f);
+                 return biased_look(r, world_to_depth(world, units, w) + maps.rounding(r.place, r.exact) + 0x1p-23f);
              }},
             {"a constant of 0.0005", [=](const receiver& r) { return biased_look(r, 0.0005f); }}};
 }
@@ -126,12 +124,12 @@ template <class Shadow>
              [s, drawn](const receiver& r) { return s(*drawn, r.position, r.smooth_normal, r.pixel); }, true},
             {"tried: 1.5 texels of slope, with interpolated normals",
              [steep](const receiver& r) { return steep(r, r.smooth_place); }, true},
-            {"tried: 1.5 texels' width more, with interpolated normals",
+            {"tried: half a texel of slope and 1.5 texels' width, with interpolated normals",
              [widths](const receiver& r) { return widths(r, r.smooth_place); }, true},
             {"one bias, with interpolated normals",
              [&maps, drawn](const receiver& r) {
                  const umbrage::map_place& p = r.smooth_place;
-                 const float bias = umbrage::acne_free_bias(p.slope, default_reach, p.rounding);
+                 const float bias = umbrage::acne_free_bias(p.slope, default_reach, maps.rounding(p, r.exact));
                  return look(maps, drawn, default_filter, p.number, p.at - glm::vec3(0, 0, bias));
              },
              true}};

@@ -35,7 +35,7 @@ private:
 };
 
 /// What was seen of lone tiles: receivers on them, those that their own tile darkens, and the need for a bias that
-/// remains after that of the slope, over the place's bound of rounding. On a GPU vertices are rounded too.
+/// remains after that of the slope, over the bound of rounding in the place's slack. On a GPU vertices are rounded too.
 struct seen_tiles {
     int receivers = 0, dark = 0, beyond_bound = 0;
     double need = 0, bound = 0;  ///< the largest of tiles that face the light, in 2^-24; over depth if reversed
@@ -74,6 +74,9 @@ void try_tile(const Shadow& s, dvec3 at, dvec3 normal, double half, bool faces, 
         const dvec2 slope = plane_slope(plane_matrix(here), normal, dvec3(world) - at);
         const double steep = std::abs(slope.x) + std::abs(slope.y);
         if (steep > 1.9) continue;
+        const dvec2 units = detail::units_at(here, dvec3(world) - at);
+        const double width = detail::is_lens(here) ? units.x * units.y : detail::width_in_depth(here, size);
+        const double rounding = place.slack - width - detail::texels_beside_plane(clip, size) * steep;
         dvec3 corner[3];  // of the texel's triangle, as a GPU has them: texels and depth
         for (int k = 0; k < 3; ++k) {
             const depth_view& view = views[number];
@@ -90,9 +93,9 @@ void try_tile(const Shadow& s, dvec3 at, dvec3 normal, double half, bool faces, 
             const double reach = gpu ? 0x1p-21 * map_side : uniforms.terms.reach - 0.5;  // a GPU here does not snap
             const double apart = place.at.z - (gpu ? on_gpu : stored) - glm::dot(slope, dvec2(place.at) - center);
             const double need = sign * apart - reach * steep, scale = sign > 0 ? 1.0 : place.at.z;
-            out.beyond_bound += need > place.rounding;
+            out.beyond_bound += need > rounding;
             if (faces) out.need = glm::max(out.need, need / scale / one_rounding);
-            if (faces) out.bound = glm::max(out.bound, place.rounding / scale / one_rounding);
+            if (faces) out.bound = glm::max(out.bound, rounding / scale / one_rounding);
         }
     }
 }
@@ -184,8 +187,12 @@ TEST_CASE("anchored_map: a warp that hardly bends has nearly the bound of parall
         light_space<double> bent = sun;
         bent.projection[0][3] = bend;  // w along the map's x
         const anchored_map map = make_anchored_map(bent, {256, 256});
-        return anchored_place(map.to_texels, map.planes, map.anchor, map.rounding, world - vec3(map.anchor), normal)
-            .rounding;
+        const vec3 way = world - vec3(map.anchor);
+        const auto place = anchored_place(map.to_texels, map.planes, map.rounding, map.slack, way, normal);
+        const glm::dmat4 m = texture_matrix(bent, {256, 256});
+        const float steep = glm::abs(place.slope.x) + glm::abs(place.slope.y);
+        return place.slack - detail::width_in_depth(m, {256, 256}) -
+               detail::texels_beside_plane(bent.clip, {256, 256}) * steep;
     };
     for (const double bend : {1e-18, 1e-12, 1e-6, 1e-3}) {
         CAPTURE(bend);
@@ -278,6 +285,6 @@ TEST_CASE("anchored_map: a spot's middle and its rays' meeting point are found f
         CHECK(glm::vec3(lens.to_texels[0].z, lens.to_texels[1].z, lens.to_texels[2].z) == vec3(0));
         const auto parallel = make_anchored_map(sun.light, {64, 32});
         CHECK(parallel.to_texels[3].z == 0.0f);
-        CHECK(glm::abs(parallel.anchor.w - 0.5f) < 1e-5f);
+        CHECK(glm::abs(parallel.slack.w - 0.5f) < 1e-5f);
     }
 }

@@ -36,8 +36,8 @@ TEST_CASE("frame: one text, with a loop of lookups and a choice of the map only 
                       atlas = text(frame_words_of<cascaded_maps<>>(false, true)),
                       array = text(frame_words_of<cube_maps>(true, false));
     CHECK(has(single, "float f(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor"));
-    CHECK(
-        has(single, "places = umbrage_single_map_places(to_texels, planes, anchor, rounding, terms, world, normal);"));
+    CHECK(has(single,
+              "places = umbrage_single_map_places(to_texels, planes, anchor, rounding, slack, terms, world, normal);"));
     CHECK(!has(single, "places[2]"));
     CHECK(!has(single, "origin"));
     CHECK(has(atlas, "vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));"));

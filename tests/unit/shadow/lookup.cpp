@@ -47,17 +47,21 @@ TEST_CASE("lookup: numbers of any name and type reach a user's filter, each as i
           ", filter_terms.x, vec2(filter_terms.y, filter_terms.z), int(filter_terms.w)");
 }
 
-TEST_CASE("lookup: a receiver's bias is half a texel's, or that of the filter's reach or disc where maps bend planes") {
-    const map_place place{.slope = {0.01f, -0.02f}, .rounding = 2e-6f};
+TEST_CASE(
+    "lookup: a receiver's bias is its plane's slack, or that of the filter's reach or disc where maps bend planes") {
+    map_place place{.slope = {0.01f, -0.02f}, .slack = 2e-6f};
     const shadow_terms terms{.reach = 3, .error = 1e-4f, .filter_terms = {2, 2.5f, 0, 0}};
     const float error = 1e-4f + 2e-6f;
-    const float half = acne_free_bias(place.slope, 0.5f, error);
-    CHECK(detail::bias_of<single_map, filters::window>(terms, place) == half);
-    CHECK(detail::bias_of<cube_maps, filters::disc>(terms, place) == half);
-    CHECK(detail::bias_of<cascaded_maps<1>, filters::pcss>(terms, place) == half);
+    CHECK(detail::bias_of<single_map, filters::window>(terms, place) == error);
+    CHECK(detail::bias_of<cube_maps, filters::disc>(terms, place) == error);
+    CHECK(detail::bias_of<cascaded_maps<1>, filters::pcss>(terms, place) == error);
     const float whole = acne_free_bias(place.slope, 3.0f, error),
                 of_disc = acne_free_disc_bias(place.slope, 2.5f, error);
     CHECK(detail::bias_of<paraboloid_maps, filters::window>(terms, place) == whole);
     CHECK(detail::bias_of<paraboloid_maps, filters::disc>(terms, place) == of_disc);
     CHECK(detail::bias_of<single_map, prefilters::vsm>(terms, place) == whole);
+    for (const glm::vec2 edge_on : {glm::vec2(2, 0), glm::vec2(0, -2)}) {
+        place.slope = edge_on;
+        CHECK(detail::bias_of<single_map, filters::window>(terms, place) == 1.0f);
+    }
 }

@@ -24,11 +24,11 @@ inline constexpr glsl::snippet up_and_down_places{.name = "up_and_down_places",
 UMBRAGE_HIGHP mat4 umbrage_up_and_down_places(UMBRAGE_HIGHP mat4 down, UMBRAGE_HIGHP mat4 down_planes,
                                               UMBRAGE_HIGHP mat4 up, UMBRAGE_HIGHP mat4 up_planes,
                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                              UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                              UMBRAGE_HIGHP vec3 normal) {
+                                              UMBRAGE_HIGHP mat4 slack, UMBRAGE_HIGHP vec4 terms,
+                                              UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP mat4 below = umbrage_anchored_place(down, down_planes, anchor, rounding, way, normal);
-    UMBRAGE_HIGHP mat4 above = umbrage_anchored_place(up, up_planes, anchor, rounding, way, normal);
+    UMBRAGE_HIGHP mat4 below = umbrage_anchored_place(down, down_planes, rounding, slack[0], way, normal);
+    UMBRAGE_HIGHP mat4 above = umbrage_anchored_place(up, up_planes, rounding, slack[1], way, normal);
     bool is_above = way.y > 0.0;
     UMBRAGE_HIGHP vec4 at = is_above ? above[0] : below[0];
     UMBRAGE_HIGHP vec4 slope = is_above ? above[1] : below[1];
@@ -43,9 +43,10 @@ struct up_and_down {
     struct uniforms {
         glm::mat4 down, down_planes, up, up_planes;
         glm::vec4 anchor, rounding;
+        glm::mat4 slack;
     };
-    static constexpr umbrage::uniform_field fields[]{{"down"},      {"down_planes"},   {"up"},
-                                                     {"up_planes"}, {"anchor", false}, {"rounding", false}};
+    static constexpr umbrage::uniform_field fields[]{{"down"},          {"down_planes"},     {"up"},   {"up_planes"},
+                                                     {"anchor", false}, {"rounding", false}, {"slack"}};
     static constexpr umbrage::map_grid grid{2, 1};
     static constexpr umbrage::outside_map outside = umbrage::outside_map::bordered;
 
@@ -64,14 +65,20 @@ struct up_and_down {
         const auto both = lights();
         const umbrage::anchored_map down = umbrage::make_anchored_map(both[0], map_size, origin),
                                     up = umbrage::make_anchored_map(both[1], map_size, origin);
-        return {down.to_texels, down.planes, up.to_texels, up.planes, down.anchor, down.rounding};
+        return {down.to_texels,
+                down.planes,
+                up.to_texels,
+                up.planes,
+                down.anchor,
+                down.rounding,
+                glm::mat4(down.slack, up.slack, glm::vec4(0), glm::vec4(0))};
     }
     [[nodiscard]] static std::array<umbrage::map_place, 1> places(const uniforms& u, const umbrage::shadow_terms&,
                                                                   glm::vec3 world, glm::vec3 normal) {
         const glm::vec3 way = world - glm::vec3(u.anchor);
         const bool is_above = way.y > 0.0f;
-        auto place = umbrage::anchored_place(is_above ? u.up : u.down, is_above ? u.up_planes : u.down_planes, u.anchor,
-                                             u.rounding, way, normal);
+        auto place = umbrage::anchored_place(is_above ? u.up : u.down, is_above ? u.up_planes : u.down_planes,
+                                             u.rounding, u.slack[is_above], way, normal);
         place.number = is_above;
         return {place};
     }

@@ -100,7 +100,7 @@ TEST_CASE("shadow: an encoding's edge follows the light's direction unless it wa
 /// Place of a point in a map, step by step.
 static map_place by_hand_in(const anchored_map& own, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(own.anchor);
-    return anchored_place(own.to_texels, own.planes, own.anchor, own.rounding, way, normal);
+    return anchored_place(own.to_texels, own.planes, own.rounding, own.slack, way, normal);
 }
 
 TEST_CASE("shadow: each step by hand gives the same bits") {
@@ -111,12 +111,11 @@ TEST_CASE("shadow: each step by hand gives the same bits") {
     const auto map = drawn(s);
 
     const anchored_map own = make_anchored_map(detail::in_double(light), {256, 128});
-    const float error = float(encoding.error().below - 0x1p-23);  // acne_free_bias adds as much
+    const float error = float(encoding.error().below);
     const auto points = some_points();
     for (const glm::vec3& world : points.texels()) {
         const map_place place = by_hand_in(own, world, up);
-        const float bias = acne_free_bias(place.slope, 0.5f, error + place.rounding);
-        const glm::vec3 at(place.at.x, place.at.y, biased(place.at.z, bias));
+        const glm::vec3 at(place.at.x, place.at.y, biased(place.at.z, clamp_bias(error + place.slack)));
         const auto along = apply_receiver_plane(decoded(bordered(map), encoding), place.slope, at);
         CHECK(s(map, world, up) == filter(along, glm::vec2(at), at.z));
     }
@@ -133,8 +132,7 @@ TEST_CASE("shadow: contact hardening compares along the receiver's plane, and da
         const glm::vec3 world(float(i % 63) * 0.3f - 9.3f, 0, float(i / 63) * 0.3f - 9.3f);
         const float got = s(map, world, up);
         const map_place place = by_hand_in(own, world, up);
-        const float bias = acne_free_bias(place.slope, 0.5f, place.rounding - 0x1p-23f);
-        const glm::vec3 at(place.at.x, place.at.y, place.at.z - bias);
+        const glm::vec3 at(place.at.x, place.at.y, place.at.z - place.slack);
         wrong += got != filter(apply_receiver_plane(bordered(map), place.slope, at), glm::vec2(at), at.z);
         soft += got > 0 && got < 1;
         dark += got < 1 && (glm::abs(world.x) > 5 || glm::abs(world.z) > 5);
@@ -163,7 +161,7 @@ TEST_CASE("shadow: a prefiltered map holds moments, and by hand the same bits") 
                 const glm::vec3 world(float(i % 63) * 0.3f - 9.3f, 0, float(i / 63) * 0.3f - 9.3f);
                 const map_place place = by_hand_in(in, world, up);
                 const float reach = 1.0f + 2.0f / float(1 << clip.subpixel_bits) + 256.0f * 0x1p-21f;
-                const float bias = acne_free_bias(place.slope, reach, place.rounding - 0x1p-23f);
+                const float bias = acne_free_bias(place.slope, reach, place.slack - 0x1p-23f);
                 const float z = biased(place.at.z, bias, clip.direction);
                 const auto decode = [&](const auto& texel) { return own.decode(texel, z); };
                 wrong += s(map, world, up) != detail::look_up(bordered(map), glm::vec2(place.at), z, cleared, decode);
@@ -195,23 +193,20 @@ TEST_CASE("shadow: its bias detaches shadows as far as peter_panning_distance sa
     const map_place place = by_hand_in(make_anchored_map(detail::in_double(light), {256, 128}), world, normal);
     const shadow box(light, {256, 128}, filters::box{.radius = 2}, rg<11>{});
     const shadow_terms terms = box.uniforms().terms;
-    const float bias = acne_free_bias(place.slope, 0.5f, terms.error + place.rounding);
+    const float bias = clamp_bias(terms.error + place.slack);
     const auto above = float(rg<11>{}.error().above);  // by which a caster may be stored too far from the light
     CHECK(box.peter_panning_distance(world, normal) ==
-          acne_free_bias(place.slope, terms.reach, terms.error + (bias + above) + place.rounding));
+          acne_free_bias(place.slope, terms.reach, terms.error + (bias + above) - 0x1p-23f + place.slack));
     const shadow disc(light, {256, 128}, filters::disc{});
     const shadow_terms round = disc.uniforms().terms;
-    const float disc_bias = acne_free_bias(place.slope, 0.5f, round.error + place.rounding);
     CHECK(disc.peter_panning_distance(world, normal) ==
-          acne_free_disc_bias(place.slope, round.filter_terms.y, round.error + disc_bias + place.rounding));
+          acne_free_disc_bias(place.slope, round.filter_terms.y, place.slack - 0x1p-23f + place.slack));
     CHECK(disc.peter_panning_distance(world, glm::vec3(std::numeric_limits<float>::quiet_NaN())) == 1.0f);
     const shadow soft(light, {256, 128}, filters::pcss{.softness = make_penumbra_params(0.2f, 1.0f, 6.0f)});
     const shadow_terms widest = soft.uniforms().terms;
     CHECK(widest.reach > soft.filter().largest_disc().reach());
     CHECK(soft.peter_panning_distance(world, normal) ==
-          acne_free_bias(
-              place.slope, widest.reach,
-              widest.error + acne_free_bias(place.slope, 0.5f, widest.error + place.rounding) + place.rounding));
+          acne_free_bias(place.slope, widest.reach, place.slack - 0x1p-23f + place.slack));
     static_assert(detaches<shadow<single_map, filters::hard>> && !detaches<shadow<single_map, prefilters::vsm>>);
 }
 

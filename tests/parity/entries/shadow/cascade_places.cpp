@@ -30,7 +30,7 @@ std::vector<input_class> nested() {
 }
 
 vec3 normal_of(const sample& s) { return {s.x[2].w, s.x[3].w, s.x[4].w}; }
-vec4 blending_of(const sample& s) { return {0.125f, s.x[0].w, 0.25f, 0.0f}; }
+vec4 blending_of(const sample& s) { return {0.125f, s.x[0].w, 0.0f, 0.0f}; }
 
 glm::mat4 scales(const sample& s) {
     glm::mat4 m(0.0f);
@@ -50,7 +50,7 @@ constexpr auto all_scales =
     "mat4(vec4(x1.x, x1.y, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.x), "
     "vec4(vec2(x1.x, x1.y) * 0.25, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.125, 1.0, x1.x))";
 constexpr auto rest =
-    "vec4(0.25, -0.5, 0.125, 0.0), vec4(0.125, x0.w, 0.25, 0.0), vec4(64.0, 64.0, 2.0, 0.0), vec3(x0.x, x0.y, x0.z), "
+    "vec4(0.25, -0.5, 0.125, 0.0), vec4(0.125, x0.w, 0.0, 0.0), vec4(64.0, 64.0, 2.0, 0.0), vec3(x0.x, x0.y, x0.z), "
     "vec3(x2.w, x3.w, x4.w))";
 
 }  // namespace
@@ -69,10 +69,12 @@ void add_shadow_cascade_places(std::vector<entry>& all) {
     add_places(
         all, glsl::cascade_pair, pairs,
         "umbrage_cascade_pair(vec3(x3.w, x4.w, x5.w), x2, vec3(x3.x, x3.y, x3.z), vec2(x4.x - 40.0, x4.y - 36.0), "
-        "vec4(x1.x, x1.y, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.x), vec4(0.125, x0.w, 0.25, 0.0))",
+        "vec2(x5.x, x5.y), vec4(x1.x, x1.y, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.x), "
+        "vec4(0.125, x0.w, 0.0, 0.0))",
         [](const sample& s) {
             return cascade_pair(vec3(s.x[3].w, s.x[4].w, s.x[5].w), s.x[2], vec3(s.x[3]),
-                                vec2(s.x[4].x - 40.0f, s.x[4].y - 36.0f), scales(s)[0], scales(s)[1], blending_of(s));
+                                vec2(s.x[4].x - 40.0f, s.x[4].y - 36.0f), vec2(s.x[5]), scales(s)[0], scales(s)[1],
+                                blending_of(s));
         });
     all.push_back({.primitive = &glsl::cascade_edge,
                    .classes = nested(),

@@ -53,7 +53,8 @@ void add_shadow_page_places(std::vector<entry>& all) {
         "vec4(x1.y, x0.w, x1.z, x1.x), vec4(x0.z, x1.x, x0.w, x1.y))";
     add_places(all, umbrage::glsl::adaptive_maps_places, around_the_root(),
                "umbrage_adaptive_maps_places(" + matrix + ", " + planes + ", " + cells +
-                   "vec4(0.03125, -0.0625, 0.015625, 0.0), vec4(64.0, 8.0, 0.5, 0.25), vec4(80.0, 80.0, 2.0, 0.0), "
+                   "vec4(0.03125, -0.0625, 0.015625, 0.0), vec4(64.0, 8.0, 0.0, 0.0), vec4(0.5, 0.25, 0.125, 0.0625), "
+                   "vec4(80.0, 80.0, 2.0, 0.0), "
                    "vec3(x0.x, x0.y, x0.z), "
                    "vec3(x1.x, x1.y, x1.z))",
                [](const sample& s) {
@@ -66,8 +67,9 @@ void add_shadow_page_places(std::vector<entry>& all) {
                    const vec4 &x0 = s.x[0], &x1 = s.x[1];
                    const glm::mat4 of_planes(vec4(x1.x, x1.y, x0.z, x1.z), vec4(x0.w, x1.z, x1.x, x0.z),
                                              vec4(x1.y, x0.w, x1.z, x1.x), vec4(x0.z, x1.x, x0.w, x1.y));
-                   return umbrage::adaptive_maps_places(m, of_planes, eight, vec4(0.03125f, -0.0625f, 0.015625f, 0.0f),
-                                                        vec4(64.0f, 8.0f, 0.5f, 0.25f), {}, vec3(s.x[0]), vec3(s.x[1]));
+                   return umbrage::adaptive_maps_places(
+                       m, of_planes, eight, vec4(0.03125f, -0.0625f, 0.015625f, 0.0f), vec4(64.0f, 8.0f, 0.0f, 0.0f),
+                       vec4(0.5f, 0.25f, 0.125f, 0.0625f), {}, vec3(s.x[0]), vec3(s.x[1]));
                });
 }
 

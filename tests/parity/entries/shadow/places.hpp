@@ -16,11 +16,11 @@
 
 namespace parity {
 
-/// Column of a place as a snippet returns it: (texels, texels, depth, number) or (slope, slope, weight, rounding). A
+/// Column of a place as a snippet returns it: (texels, texels, depth, number) or (slope, slope, weight, slack). A
 /// place without weight has zeros here.
 [[nodiscard]] inline vec4 column_of(const umbrage::map_place& place, bool of_slope) {
     if (!(place.weight > 0.0f)) return vec4(0.0f);
-    if (of_slope) return {place.slope.x, place.slope.y, place.weight, place.rounding};
+    if (of_slope) return {place.slope.x, place.slope.y, place.weight, place.slack};
     return vec4(place.at, static_cast<float>(place.number));
 }
 

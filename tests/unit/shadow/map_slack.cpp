@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shadow/map_slack.hpp>
+
+#include "scene.hpp"
+
+using namespace umbrage;
+
+TEST_CASE("map_slack: a plane's slack in texels of slope has the rasterizer's grid, the map's size and grazing light") {
+    clip_space clip = cpu_clip_space;
+    clip.subpixel_bits = 8;
+    CHECK(detail::texels_beside_plane(clip, {1024, 512}) == 2.0 / 256 + 0x1p-11 + 0.125);
+    clip.subpixel_bits = 4;
+    CHECK(detail::texels_beside_plane(clip, {256, 2048}) == 2.0 / 16 + 0x1p-10 + 0.125);
+}
+
+TEST_CASE("map_slack: units of a map are those of its light, also relative to an anchor") {
+    for (const light_space<double>& light : {detail::in_double(shadow_scene::spot(cpu_clip_space)),
+                                             detail::in_double(shadow_scene::fitted(cpu_clip_space)),
+                                             detail::in_double(shadow_scene::spot(opengl_clip_space))}) {
+        const glm::ivec2 size(256, 128);
+        const glm::dvec2 exact = make_light_units(light, size);
+        const glm::dmat4 m = texture_matrix(light, size);
+        for (const glm::dmat4& here : {m, detail::moved_to(m, detail::anchor_of(m, size))}) {
+            const glm::dvec2 units = detail::map_units(here, size);
+            CHECK(units.x == doctest::Approx(exact.x).epsilon(1e-6));
+            CHECK(units.y == doctest::Approx(exact.y).epsilon(1e-6));
+            CHECK(detail::width_in_depth(here, size) == doctest::Approx(exact.x * exact.y).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("map_slack: a texel's width along the light is in a place's slack, at any distance from the light") {
+    const light_space<double> light = detail::in_double(shadow_scene::spot(cpu_clip_space));
+    const glm::ivec2 size(256);
+    const glm::dvec2 units = make_light_units(light, size);
+    const single_map lamp(light);
+    const auto u = lamp.make_uniforms(size, glm::dvec3(0));
+    const glm::dmat4 m = texture_matrix(light, size);
+    for (const double depth : {0.1, 0.5, 0.9}) {
+        const glm::dvec4 h = glm::inverse(m) * glm::dvec4(128, 128, depth, 1);
+        const glm::dvec3 at = glm::dvec3(h) / h.w;
+        const double w = shadow_coordinate(m, at).w, width = units.x * units.y / w;
+        const float slack = single_map::places(u, {}, glm::vec3(at), glm::vec3(0))[0].slack;
+        CHECK(slack > width);
+        CHECK(slack < 1.001 * width);
+    }
+}
