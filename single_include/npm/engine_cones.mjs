@@ -33,7 +33,9 @@ const filament_defaults = { normalBias: 1, constantBias: 0.001, polygonOffsetSlo
  *    numbers   settings that free all planes; offset serves a plane along the axis, secant is that of the widest angle between
  *              light and axis
  *    moves     as in engines.mjs; a plane has its receiver's depth and distance to the light
- *    reach     of filters that have another one under this light, texels */
+ *    texel     that its filters by world units take, whatever the light
+ *    cube      of an engine that looks a cube up: its filters' points are shares of the distance apart, across the ray, scale times
+ *              their coordinates; the farthest by filter. A cube's corners see that sqrt(3) times */
 export const cones = {
     godot: {
         initial: { spot: { shadow_normal_bias: 1, shadow_bias: 0.03 } },
@@ -77,10 +79,8 @@ export const cones = {
         sources: ['crates/bevy_pbr/src/render/shadows.wesl', 'crates/bevy_pbr/src/render/shadow_sampling.wesl',
             'crates/bevy_pbr/src/render/light.rs'],
         error: ({ depth, extent }) => (depth + extent) * roundings,  // reversed floats, of positions from the light
-        /** Points of a cube are a share of the distance apart, across the ray; its faces' corners see that sqrt(3) times. */
-        reach: ({ kind, filter: { name, spiral }, size }) => Math.SQRT2 + (kind === 'point'
-            ? { Gaussian: 0.875 * Math.SQRT2, Temporal: 0.5, Hardware2x2: 0 }[name] * 0.003 * Math.sqrt(3) * size / 2
-            : spiral ? spiral_of_spots : name === 'Gaussian' ? 2 * Math.SQRT2 : 0),
+        texel: 0.0134277345,
+        cube: { scale: 0.003, farthest: { Gaussian: 0.875 * Math.SQRT2, Temporal: 0.5, Hardware2x2: 0 } },
         numbers: ({ offset, error, secant, depth, unit }) =>
             ({ shadow_normal_bias: offset / (Math.SQRT2 * unit * depth), shadow_depth_bias: error * secant }),
         moves: ({ shadow_normal_bias, shadow_depth_bias }, { unit }, { normal, to_light, depth }) => ({ receiver:
@@ -104,9 +104,6 @@ export const cones = {
     },
 };
 
-/** Bevy's spiral under a spot light is as wide as under one cascade, whatever the light. */
-const spiral_of_spots = (0.015 + (0.0134277345 - 0.00390625) * 0.02 / (0.022949219 - 0.00390625)) / 0.0134277345;
-
 /** A spot or point light as formulas see it.
  *  @param angle   of a spot light's cone from side to side, degrees; a point light's maps have 90
  *  @return        undefined: the map has too few texels for the filter */
@@ -115,7 +112,8 @@ export function cone_of(facts, { light: kind, map_size, range, angle = 90, dista
     const tangent = kind === 'point' ? Math.SQRT2 : tangent_of_half, secant = Math.hypot(1, tangent);  // a cube's corners are farthest off
     const depth = Math.min(distance, range), scale = scale_of(near ?? facts.near(range), range);
     const light = { kind, size, unit, range, depth, scale, secant, tangent, extent: Math.max(extent, depth), filter, blur };
-    const own = facts.reach?.(light) ?? reach, r = (own + snapping) * unit;
+    const own = facts.cube && kind === 'point' ? Math.SQRT2 + facts.cube.farthest[filter.name] * facts.cube.scale * Math.sqrt(3) * size / 2 : reach;
+    const r = (own + snapping) * unit;
     if (r > 0.125) return undefined;
     return { ...light, reach: own, r, offset: r * depth / (1 - 2 * r), error: facts.error(light) };
 }

@@ -78,25 +78,49 @@ export interface Light {
     readonly range: number;
     readonly reach: number;
     /** A square of texels, half of whose side is given, or a disc of points. */
-    readonly filter: { readonly half?: number; readonly points?: number; readonly radius?: number; readonly spiral?: boolean };
+    readonly filter: { readonly name: string; readonly half?: number; readonly points?: number; readonly radius?: number; readonly spiral?: boolean };
+}
+
+/** A spot light's map or a point light's, as a formula sees it. Its space is (along its rows, along its columns, to the light). */
+export interface ConeLight extends Light {
+    readonly kind: 'spot' | 'point';
+    /** Texels of its side that it draws to, and world units of a texel at depth 1. */
+    readonly size: number;
+    readonly unit: number;
+    /** Near plane times far plane over their distance: a depth z is stored as a constant less scale / z. */
+    readonly scale: number;
+    /** Of the largest angle between light and axis. */
+    readonly tangent: number;
 }
 
 /** A triangle's plane: normal and to_light have length 1, cosine is theirs, slope that of its depth along the map's axes,
- *  the larger one. */
+ *  the larger one. Under a spot or point light also the receiver's depth and its distance to the light. */
 export interface Plane {
     readonly normal: Vector;
     readonly to_light: Vector;
     readonly cosine: number;
     readonly slope: number;
+    readonly depth?: number;
+    readonly distance?: number;
 }
 
-export interface EngineFacts {
-    readonly title: string;
-    /** Of the engine, or the commit of the files that were read. */
-    readonly version: string;
+/** What an engine does with settings of a light. */
+export interface LightFacts {
     /** Public files that the formula is from. */
     readonly sources: readonly string[];
     readonly formula: string;
+    /** World vectors by which settings move a receiver, or a triangle that casts, before depths are compared. Under a spot or
+     *  point light they are in the map's space. */
+    moves(settings: { readonly [name: string]: number }, light: Light, plane: Plane): { readonly receiver?: Vector; readonly caster?: Vector };
+    /** Of an engine that looks point lights up in a cube: what coordinates of its filters' points are multiplied by, beside the
+     *  distance. */
+    readonly cube?: { readonly scale: number };
+}
+
+export interface EngineFacts extends LightFacts {
+    readonly title: string;
+    /** Of the engine, or the commit of the files that were read. */
+    readonly version: string;
     /** By name, the engine's default first. */
     readonly filters: { readonly [name: string]: object };
     /** What the engine calls the radius of a filter, if it has one. */
@@ -104,8 +128,6 @@ export interface EngineFacts {
     readonly settings: { readonly [name: string]: { readonly initial: number; readonly most?: number } };
     /** Step of the depths that its maps hold, as a share of the range. Without it, floats. */
     readonly stored?: number;
-    /** World vectors by which settings move a receiver, or a triangle that casts, before depths are compared. */
-    moves(settings: { readonly [name: string]: number }, light: Light, plane: Plane): { readonly receiver?: Vector; readonly caster?: Vector };
 }
 
 export const engines: { readonly [engine in Engine]: EngineFacts };
@@ -116,11 +138,12 @@ export type LightKind = 'directional' | 'spot' | 'point';
 export function lights_of(engine: Engine): LightKind[];
 
 /** What an engine does with a light's settings, and the public files that say so. */
-export function formula_of(engine: Engine, light: LightKind): { readonly formula: string; readonly sources: readonly string[] };
+export function formula_of(engine: Engine, light: LightKind): LightFacts;
 
 /** What the formulas see of a map: for pictures of them.
  *  @throws Error  as engine_bias */
-export function light_of(options: AnyMap): Light;
+export function light_of(options: DirectionalMap): Light;
+export function light_of(options: SpotMap | PointMap): ConeLight;
 
 /** Numbers for the engine's own bias settings: the smallest of four digits with which no plane stripes itself, at any tilt
  *  up to 89 degrees. An engine whose settings end before that gets their ends, and `lacking` says what is missing.

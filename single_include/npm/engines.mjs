@@ -221,7 +221,7 @@ function cone_light(engine, kind, options) {
     const facts = cones[options.engine], { range, distance = range, near, extent = range } = options;
     must(where, facts?.initial[kind], `light must be ${lights_of(options.engine).join(' or ')} for ${engine.title}`, kind);
     must(where, !(near >= distance), 'near must be below the distance', near);
-    const light = cone_of(facts, { ...options, ...filter_of(engine, options, 1), extent, border: engine.border ?? 0 });
+    const light = cone_of(facts, { ...options, ...filter_of(engine, options, facts.texel ?? 1), extent, border: engine.border ?? 0 });
     must(where, light, 'map_size must be larger for this filter', options.map_size);
     return { ...light, texel: light.unit * light.depth };
 }

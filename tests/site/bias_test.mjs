@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The bias page: its numbers are the package's, for each engine and filter; it copies them, keeps its state in the address,
-// says what is wrong in one, and draws acne with three.js' defaults and none with its settings.
+// The bias page: its numbers are the package's, for each engine, light and filter; it copies them, keeps its state in the
+// address, says what is wrong in one, and draws acne with engines' defaults and none with its settings.
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -32,14 +32,17 @@ await visit(async ({ open, check, picture, axe }) => {
         for (const share of ['these_all', 'these_floor'])
             check((await cell(page, share)) === '0 %', `${engine}, ${filter}: ${await cell(page, share)} are dark`);
     }
-    for (const [engine, light, more] of [['godot', 'spot', { angle: 60 }], ['unity_urp', 'spot', { angle: 60 }], ['unity_urp', 'point', {}], ['bevy', 'point', {}]]) {
+    for (const [engine, light, more] of [['godot', 'spot', { angle: 60 }], ['unity_urp', 'spot', { angle: 60 }], ['unity_urp', 'point', {}],
+        ['filament', 'point', {}], ['bevy', 'point', {}]]) {
         await page.selectOption('#engine', engine);
         await page.selectOption('#kind', light);
-        const filter = Object.keys(engines[engine].filters)[0], bias = engine_bias({ engine, light, filter, map_size: 2048, range: 100, ...more });
+        const filter = Object.keys(engines[engine].filters)[0], bias = engine_bias({ engine, light, filter, map_size: 2048, range: 10, ...more });
         await shown(page, bias.settings).catch(() => check(false, `${engine}, ${light}: other numbers than the package's`));
         const striped = await cell(page, 'these_striped');
         check((striped === 'none') === !bias.striped, `${engine}, ${light}: ${striped} may stripe`);
-        check(!(await page.locator('#picture_these').isVisible()) && (await page.locator('#angle').isVisible()) === (light === 'spot'),
+        for (const share of ['these_all', 'these_floor'])
+            check(bias.striped || (await cell(page, share)) === '0 %', `${engine}, ${light}: ${await cell(page, share)} are dark`);
+        check(!(await page.locator('#width').isVisible()) && (await page.locator('#angle').isVisible()) === (light === 'spot'),
             `${engine}, ${light}: fields of another light`);
     }
     await page.selectOption('#engine', 'filament');
@@ -71,26 +74,40 @@ await visit(async ({ open, check, picture, axe }) => {
     }
 
     for (const light of ['spot', 'point']) {
-        const { state, refused } = read_state(`#engine=unity_urp&light=${light}&range=7&map_size=512${light === 'spot' ? '&angle=80' : ''}`);
+        const { state, refused } = read_state(`#engine=unity_urp&light=${light}&range=7&map_size=512&sun=50${light === 'spot' ? '&angle=80' : ''}`);
         check(refused.length === 0 && JSON.stringify(read_state(write_state(state)).state) === JSON.stringify(state), `${light}: a state is lost`);
     }
+    check(read_state('#engine=bevy&light=spot').state.range === 10, 'a spot light reaches as far as a directional one');
     check(read_state('#engine=godot&light=point').refused[0] === 'light=point', "Godot's point lights are taken");
 
-    // Stripes of three.js' defaults are in its picture, and not in the other.
-    page = await open('bias.html#engine=three&map_size=1024&width=40&range=100&sun=40');
-    await ready(page);
-    check((await cell(page, 'defaults_all')) === '100.0 %', `three.js' defaults: ${await cell(page, 'defaults_all')}`);
-    const colors = side => page.evaluate(side => {
-        const canvas = document.getElementById(`picture_${side}`), found = new Set();
-        const { data } = canvas.getContext('2d').getImageData(canvas.width * 0.1, canvas.height * 0.75, 40, 40);  // the lit floor
-        for (let i = 0; i < data.length; i += 4) found.add(data[i]);
-        return found.size;
+    // Stripes of the defaults are in their picture, and not in the other. The light falls evenly, or nearly so.
+    const steps = (page, side) => page.evaluate(side => {
+        const canvas = document.getElementById(`picture_${side}`), size = 40;
+        const { data } = canvas.getContext('2d').getImageData(canvas.width * 0.1, canvas.height * 0.75, size, size);  // the lit floor
+        let most = 0;
+        for (let i = 4; i < data.length; i += 4)
+            if ((i / 4) % size > 0) most = Math.max(most, Math.abs(data[i] - data[i - 4]));
+        return most;
     }, side);
-    check((await colors('these')) === 1, `the lit floor has ${await colors('these')} colors`);
-    check((await colors('defaults')) > 5, `the striped floor has ${await colors('defaults')} colors`);
+    for (const [hash, all, floor] of [['three&map_size=1024&width=40&range=100&sun=40', 100, 100], ['bevy&light=point&range=100&sun=42', 60, 90],
+        ['unity_urp&light=spot&range=100', 15, 20]]) {
+        page = await open(`bias.html#engine=${hash}`);
+        await ready(page);
+        for (const [share, least] of [['defaults_all', all], ['defaults_floor', floor]])
+            check(parseFloat(await cell(page, share)) >= least, `${hash}: the defaults' ${share} is ${await cell(page, share)}`);
+        check((await steps(page, 'these')) <= 1, `${hash}: the lit floor has steps of ${await steps(page, 'these')}`);
+        check((await steps(page, 'defaults')) > 3, `${hash}: the striped floor has steps of ${await steps(page, 'defaults')}`);
+        await page.context().close();
+    }
+    page = await open('bias.html#engine=bevy&light=spot&angle=170&map_size=256');  // no numbers, and no error on the console
+    await ready(page);
+    const no_numbers = 'There are no numbers for this light: map_size must be larger for this filter; got 256.';
+    check((await cell(page, 'notice')) === no_numbers && !(await page.locator('#found').isVisible()), `the page says ${await cell(page, 'notice')}`);
+    await page.selectOption('#map_size', '8192');
+    await page.waitForSelector('#found:not([hidden])');
     await page.context().close();
 
-    for (const [hash, width, dark] of [['', 1280, false], ['', 390, false], ['#engine=unity_urp', 390, true], ['#engine=other', 390, false]]) {
+    for (const [hash, width, dark] of [['', 1280, false], ['', 390, false], ['#engine=unity_urp', 390, true], ['#engine=unity_urp&light=point', 390, false], ['#engine=other', 390, false]]) {
         page = await open(`bias.html${hash}`, { width, dark });
         await ready(page);
         const room = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -19,7 +19,7 @@ export async function pages(context) {
 
 const number = (name, words, low, high, of = 'of_engine') => `<label class="field ${of}">${words}
 <input type="number" id="${name}" min="${low}" max="${high}" step="any" required></label>`;
-const row = (name, words, of = '') => `<tr${of}><th scope="row">${words}</th><td id="these_${name}"></td><td id="defaults_${name}"></td></tr>`;
+const row = (name, words) => `<tr><th scope="row">${words}</th><td id="these_${name}"></td><td id="defaults_${name}"></td></tr>`;
 const picture = (side, words) => `<figure><canvas id="picture_${side}" width="432" height="288" role="img" aria-label="A floor, a board and a post under the light, ${words}"></canvas>
 <figcaption>${words}</figcaption></figure>`;
 
@@ -38,25 +38,25 @@ casts them as that allows.</p>
 ${number('width', 'it covers, world units', 0.001, 1e6, 'of_directional')}
 ${number('angle', 'cone from side to side, degrees', 1, 170, 'of_spot')}
 ${number('range', '<span id="range_words"></span>', 0.001, 1e6)}
-<label class="field of_directional"><span>light over the floor, <span id="sun_degrees"></span></span> <input type="range" id="sun" min="2" max="85"></label>
+<label class="field of_engine"><span>light over the floor, <span id="sun_degrees"></span></span> <input type="range" id="sun" min="2" max="85"></label>
 </form>
 <p id="notice" class="notice" role="status" hidden></p>
 <div id="found">
 <pre tabindex="0"><code id="code"></code></pre>
 <div class="bar"><button type="button" class="main" id="copy">Copy</button> <button type="button" id="link">Copy link</button></div>
-<div class="bias_pair of_directional">${picture('these', 'with these settings')}${picture('defaults', 'with the engine\'s defaults')}</div>
-<p class="faint of_directional" id="scale"></p>
+<div class="bias_pair">${picture('these', 'with these settings')}${picture('defaults', 'with the engine\'s defaults')}</div>
+<p class="faint" id="scale"></p>
 <div class="scroll" tabindex="0" role="region" aria-label="Table of these settings and the defaults"><table><thead><tr><td></td><th scope="col">these settings</th><th scope="col">the engine's defaults</th></tr></thead><tbody>
 ${row('settings', 'settings')}
 ${row('striped', 'planes that may stripe, by their tilt against the light')}
-${row('all', 'falsely dark, on planes of all tilts', ' class="of_directional"')}
-${row('floor', 'falsely dark, on this floor alone', ' class="of_directional"')}
+${row('all', 'falsely dark, on planes of all tilts')}
+${row('floor', 'falsely dark, on this floor alone')}
 ${row('detachment', 'shadows are detached by up to')}
 ${row('edges', 'faces that are free beside their edges')}
 </tbody></table></div>
 <p>A lit face can be dark along its foot, where the filter sees the floor. A larger bias hides that, and detaches shadows.
 Of a light with cascades, give the coarsest one. Settings in texels then suit all of them. Detachment under a spot light or point
-light is that of the farthest receiver.</p>
+light is that of the farthest receiver. Depths of 16 bits are coarse there, so a shorter range needs less bias.</p>
 <h2>Where the formula is from</h2>
 <p><span id="version"></span> does: <code id="formula"></code></p>
 <ul id="sources"></ul>

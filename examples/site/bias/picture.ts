@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The picture of the bias page: a floor, a thin board and a thin post, some texels large, seen from above.
-import type { EngineFacts, Light } from '../../../single_include/npm/engines.mjs';
-import { Emulation, type Face } from './emulate';
+import type { Face, Shadow } from './emulate';
 import { cross, dot, normalized, plus, scaled, type Vector } from './vector';
 
-/** Texels that the picture is wide. */
-export const texels_across = 48;
+/** Units of the scene that the picture is wide: texels of a map, unless they are large. */
+export const units_across = 48;
 
 const floor_color: Vector = [222, 212, 192], wood_color: Vector = [196, 120, 56];
 
@@ -23,8 +22,11 @@ function box([x, z]: [number, number], [wide, high, deep]: Vector, turn: number)
         face(far, scaled(b, -1), up, a), face([x, high, z], a, b, [0, 1, 0])];
 }
 
-/** Faces in texels: the floor first. */
-const scene: Face[] = [face([-80, 0, -80], [160, 0, 0], [0, 0, 160], [0, 1, 0]), ...box([-13, -2], [18, 9, 1.5], 0.35),
+/** A part of the floor, more than the picture shows. */
+const floor = face([-80, 0, -80], [160, 0, 0], [0, 0, 160], [0, 1, 0]);
+
+/** What casts. */
+const scene: Face[] = [floor, ...box([-13, -2], [18, 9, 1.5], 0.35),
     ...box([10, 5], [1.5, 16, 1.5], 0.6), ...box([-8, 9], [9, 1.2, 1.2], -0.5)];
 
 const view: Vector = normalized([0.25, 0.8, 0.75]);  // from the scene to the eye
@@ -65,22 +67,38 @@ function noise(x: number, y: number): number {
     return 2 * Math.PI * fraction(52.9829189 * fraction(0.06711056 * x + 0.00583715 * y));
 }
 
-/** Draws the scene as an engine does with these settings.
- *  @param sun   degrees of the light over the floor */
-export function draw(canvas: HTMLCanvasElement, engine: EngineFacts, light: Light, settings: { readonly [name: string]: number }, sun: number): void {
+/** Where the scene lies in the world of a light. */
+export interface Place {
+    /** Of the scene's units. */
+    unit: number;
+    middle: Vector;
+}
+
+const in_world = (v: Vector, { unit, middle }: Place): Vector => plus(middle, v, unit);
+
+/** The scene's faces in the world: what casts. */
+export const faces_at = (place: Place): Face[] =>
+    scene.map(({ corner, u, v, normal }) => ({ corner: in_world(corner, place), u: scaled(u, place.unit), v: scaled(v, place.unit), normal }));
+
+/** A point of the floor that the picture shows. */
+export function on_floor(place: Place, random: () => number): { point: Vector; normal: Vector } {
+    return { point: in_world([(random() - 0.5) * units_across, 0, (random() - 0.5) * units_across], place), normal: floor.normal };
+}
+
+const visible = scene.flatMap(seen_by);
+
+/** Draws the scene under a light. */
+export function draw(canvas: HTMLCanvasElement, shadow: Shadow, place: Place): void {
     const { width, height } = canvas, context = canvas.getContext('2d')!, image = context.createImageData(width, height);
-    const rise = (sun * Math.PI) / 180, { texel } = light, in_world = (v: Vector) => scaled(v, texel);
-    const to_light = normalized([-0.96 * Math.cos(rise), Math.sin(rise), 0.28 * Math.cos(rise)]);
-    const faces = scene.map(({ corner, u, v, normal }) => ({ corner: in_world(corner), u: in_world(u), v: in_world(v), normal }));
-    const emulation = new Emulation(engine, light, settings, to_light, faces, 256);
-    const pixel = (texels_across * texel) / width, visible = faces.flatMap(seen_by);
+    const pixel = units_across / width;
     for (let y = 0; y < height; ++y)
         for (let x = 0; x < width; ++x) {
             const seen = hit(visible, (x + 0.5 - width / 2) * pixel, (height / 2 - y - 0.5) * pixel);
             if (!seen) continue;
-            const cosine = dot(seen.face.normal, to_light), lit = cosine > 0 ? emulation.visibility(seen.point, seen.face.normal, noise(x, y)) : 0;
+            const { normal } = seen.face, point = in_world(seen.point, place), cosine = dot(normal, shadow.to_light(point));
+            const lit = cosine > 0 ? shadow.visibility(point, normal, noise(x, y)) : 0;
             const shade = 0.32 + 0.68 * lit * Math.min(Math.max(cosine, 0) * 0.6 + 0.4, 1);
-            const color = seen.face === faces[0] ? floor_color : wood_color, at = 4 * (y * width + x);
+            const color = seen.face === floor ? floor_color : wood_color, at = 4 * (y * width + x);
             for (let channel = 0; channel < 3; ++channel) image.data[at + channel] = color[channel]! * shade;
             image.data[at + 3] = 255;
         }

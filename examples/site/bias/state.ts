@@ -20,9 +20,11 @@ export interface State {
     sun: number;
 }
 
+/** Of a light that nobody has given one. */
+export const usual_range = (light: LightKind): number => (light === 'directional' ? 100 : 10);
 export const first_filter = (engine: Engine): string => Object.keys(engines[engine].filters)[0]!;
 export const usual: State = { engine: 'godot', light: 'directional', filter: first_filter('godot'), radius: 1,
-    map_size: 2048, width: 50, range: 100, angle: 60, sun: 30 };
+    map_size: 2048, width: 50, range: usual_range('directional'), angle: 60, sun: 30 };
 
 /** Numbers that a state may have. */
 export const limits = { radius: [0, 32], width: [0.001, 1e6], range: [0.001, 1e6], angle: [1, 170], sun: [2, 85] } as const;
@@ -45,13 +47,14 @@ export function read_state(hash: string): { state: State; refused: string[] } {
             state[name as keyof typeof limits] = number;
         else refused.push(`${name}=${text}`);
     }
+    if (!given.has('range')) state.range = usual_range(state.light);
     return { state, refused };
 }
 
 /** All that a state has, so that a link still means the same when a default changes. */
 export function write_state({ engine, light, filter, radius, map_size, width, range, angle, sun }: State): string {
     if (engine === 'other') return '#engine=other';
-    const own = { directional: { width, range, sun }, spot: { angle, range }, point: { range } }[light];
+    const own = { directional: { width, range, sun }, spot: { angle, range, sun }, point: { range, sun } }[light];
     const all = { engine, light, filter, ...(engines[engine].radius && { radius }), map_size, ...own };
     return `#${new URLSearchParams(Object.entries(all).map(([name, value]) => [name, String(value)]))}`;
 }

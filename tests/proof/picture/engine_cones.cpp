@@ -2,11 +2,13 @@
 //
 // The npm package's engine_bias for spot lights and point lights: lone planes, tilted by up to 89 degrees, which
 // nothing else shades, so that every receiver must be lit. A texel's depth is that of the ray through it. Prints a
-// table. Returns 1 where a receiver is dark under settings that engine_bias calls free of acne, and where too little of
-// them is enough.
+// table, and writes the dark shares of settings that are not enough into a file, for tests/site/engines_test.mjs.
+// Returns 1 where a receiver is dark under settings that engine_bias calls free of acne, and where too little of them
+// is enough.
 //
-//     engine_cones NUMBERS        the lines that tests/package/engines_test.mjs wrote
+//     engine_cones NUMBERS RESULTS        the lines that tests/package/engines_test.mjs wrote
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <random>
 #include <string>
@@ -72,8 +74,9 @@ private:
     return found;
 }
 
-int run(const std::string& path) {
+int run(const std::string& path, const std::string& results) {
     draws random;
+    std::ofstream shares(results);
     std::map<std::string, count> short_of;  // engine -> planes with too little
     bool good = true;
     std::printf(
@@ -81,6 +84,10 @@ int run(const std::string& path) {
         "|---|---|---|---|--:|--:|--:|\n");
     for (const cone_row& r : read_cone_rows(path)) {
         const count planes = lone_planes(r, random);
+        if (r.kind != "ours" && planes.dark > 0)
+            shares << r.light << '\t' << r.engine << '\t' << r.filter << '\t' << r.map_size << '\t' << r.width << '\t'
+                   << r.range << '\t' << r.first << '\t' << r.second << '\t' << r.third << '\t' << r.fourth << '\t'
+                   << planes.percent() / 100 << '\n';
         if (r.kind == "too_little") {
             short_of[r.engine].all += planes.all, short_of[r.engine].dark += planes.dark;
             continue;
@@ -95,6 +102,7 @@ int run(const std::string& path) {
                     planes.percent(), planes.dark > 0 ? "" : ": it is enough");
         good = good && planes.dark > 0;
     }
+    if (!shares.flush()) good = false, std::printf("cannot write %s\n", results.c_str());
     return good ? 0 : 1;
 }
 
@@ -102,6 +110,6 @@ int run(const std::string& path) {
 }  // namespace proof::picture
 
 int main(int count, char** arguments) {
-    if (count != 2) return std::fprintf(stderr, "usage: engine_cones NUMBERS\n"), 2;
-    return proof::picture::run(arguments[1]);
+    if (count != 3) return std::fprintf(stderr, "usage: engine_cones NUMBERS RESULTS\n"), 2;
+    return proof::picture::run(arguments[1], arguments[2]);
 }
