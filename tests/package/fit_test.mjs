@@ -20,7 +20,7 @@ symlinkSync(join(node_modules, 'three'), join(modules, 'three'));
 const load = path => import(pathToFileURL(join(modules, path)).href);
 const THREE = await load('three/build/three.module.js');
 const { fit_shadow, install, set_light_size, uninstall } = await load('umbrage/npm/three.mjs');
-const { hard, pcss16 } = await load('umbrage/umbrage.mjs');
+const { castano_dyadic5, hard, pcss16 } = await load('umbrage/umbrage.mjs');
 
 let failed = 0;
 const check = (what, good) => {
@@ -184,9 +184,25 @@ function floor_camera() {
     check('a distance below 0 is none', fit_shadow(endless, { receivers: box }).far > 0);
     check("someone else's filter with its reach", fit_shadow(own, { receivers: box, reach: 3 }).reach === 3);
 }
+/** What install needs of a renderer. */
+const bare_renderer = () => Object.create(THREE.WebGLRenderer.prototype, { state: { value: { buffers: { depth: { getReversed: () => false } } } },
+    shadowMap: { value: { type: THREE.PCFShadowMap } } });
+
+{  // before install it fits for three.js' PCF, which is too little, and after it for the filter
+    const sun = new THREE.DirectionalLight(), receivers = new THREE.Box3(at(-9, 0, -9), at(9, 2, 9)), pcf = Math.sqrt(0.9) + Math.SQRT2;
+    const before = fit_shadow(sun, { receivers });
+    install(THREE, bare_renderer(), { filter: castano_dyadic5 });
+    check('install alone changes no bias', sun.shadow.normalBias === before.normal_bias);
+    const after = fit_shadow(sun, { receivers });
+    check(`fitted before install: ${before.reach} texels, after it: ${after.reach}`, before.reach === pcf && after.reach > 1.5 * pcf);
+    check('and a bias to match', sun.shadow.normalBias > 1.4 * before.normal_bias);
+    install(THREE, bare_renderer(), { filter: hard });
+    check('another filter: fitted again', fit_shadow(sun, { receivers }).reach < pcf);
+    uninstall(THREE);
+    check("after uninstall: three.js' PCF", fit_shadow(sun, { receivers }).reach === pcf);
+}
 {  // a light's size
-    const renderer = Object.create(THREE.WebGLRenderer.prototype, { state: { value: { buffers: { depth: { getReversed: () => false } } } },
-        shadowMap: { value: { type: THREE.PCFShadowMap } } });
+    const renderer = bare_renderer();
     const sun = new THREE.DirectionalLight(), { shadow } = sun, spot = new THREE.SpotLight(0xffffff, 1, 0, 0.5);
     shadow.radius = 3;
     set_light_size(sun, 0.05);
