@@ -104,7 +104,7 @@ std::vector<std::string> wrong_form(const page& p) {
     const std::size_t most = p.path == "README.md" ? 200 : p.path.starts_with("include/") ? 120 : 250;
     if (length > most)
         wrong.push_back(p.path + ": " + std::to_string(length) + " lines, more than " + std::to_string(most));
-    static const std::set<std::string> languages{"cpp",  "cpp not-run",  "glsl",  "js",
+    static const std::set<std::string> languages{"cpp",  "cpp not-run",  "glsl",  "html", "js",
                                                  "text", "text printed", "cmake", "sh"};
     bool open = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
