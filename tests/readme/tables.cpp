@@ -158,15 +158,16 @@ std::string paths(const std::filesystem::path& list) {
         {"webgl1", "WebGL 1"}, {"webgl2", "WebGL 2"},   {"webgpu", "WebGPU"},      {"opengl", "OpenGL 3.3"},
         {"vulkan", "Vulkan"},  {"glsl110", "GLSL 110"}, {"hlsl", "Vulkan by HLSL"}};
     std::ifstream in(list);
-    std::string table =
-        "| light | filter | encoding | map | depth | with | drawn in |\n|---|---|---|---|---|---|---|\n";
+    std::string table = "| light, filter, encoding, map | with | drawn in |\n|---|---|---|\n";
     const auto head = table.size();
     for (std::string line; std::getline(in, line);) {
         if (line.empty() || line.starts_with('#')) continue;
         std::istringstream words(line);
         std::string word;
-        for (int column = 0; column < 6 && words >> word; ++column)
-            table += (column == 0 ? "| " : " | ") + (word == "-" ? "" : column < 4 ? code(word) : word);
+        for (int part = 0; part < 4 && words >> word; ++part) table += (part == 0 ? "| " : ", ") + code(word);
+        std::string direction, further;
+        words >> direction >> further;
+        table += " | " + direction + (further == "-" ? "" : ", " + further);
         std::string apis;
         while (words >> word) {
             const auto name = called.find(word.substr(0, word.find('*')));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Pages of text at two widths, dark and light: none is wider than its window, little shifts, and axe finds nothing
-// serious. Start is first in the navigation. It shows code in three ways, leads to every task of README.md, and has files.
-import { readFileSync } from 'node:fs';
+// serious. On a phone every table of a page fits. Start is first in the navigation. It shows code in three ways, leads to every
+// task of README.md, and has files.
+import { readdirSync, readFileSync } from 'node:fs';
 
 import { layout_shift } from './shift.mjs';
 import { visit } from './visit.mjs';
@@ -27,6 +28,20 @@ await visit(async ({ open, check, picture, axe }) => {
         await axe(page);
         await page.context().close();
     }
+
+    const narrow = await open('start.html', { width: 390 }), start = narrow.url();
+    const texts = readdirSync(process.argv[2], { recursive: true }).filter(file => /^(?!source|museum)(?!reference.*(?<!index)\.html).*\.html$/.test(file));
+    check(texts.length > 30, `the site has ${texts.length} pages of text`);
+    let tables = 0;
+    for (const path of texts) {
+        await narrow.goto(new URL(path, start).href, { waitUntil: 'domcontentloaded' });
+        const heads = await narrow.locator('.scroll > table').evaluateAll(all =>
+            all.map(({ parentElement: { scrollWidth, clientWidth }, tHead }) => [scrollWidth - clientWidth, tHead?.textContent]));
+        tables += heads.length;
+        for (const [more, head] of heads) check(more <= 0, `${path}: a table is ${more} pixels wider than a phone: ${head}`);
+    }
+    check(tables > 50, `the pages have ${tables} tables`);
+    await narrow.context().close();
 
     const page = await open('reference/filter/');
     check((await page.locator('nav a').first().textContent()) === 'Start', 'Start is not first in the navigation');

@@ -25,15 +25,15 @@ function checked(file, { call, before, is, kind }) {
 
 /** At most this many in a hundred: 99.99 is not 100. */
 const percent = (part, all) => part === all ? '100 %' : `${(Math.floor(part / all * 10000) / 100).toFixed(2)} %`;
-const list = (findings, member) => findings.map(each => each[member]).join(', ') || '-';
+const differs = ({ slips, but }) =>
+    [slips.map(each => each.says), but.map(each => `\`${each.kind}\``)].map(each => each.join(', ')).filter(Boolean).join('; ') || '-';
 
 async function row({ name, version }, { title, text, promise, ...call }) {
     const file = join(folder, `${name} ${title}`.replace(/\W+/g, '_') + '.frag');
     writeFileSync(file, `#version 330\n${await text(join(unpacked, name))}`);
     const said = checked(file, call);
-    return `| ${name} ${version} \`${title}\` | ${promise || '-'} | ${said.function ? `\`${said.function}\`` : 'none'} | ` +
-        `${list(said.slips, 'says')} | ${list(said.but, 'kind')} | ${percent(said.same_bits, said.inputs)} | ` +
-        `${percent(said.explained, said.inputs)} |`;
+    return `| ${name} ${version} \`${title}\` | ${said.function ? `\`${said.function}\`` : 'none'}${promise ? `. They say: ${promise}` : ''} | ` +
+        `${differs(said)} | ${percent(said.same_bits, said.inputs)}, ${percent(said.explained, said.inputs)} |`;
 }
 
 const rows = [];
@@ -53,6 +53,6 @@ if (test) {
 }
 const marks = /(<!-- table -->\n)[^]*?(<!-- table ends -->)/;
 if (!marks.test(written)) throw new Error(`${page} has no place for the table`);
-writeFileSync(page, written.replace(marks, (_, begin, end) => `${begin}| function | its authors say | it is | slips | deviates in | same bits | explained |
-|---|---|---|---|---|--:|--:|\n${rows.join('\n')}\n${end}`));
+writeFileSync(page, written.replace(marks, (_, begin, end) => `${begin}| function | it is | slips; deviations | same bits, explained |
+|---|---|---|--:|\n${rows.join('\n')}\n${end}`));
 console.log(`${rows.length} functions`);
