@@ -23604,7 +23604,7 @@ template <real T>
 }  // namespace umbrage
 
 // ---- umbrage/shadow/anchored_map.hpp
-// A light's map for positions relative to an anchor, with the slack that a comparison on a receiver's plane needs in it.
+// A light's map for positions relative to an anchor, with the slack that comparisons on a receiver's plane need.
 //
 // Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms, so far
 // from the origin a receiver and the vertices of its own surface would round apart. Both are therefore taken relative
