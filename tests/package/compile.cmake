@@ -25,10 +25,5 @@ endforeach()
 compile(all.hlsl ${GLSLANG} -D -V -e main -S frag -o ${FOLDER}/trial.spv ${FOLDER}/all.hlsl)
 
 if(CLANG)
-    file(READ ${FOLDER}/all.metal text) # GLM, which lends its vectors, has no swizzles
-    string(REPLACE "value.xyzw" "value" text "${text}")
-    string(REPLACE "value.xy" "float2(value.x, value.y)" text "${text}")
-    file(WRITE ${FOLDER}/all.cpp "${text}")
-    compile(all.metal ${CLANG} -std=c++20 -fsyntax-only -w -Dconstant=const -cl-single-precision-constant
-            -I${METAL}/metal -I${METAL} ${FOLDER}/all.cpp)
+    compile(all.metal ${CLANG} -x c++ -std=c++20 -fsyntax-only -w -cl-single-precision-constant -I${METAL} ${FOLDER}/all.metal)
 endif()

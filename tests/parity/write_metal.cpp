@@ -13,17 +13,6 @@ namespace {
 
 using namespace parity;
 
-/// GLM has no swizzles.
-entry without_swizzles(entry e) {
-    const std::string swizzle = "value.xy";
-    std::vector<std::string*> texts{&e.map_kind.depth};
-    for (bound_map& b : e.bound) texts.push_back(&b.as.depth);
-    for (std::string* text : texts)
-        if (const auto at = text->find(swizzle); at != text->npos)
-            text->replace(at, swizzle.size(), "float2(value.x, value.y)");
-    return e;
-}
-
 /// Each entry's text has its own functions, under the same guards.
 std::string without_guards(const std::string& text) {
     std::string undefined;
@@ -41,7 +30,8 @@ std::string function(const entry& e) {
         const std::string number = std::to_string(i);
         const auto& [type, name] = given[i];
         if (name.empty()) continue;
-        body += i < max_inputs ? "    const float4 x" + number + " = x[" + number + "];\n"
+        body += i < max_inputs ? "    const float4 x" + number + "(x[" + number + "][0], x[" + number + "][1], x[" +
+                                     number + "][2], x[" + number + "][3]);\n"
                                : "    const " + type + " " + name + "(units[" + number + "]);\n";
     }
     if (!e.maps.empty()) {
@@ -50,7 +40,8 @@ std::string function(const entry& e) {
                 from_texture(e, dialect::msl) + ";\n";
     }
     return without_guards(with_mistake(umbrage::msl::text(call.items()))) +
-           "float4 call(const float4* x, const memory* units) {\n" + body + "    return " + call.result() + ";\n}\n";
+           "void call(const float (*x)[4], const memory* units, float* result) {\n" + body +
+           "    const float4 all = " + call.result() + ";\n    for (int i = 0; i < 4; ++i) result[i] = all[i];\n}\n";
 }
 
 }  // namespace
@@ -61,7 +52,7 @@ int main(int argc, char** argv) {
     file << "#include <metal_stdlib>\n\n#include \"metal_text.hpp\"\n\nnamespace parity::metal_text {\nnamespace {\n";
     std::string list, mistakes;
     const auto write = [&](const entry& e, const std::string& name) {
-        file << "\nnamespace " << name << " {\n" << function(without_swizzles(e)) << "}\n";
+        file << "\nnamespace " << name << " {\n" << function(e) << "}\n";
         return name + "::call";
     };
     for (const entry& e : entries()) {

@@ -29,9 +29,6 @@ else()
         message("SKIPPED: no clang++, the shaders of Metal are not compiled")
         return()
     endif()
-    file(READ ${FOLDER}/metal.metal text)
-    file(WRITE ${FOLDER}/metal.cpp "#include <metal_stdlib>\nnamespace metal {\nusing glm::smoothstep;\n"
-         "inline void discard_fragment() {}\n}\n#define vertex\n#define fragment\n${text}")
-    compile(metal.metal ${CLANG} -std=c++20 -fsyntax-only -w -Dconstant=const -cl-single-precision-constant
-            -I${METAL}/metal -I${METAL} ${FOLDER}/metal.cpp)
+    compile(metal.metal ${CLANG} -x c++ -std=c++20 -fsyntax-only -w -cl-single-precision-constant -I${METAL}
+            ${FOLDER}/metal.metal)
 endif()

@@ -39,7 +39,9 @@ public:
         std::vector<vec4> results;
         results.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
-            const vec4 c = call(j.at(i).x.data(), units.data());
+            const sample s = j.at(i);
+            vec4 c;
+            call(reinterpret_cast<const float(*)[4]>(s.x.data()), units.data(), &c.x);
             results.push_back(bytes ? vec4(store_unorm(c, i % 2 ? unorm_store::truncates : unorm_store::rounds)) : c);
         }
         return results;

@@ -6,20 +6,12 @@
 
 #include <cstddef>
 
-#include <glm/vec4.hpp>
+#include "metal/memory.hpp"
 
 namespace parity::metal_text {
 
-/// Content of a texture or a sampler, with texels as from filled_texture::bytes().
-struct memory {
-    const void* texels = nullptr;
-    unsigned width = 0, height = 0;
-    int compare = 0;  ///< one of texture_image::comparisons
-    bool linear = false;
-};
-
-/// An entry's call, in the order of entries(); x[i] is xi, units[i] what is bound there.
-using function = glm::vec4 (*)(const glm::vec4* x, const memory* units);
+/// An entry's call, in the order of entries(); x[i] is xi, units[i] what is bound there. It sets four floats.
+using function = void (*)(const float (*x)[4], const memory* units, float* result);
 extern const function functions[];
 
 /// Calls of a few entries as a printer would give them that wrote something else for `from`; a null call ends them.
