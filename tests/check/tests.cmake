@@ -17,3 +17,6 @@ foreach(part IN LISTS parts)
     add_doctest(check/${part} COMMAND check_shaders --source-file=*/trial/${part}.cpp)
     set_tests_properties(check/${part} PROPERTIES ENVIRONMENT "${quick_mesa}")
 endforeach()
+add_custom_target(prove_check
+    COMMAND ${CMAKE_COMMAND} -E env UMBRAGE_ALL_ROUNDS=1 ${quick_mesa} $<TARGET_FILE:check_shaders> --source-file=*slips.cpp
+    USES_TERMINAL)

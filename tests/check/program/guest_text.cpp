@@ -7,6 +7,7 @@
 
 #include "inputs.hpp"
 #include "shader.hpp"
+#include "wrapper.hpp"
 
 namespace check {
 namespace {
@@ -16,8 +17,6 @@ using parity::version;
 using umbrage::glsl::texture;
 
 constexpr std::array maps{"map", "linear_map", "shadow_map"};
-
-bool reads_map(subject is) { return is == subject::filter || is == subject::bound; }
 
 bool uses(const std::string& text, const std::string& word) {
     return std::regex_search(text, std::regex("\\b" + word + "\\b"));
@@ -37,31 +36,6 @@ std::string own_text(const guest_text& g) {
 std::string name_of(const guest_text& g, std::size_t map) {
     if (!g.uniforms[map].empty()) return g.uniforms[map];
     return (g.in.in == dialect::wgsl ? "" : "umbrage_") + std::string(maps[map]);  // map is a name that texts have
-}
-
-/// The function whose result is that of the shader. Its names are those that a call is written with.
-std::string wrapper(const guest_text& g) {
-    const bool filter = reads_map(g.is);
-    const std::string given = filter ? ", size" : "";
-    switch (g.in.in) {
-        case dialect::wgsl:
-            return "\nfn umbrage_call(c: vec4f" + std::string(filter ? ", size: vec2f" : "") + ") -> vec4f {\n" +
-                   (filter ? "    let coord = c.xy;\n    let uv = c.xy / size;\n    let z = c.z;\n"
-                           : "    let z = c.x;\n") +
-                   "    return vec4f(\n" + g.call + "\n    );\n}\n";
-        case dialect::hlsl:
-            return "\nfloat4 umbrage_call(float4 c" + std::string(filter ? ", float2 size" : "") + ") {\n" +
-                   (filter ? "    float2 coord = c.xy, uv = c.xy / size;\n    float z = c.z;\n"
-                           : "    float z = c.x;\n") +
-                   "    float4 v = (\n" + g.call + "\n    );\n    return v;\n}\n";
-        default:
-            return "\nUMBRAGE_HIGHP vec4 umbrage_call(UMBRAGE_HIGHP vec4 c" +
-                   std::string(filter ? ", UMBRAGE_HIGHP vec2 size" : "") + ") {\n" +
-                   (filter ? "    UMBRAGE_HIGHP vec2 coord = c.xy;\n    UMBRAGE_HIGHP vec2 uv = c.xy / size;\n"
-                             "    UMBRAGE_HIGHP float z = c.z;\n"
-                           : "    UMBRAGE_HIGHP float z = c.x;\n") +
-                   "    return vec4(\n" + g.call + "\n    );\n}\n";
-    }
 }
 
 /// Parts between commas that no bracket encloses.
@@ -162,9 +136,11 @@ std::string hints(const guest_text& g, const std::string& log) {
                    " and of its sampler: they are declared ahead of the text, as " + name + " and " + name +
                    "_sampler\n";
     }
+    if (g.in == dialect::msl && uses(log, "half"))
+        all += "hint: half is not computed here. --before '#define half float' computes in floats instead\n";
     std::smatch include;
-    if (std::regex_search(g.text, include,
-                          std::regex(R"((?:^|\n)[ \t]*(#[ \t]*(?:include|import|pragma glslify)\b[^\n]*))"))) {
+    const std::regex of_include(R"((?:^|\n)[ \t]*(#[ \t]*(?:include(?![ \t]*<metal_)|import|pragma glslify)\b[^\n]*))");
+    if (std::regex_search(g.text, include, of_include)) {
         const auto line = std::count(g.text.begin(), include[1].first, '\n') + 1;
         all += "hint: line " + std::to_string(line) + " needs another text, " + include[1].str() +
                ": put that text in its place, or run its preprocessor first\n";
@@ -205,9 +181,12 @@ subject subject_of(const std::string& call) {
 }
 
 std::string unread_map(const guest_text& g) {
-    const auto given = [&](const std::string& name) { return !name.empty(); };
-    if (!reads_map(g.is) || std::ranges::any_of(g.uniforms, given)) return {};
-    if (std::ranges::any_of(maps, [&](const char* map) { return uses(g.call, map); })) return {};
+    const bool given = std::ranges::any_of(g.uniforms, [](const std::string& name) { return !name.empty(); });
+    const bool read = std::ranges::any_of(maps, [&](const char* map) { return uses(g.call, map); });
+    if (g.in == dialect::msl && (given || (reads_map(g.is) && !read)))
+        return "a function of Metal takes its map as an argument: map, linear_map or shadow_map, as in --call "
+               "'shadow(map, uv, z)'";
+    if (!reads_map(g.is) || given || read) return {};
     std::string samplers;
     const std::regex declared(R"(\buniform\s+(?:\w+\s+)?sampler2D(Shadow)?\s+(\w+))");
     for (std::sregex_iterator i(g.text.begin(), g.text.end(), declared), end; i != end; ++i)
@@ -226,9 +205,9 @@ parity::entry make_entry(const guest_text& g) {
                      ? "precision highp float;\nprecision highp int;\n"
                      : "";
     if (g.in == version::v100) e.preamble = "precision highp float;\nprecision highp int;\n";
-    parity::guest text{.text = g.before + '\n'};
+    parity::guest text{.text = begins(g, "--before") + g.before + '\n'};
     if (g.in.in == dialect::glsl) text.text += "#define varying uniform\n#define main umbrage_main_of_guest\n";
-    text.text += own_text(g) + '\n';
+    text.text += begins(g, g.file) + own_text(g) + '\n';
     if (g.in.in == dialect::glsl) text.text += "#undef varying\n#undef main\n";
     if (reads_map(g.is)) {
         constexpr std::array kinds{texture::texture_2d, texture::texture_2d, texture::shadow};
@@ -236,7 +215,7 @@ parity::entry make_entry(const guest_text& g) {
             if (k == 2 && g.in == version::v100) break;  // which has no such samplers
             e.bound.push_back({.name = name_of(g, k), .as = {.texture = kinds[k], .gather = true}, .linear = k > 0});
             if (!g.uniforms[k].empty()) text.declares.push_back(g.uniforms[k]);
-            if (g.in.in == dialect::wgsl) continue;
+            if (g.in.in == dialect::wgsl || g.in.in == dialect::msl) continue;
             text.text += "#define " + std::string(maps[k]) + ' ' + name_of(g, k) + '\n';
             if (g.in.in == dialect::hlsl)
                 text.text += "#define " + std::string(maps[k]) + "_sampler " + name_of(g, k) + "_sampler\n";
@@ -249,6 +228,7 @@ parity::entry make_entry(const guest_text& g) {
 }
 
 std::string explained(const guest_text& g, const parity::entry& e, const std::string& message) {
+    if (g.in == dialect::msl) return message + hints(g, message);  // whose lines are the file's own
     const std::string source = parity::make_shader(e, g.in).fragment;
     const std::string log = message.substr(0, message.find(source));
     const long first = line_of(source, own_text(g)), last = first + std::count(g.text.begin(), g.text.end(), '\n');

@@ -24,12 +24,22 @@ path on_path(const char* program) {
     return {};
 }
 
-/// Naga's files. They lie at one place from this program, wherever it is installed; Node.js lies where the user has it.
-parity::naga_files naga() {
-    const path program = std::filesystem::read_symlink("/proc/self/exe");
-    const path scripts = (program.parent_path() / UMBRAGE_CHECK_SCRIPTS).lexically_normal();
-    return {on_path("node"), scripts / "naga.js", scripts / "node_modules"};
+const std::vector<std::string> cpp_compilers{"clang++", "clang++-14", "g++"};
+
+path first_on_path(const std::vector<std::string>& programs) {
+    for (const std::string& each : programs)
+        if (const path file = on_path(each.c_str()); !file.empty()) return file;
+    return {};
 }
+
+/// Folder of what this program needs. It lies at one place from the program, wherever that is installed.
+path own_files() {
+    const path program = std::filesystem::read_symlink("/proc/self/exe");
+    return (program.parent_path() / UMBRAGE_CHECK_SCRIPTS).lexically_normal();
+}
+
+/// Naga's files; Node.js lies where the user has it.
+parity::naga_files naga() { return {on_path("node"), own_files() / "naga.js", own_files() / "node_modules"}; }
 
 void require(const parity::naga_files& files) {
     const std::string naga = "naga compiles WGSL here, and ";
@@ -56,6 +66,7 @@ language language_of(dialect d) {
     switch (d.in) {
         case dialect::hlsl: return {"HLSL", {"lavapipe", "hardware"}, vulkan};
         case dialect::wgsl: return {"WGSL", {"naga"}, vulkan};
+        case dialect::msl: return {"Metal", cpp_compilers, ""};
         default:
             return {"GLSL",
                     {"llvmpipe", "softpipe", "hardware"},
@@ -66,9 +77,19 @@ language language_of(dialect d) {
 
 }  // namespace
 
+metal_files metal_here(const std::string& on) {
+    const metal_files files{.compiler = first_on_path(on.empty() ? cpp_compilers : std::vector{on}),
+                            .library = own_files() / "metal"};
+    const std::string metal = "Metal runs here as C++, and needs ";
+    if (files.compiler.empty())
+        throw cannot_run(metal + "a compiler of it: no folder of PATH has a program " +
+                         (on.empty() ? "clang++ or g++" : on) + ". Install one (Debian: clang or g++)");
+    if (!exists(files.library))
+        throw cannot_run(metal + files.library.string() + ", which is installed with umbrage-check: install it again");
+    return files;
+}
+
 std::unique_ptr<parity::backend> implementation(dialect d, const std::string& on) {
-    if (d == dialect::msl)
-        throw cannot_run("Metal text cannot run here. Give the same function as HLSL (.hlsl) or GLSL (.frag)");
     const language in = language_of(d);
     const std::string& name = on.empty() ? in.implementations.front() : on;
     if (std::ranges::find(in.implementations, name) == in.implementations.end()) {
@@ -76,6 +97,7 @@ std::unique_ptr<parity::backend> implementation(dialect d, const std::string& on
         for (const std::string& each : in.implementations) known += (known.empty() ? "" : ", ") + each;
         throw cannot_run("--on for " + std::string(in.name) + " must be one of: " + known + "; got " + name);
     }
+    if (d == dialect::msl) return metal_as_cpp(metal_here(on));
     parity::backends all;
     if (d == dialect::wgsl) {
         const parity::naga_files files = naga();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "backend.hpp"
+#include "metal.hpp"
 
 namespace check {
 
@@ -15,6 +16,11 @@ namespace check {
 struct cannot_run : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// What compiles Metal here: clang++, or g++ where that is missing.
+/// @param on            one of them by name, or empty
+/// @throws cannot_run   what is missing, and what to do
+[[nodiscard]] metal_files metal_here(const std::string& on = {});
 
 /// @param on            one of the language's implementations, by name, or empty: its first, which is software
 /// @throws cannot_run   what is missing, and what to do

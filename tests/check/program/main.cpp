@@ -24,11 +24,13 @@ constexpr const char* usage =
     umbrage-check FILE --call 'f(c.x, c.y)' --values TABLE [--ulps N] [--json] [--on WHERE] [--before TEXT]
     umbrage-check --list
 
-  FILE           .wgsl, .hlsl, else GLSL, by its #version
+  FILE           .wgsl, .hlsl, .metal, else GLSL, by its #version. Nothing here runs Metal: its text is compiled as C++,
+                 which shows what it computes by IEEE's rules, not what a GPU makes of it
   --call         calls the function:  'shadow(map, uv, z)'  'pack(z)'  'vec4(pack_rg(z), 0.0, 0.0)'  'unpack(c)'
-                   map, linear_map    the shadow map, read as it is or filtered: sampler2D, Texture2D, texture_2d<f32>
-                   shadow_map         with comparison: sampler2DShadow, Texture2D, texture_depth_2d
-                   ..._sampler        their samplers, in HLSL and WGSL
+                   map, linear_map    the shadow map, read as it is or filtered: sampler2D, Texture2D, texture_2d<f32>,
+                                      texture2d<float>
+                   shadow_map         with comparison: sampler2DShadow, Texture2D, texture_depth_2d, depth2d<float>
+                   ..._sampler        their samplers, in HLSL, WGSL and Metal
                    size, coord, uv    size in texels; the place in the map, in texels and from 0 to 1
                    z                  depth of the receiver, or the depth to pack
                    c                  the four channels to unpack, as sampled
@@ -40,12 +42,15 @@ constexpr const char* usage =
   --values       any function against a table: rows of one to four arguments and what is expected, as CSV or JSON;
                  c.x, c.y, c.z and c.w are the arguments. 0x and eight digits are a float's bits
   --ulps         how far off a result may be, in units in the last place; 0
-  --on           llvmpipe, softpipe or hardware for GLSL, lavapipe for HLSL, naga for WGSL
+  --on           llvmpipe, softpipe or hardware for GLSL, lavapipe or hardware for HLSL, naga for WGSL; clang++ or g++,
+                 which compiles Metal
   --before       text ahead of the file's, such as an engine's #defines
   --map and others   uniform of the file that is to be this map
 
 Exit status: 0 the same but for rounding and edges, 1 another function, 2 called wrongly or it does not compile.
 )";
+
+constexpr const char* metal_note = "  MSL was compiled as C++: by IEEE's arithmetic, not a GPU's\n";
 
 struct options {
     guest_text guest{};
@@ -128,7 +133,9 @@ int compare(const options& o, parity::backend& on) {
     if (!error.empty()) throw cannot_run(o.values + ": " + error);
     const value_verdict v = compare_values(o.guest, table, o.ulps, on);
     if (o.json) std::cout << json(v, o.ulps) << '\n';
-    else std::cout << o.guest.file << ": " << o.guest.call << '\n' << text(v, o.ulps);
+    else
+        std::cout << o.guest.file << ": " << o.guest.call << '\n'
+                  << text(v, o.ulps) << (o.guest.in == parity::dialect::msl ? metal_note : "");
     return v.within == v.inputs ? 0 : 1;
 }
 
@@ -141,7 +148,8 @@ int run(const options& o) {
     else
         std::cout << o.guest.file << ": " << o.guest.call << "\n"
                   << text(v) << "  by " << on.name() << ", " << (o.guest.in.in == parity::dialect::glsl ? "GLSL " : "")
-                  << parity::name(o.guest.in) << '\n';
+                  << parity::name(o.guest.in) << '\n'
+                  << (o.guest.in == parity::dialect::msl ? metal_note : "");
     return v.how == agreement::same_bits || (v.how == agreement::same_but && !o.exact) ? 0 : 1;
 }
 

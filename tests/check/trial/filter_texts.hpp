@@ -47,7 +47,13 @@ inline constexpr written_filter written_filters[]{
     v = v / 16.0;)"},
 };
 
-/// Text whose function shadow(uv, z) is the filter, over the map `shadowMap`.
+/// Call of the function in filter_text().
+[[nodiscard]] inline std::string filter_call(const language& in) {
+    return in.is_msl() ? "shadow(map, uv, z)" : "shadow(uv, z)";
+}
+
+/// Text whose function shadow(uv, z) is the filter, over the map `shadowMap`. In Metal the map is an
+/// argument.
 [[nodiscard]] inline std::string filter_text(const language& in, const written_filter& filter, const filter_parts& p) {
     const std::string at = p.uv + " * " + p.texels + " + " + p.added;
     if (in.is_wgsl())
@@ -58,19 +64,24 @@ inline constexpr written_filter written_filters[]{
                ";\n}\nfn shadow(uv: vec2f, z: f32) -> f32 {\n    let size = vec2f(textureDimensions(shadowMap));\n" +
                "    let at = " + at + ";\n    let r = " + p.receiver + ";\n    var v = 0.0;\n    " +
                std::string(filter.in_wgsl) + "\n    return " + p.result + ";\n}\n";
+    const std::string map = in.is_msl() ? "texture2d<float> depths, " : "";
     const std::string load =
-        in.in == parity::dialect::hlsl
+        in.is_msl() ? "#define map_size() vec2(depths.get_width(), depths.get_height())\n"
+                      "#define load(texel) depths.read(uint2(texel)).r\n"
+                      "#define lit(texel, r) lit_at(depths, texel, r)\n"
+        : in.in == parity::dialect::hlsl
             ? "vec2 map_size() { vec2 size; shadowMap.GetDimensions(size.x, size.y); return size; }\n"
               "float load(ivec2 texel) { return shadowMap.Load(int3(texel, 0)).r; }\n"
             : "uniform sampler2D shadowMap;\n"
               "vec2 map_size() { return vec2(textureSize(shadowMap, 0)); }\n"
               "float load(ivec2 texel) { return texelFetch(shadowMap, texel, 0).r; }\n";
-    return std::string(in.preamble) + load + R"(float lit(ivec2 texel, float r) {
+    return std::string(in.preamble) + load + "float " + (in.is_msl() ? "lit_at" : "lit") + '(' + map +
+           R"(ivec2 texel, float r) {
     float d = load(clamp(texel, ivec2(0, 0), ivec2(map_size()) - 1));
     return )" +
-           p.lit + ";\n}\nfloat shadow(vec2 uv, float z) {\n    vec2 size = map_size();\n    vec2 at = " + at +
-           ";\n    float r = " + p.receiver + ", v = 0.0;\n    " + std::string(filter.body) + "\n    return " +
-           p.result + ";\n}\n";
+           p.lit + ";\n}\nfloat shadow(" + map +
+           "vec2 uv, float z) {\n    vec2 size = map_size();\n    vec2 at = " + at + ";\n    float r = " + p.receiver +
+           ", v = 0.0;\n    " + std::string(filter.body) + "\n    return " + p.result + ";\n}\n";
 }
 
 /// A slip at one of those places, and the word by which it is to be named. Of `lit` it is the condition.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The languages in which these tests write functions. HLSL's bodies are GLSL's, as macros name its types. vec2(x, y) is
-// one in all three.
+// The languages in which these tests write functions. Bodies of HLSL and Metal are GLSL's, as macros name their types.
+// vec2(x, y) is one in all of them.
 #pragma once
 
 #include <string>
@@ -15,6 +15,7 @@ struct language {
     parity::dialect in;
     std::string_view file, preamble;
 
+    [[nodiscard]] bool is_msl() const { return in == parity::dialect::msl; }
     [[nodiscard]] bool is_wgsl() const { return in == parity::dialect::wgsl; }
     /// 1 where the condition holds, else 0.
     [[nodiscard]] std::string one_if(std::string_view condition) const {
@@ -25,6 +26,9 @@ struct language {
 inline const language glsl{parity::version::v330, "guest.frag", "#version 330\n"};
 inline const language hlsl{parity::dialect::hlsl, "guest.hlsl",
                            "#define vec2 float2\n#define vec3 float3\n#define vec4 float4\n#define ivec2 int2\n"};
+inline const language msl{parity::dialect::msl, "guest.metal",
+                          "#include <metal_stdlib>\nusing namespace metal;\n"
+                          "#define vec2 float2\n#define vec3 float3\n#define vec4 float4\n#define ivec2 int2\n"};
 inline const language wgsl{parity::dialect::wgsl, "guest.wgsl", ""};
 
 }  // namespace check

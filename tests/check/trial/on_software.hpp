@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@
 #include "../program/runs.hpp"
 
 namespace check {
+
+/// True for make prove. Metal compiles a text for a second, so that make test-all takes a sample of its texts.
+inline bool all_rounds() { return std::getenv("UMBRAGE_ALL_ROUNDS") != nullptr; }
 
 inline std::unique_ptr<parity::backend> found(parity::dialect in) {
     try {
@@ -32,6 +36,10 @@ inline parity::backend* software(parity::dialect in) {
     if (in == parity::dialect::wgsl) {
         static const auto naga = found(in);
         return naga.get();
+    }
+    if (in == parity::dialect::msl) {
+        static const auto compiler = found(in);
+        return compiler.get();
     }
     static const auto llvmpipe = found(in);
     return llvmpipe.get();

@@ -38,7 +38,8 @@ std::vector<std::string> sorted(std::vector<std::string> kinds) {
 void each_is_named(const language& in) {
     if (!software(in.in)) return;
     dice random(58);
-    int right = 0, twice = 0;
+    const int every = in.is_msl() && !all_rounds() ? 13 : 1;
+    int right = 0, tried = 0, twice = 0;
     for (int i = 0; i < texts; ++i) {
         const written_filter& filter = one_of(written_filters, random);
         filter_parts parts = plain_parts(in);
@@ -47,8 +48,9 @@ void each_is_named(const language& in) {
             slip->plant(in, parts);
             expected.emplace_back(slip->kind);
         }
+        if (i % every != 0) continue;
         const std::string text = filter_text(in, filter, parts);
-        const verdict v = of_text(in.file, text, "shadow(uv, z)");
+        const verdict v = of_text(in.file, text, filter_call(in));
         for (const finding& f : v.slips) found.push_back(f.kind);
         CAPTURE(text);
         CAPTURE(check::text(v));
@@ -57,10 +59,11 @@ void each_is_named(const language& in) {
         CHECK(sorted(found) == sorted(expected));
         CHECK(v.first.has_value());
         right += v.function == filter.name && sorted(found) == sorted(expected);
-        twice += expected.size() == 2;
+        ++tried, twice += expected.size() == 2;
     }
-    CHECK(twice == 10);
-    MESSAGE(right, " of ", texts, " named rightly, ", twice, " of them with two slips");
+    CHECK(tried == (texts + every - 1) / every);
+    CHECK(twice >= 10 / every);
+    MESSAGE(right, " of ", tried, " named rightly, ", twice, " of them with two slips");
 }
 
 }  // namespace
@@ -69,4 +72,5 @@ TEST_CASE("slips of filters: each is named, two at once too") {
     SUBCASE("GLSL") { each_is_named(glsl); }
     SUBCASE("HLSL") { each_is_named(hlsl); }
     SUBCASE("WGSL") { each_is_named(wgsl); }
+    SUBCASE("Metal") { each_is_named(msl); }
 }

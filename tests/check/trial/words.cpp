@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What a user reads who did something wrong, and what follows from a file.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
 #include "../program/inputs.hpp"
 #include "on_software.hpp"
 
@@ -31,6 +35,60 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of("// a\n#include <common>\n" + good, "shadow(map, uv, z)"),
                "line 2 needs another text, #include <common>"));
     CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
+}
+
+TEST_CASE("messages: Metal, whose text is compiled as C++") {
+    if (!software(parity::dialect::msl)) return;
+    const auto words = [](const std::string& text, const std::string& call) -> std::string {
+        try {
+            return check::text(of_text("guest.metal", text, call));
+        } catch (const cannot_run& error) { return error.what(); }
+    };
+    const std::string good =
+        "#include <metal_stdlib>\nusing namespace metal;\n"
+        "struct Vertex { float4 position [[position]]; };\n"
+        "float shadow(depth2d<float> m, float2 uv, float z) {\n"
+        "    constexpr sampler s(filter::linear, address::clamp_to_edge, compare_func::less_equal);\n"
+        "    return m.sample_compare(s, uv.xy, z);\n}\n"
+        "fragment float4 scene(Vertex v [[stage_in]], depth2d<float> m [[texture(0)]], constant float4& p "
+        "[[buffer(0)]]) {\n"
+        "    return v.position.xyzw * shadow(m, p.xy / p.w, p.z);\n}\n";
+    CHECK(says(words(good, "shadow(shadow_map, uv, z)"), "is pcf_2x2"));
+    const std::string few = words(good, "shadow(shadow_map, uv)");
+    CHECK(says(few, "the call:1:1: error: no matching function for call to"));
+    CHECK(says(few, "shadow takes 3 arguments, (depth2d<float> m, float2 uv, float z); the call gives it 2"));
+    CHECK(
+        says(words(good, "shadowed(shadow_map, uv, z)"), "guest.metal has no function shadowed; it has shadow, scene"));
+    CHECK(says(words(good, "shadow(uv, z)"), "a function of Metal takes its map as an argument"));
+    CHECK(says(words(good + "float pack(float z) {\n    return tixture;\n}\n", "pack(z)"), "guest.metal:12:12: error"));
+    CHECK(says(words("#include <metal_stdlib>\n#include \"Types.h\"\nfloat pack(float z) { return z; }\n", "pack(z)"),
+               "line 2 needs another text, #include \"Types.h\""));
+    CHECK(says(words("half pack(half z) { return z; }\n", "pack(z)"), "--before '#define half float'"));
+    CHECK(says(words("int pack(float z) { return 5 / int(z * 0.0); }\n", "pack(z)"), "divides an integer by 0"));
+}
+
+TEST_CASE("messages: Metal that never ends, and no files left") {
+    if (!software(parity::dialect::msl)) return;
+    const auto scratch = [] {
+        using namespace std::filesystem;
+        return std::ranges::count_if(directory_iterator(temp_directory_path()), [](const directory_entry& e) {
+            return e.path().filename().string().starts_with("umbrage-check-");
+        });
+    };
+    const auto before = scratch();
+    metal_files files = metal_here();
+    files.seconds = 1;
+    const guest_text g{.file = "guest.metal",
+                       .text = "float pack(float z) { while (z < 2.0) z = z * 1.0; return z; }\n",
+                       .call = "pack(z)",
+                       .is = subject::pack,
+                       .in = parity::dialect::msl};
+    std::string words;
+    try {
+        (void)investigate(g, {}, *metal_as_cpp(files));
+    } catch (const cannot_run& error) { words = error.what(); }
+    CHECK(says(words, "Does each of its loops end?"));
+    CHECK(scratch() == before);
 }
 
 TEST_CASE("messages: an engine's text without the engine's macros") {
@@ -69,8 +127,13 @@ TEST_CASE("implementations: what a language needs that runs on none") {
             return implementation(in, on)->name();
         } catch (const cannot_run& error) { return error.what(); }
     };
+    CHECK(words(parity::dialect::msl, "clang") == "--on for Metal must be one of: clang++, clang++-14, g++; got clang");
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
     CHECK(words(parity::dialect::msl, "") ==
-          "Metal text cannot run here. Give the same function as HLSL (.hlsl) or GLSL (.frag)");
+          "Metal runs here as C++, and needs a compiler of it: no folder of PATH has a program clang++ or g++. Install "
+          "one (Debian: clang or g++)");
+    setenv("PATH", path.c_str(), 1);
     CHECK(words(parity::dialect::hlsl, "llvmpipe") == "--on for HLSL must be one of: lavapipe, hardware; got llvmpipe");
 }
 

@@ -3,6 +3,7 @@
 // Programs in other languages that do a part of the work; frames.js is their end.
 #pragma once
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,12 +34,12 @@ public:
     explicit child(std::vector<std::string> words) {
         int in[2], out[2];
         if (pipe(in) != 0 || pipe(out) != 0) throw std::runtime_error("no pipe");
+        for (int end : {in[0], in[1], out[0], out[1]}) fcntl(end, F_SETFD, FD_CLOEXEC);  // not for other children
         std::signal(SIGPIPE, SIG_IGN);
         id_ = fork();
         if (id_ == 0) {
             dup2(in[0], STDIN_FILENO);
             dup2(out[1], STDOUT_FILENO);
-            for (int end : {in[0], in[1], out[0], out[1]}) close(end);
             std::vector<char*> arguments;
             for (std::string& w : words) arguments.push_back(w.data());
             arguments.push_back(nullptr);

@@ -53,11 +53,11 @@ using plain_type = std::decay_t<decltype(plain(std::declval<const Value&>()))>;
 #define NEXT3(a, b, c, n, ...)     \
     LAST3(a, b, c, n, __VA_ARGS__) \
     LAST3(a, b, c, n##a, __VA_ARGS__, 0) LAST3(a, b, c, n##b, __VA_ARGS__, 1) LAST3(a, b, c, n##c, __VA_ARGS__, 2)
-#define NEXT4(a, b, c, d, n, ...)                                                   \
-    LAST4(a, b, c, d, n, __VA_ARGS__)                                               \
-    LAST4(a, b, c, d, n##a, __VA_ARGS__, 0)                                         \
-    LAST4(a, b, c, d, n##b, __VA_ARGS__, 1) LAST4(a, b, c, d, n##c, __VA_ARGS__, 2) \
-        LAST4(a, b, c, d, n##d, __VA_ARGS__, 3)
+#define NEXT4(a, b, c, d, n, ...)           \
+    LAST4(a, b, c, d, n, __VA_ARGS__)       \
+    LAST4(a, b, c, d, n##a, __VA_ARGS__, 0) \
+    LAST4(a, b, c, d, n##b, __VA_ARGS__, 1) \
+    LAST4(a, b, c, d, n##c, __VA_ARGS__, 2) LAST4(a, b, c, d, n##d, __VA_ARGS__, 3)
 
 #define FIRST2(a, b, n, i) LAST2(a, b, n, i) NEXT2(a, b, n##a, i, 0) NEXT2(a, b, n##b, i, 1)
 #define FIRST3(a, b, c, n, i) \
