@@ -160,7 +160,7 @@ dialect dialect_of(const std::string& file, const std::string& text) {
     const auto ends = [&](const char* ending) { return file.ends_with(ending); };
     if (ends(".wgsl")) return dialect::wgsl;
     if (ends(".hlsl") || ends(".fx") || ends(".hlsli")) return dialect::hlsl;
-    if (ends(".metal")) return dialect::msl;
+    if (ends(".metal") || ends(".msl")) return dialect::msl;
     std::smatch said;
     if (std::regex_search(text, said, std::regex(R"((?:^|\n)[ \t]*#[ \t]*version[ \t]+(\d+)([ \t]+es)?)"))) {
         for (version v :

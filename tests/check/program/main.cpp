@@ -24,8 +24,8 @@ constexpr const char* usage =
     umbrage-check FILE --call 'f(c.x, c.y)' --values TABLE [--ulps N] [--json] [--on WHERE] [--before TEXT]
     umbrage-check --list
 
-  FILE           .wgsl, .hlsl, .metal, else GLSL, by its #version. Nothing here runs Metal: its text is compiled as C++,
-                 which shows what it computes by IEEE's rules, not what a GPU makes of it
+  FILE           .wgsl, .hlsl, .metal or .msl, else GLSL, by its #version. Nothing here runs Metal: its text is compiled
+                 as C++, which shows what it computes by IEEE's rules, not what a GPU makes of it
   --call         calls the function:  'shadow(map, uv, z)'  'pack(z)'  'vec4(pack_rg(z), 0.0, 0.0)'  'unpack(c)'
                    map, linear_map    the shadow map, read as it is or filtered: sampler2D, Texture2D, texture_2d<f32>,
                                       texture2d<float>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What a user reads who did something wrong, and what follows from a file.
-#include <algorithm>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 
@@ -69,13 +70,11 @@ TEST_CASE("messages: Metal, whose text is compiled as C++") {
 
 TEST_CASE("messages: Metal that never ends, and no files left") {
     if (!software(parity::dialect::msl)) return;
-    const auto scratch = [] {
-        using namespace std::filesystem;
-        return std::ranges::count_if(directory_iterator(temp_directory_path()), [](const directory_entry& e) {
-            return e.path().filename().string().starts_with("umbrage-check-");
-        });
-    };
-    const auto before = scratch();
+    const auto own = std::filesystem::temp_directory_path() / ("check_words_" + std::to_string(getpid()));
+    const char* before = std::getenv("TMPDIR");
+    const std::string folder = before ? before : "/tmp";
+    create_directory(own);
+    setenv("TMPDIR", own.c_str(), 1);
     metal_files files = metal_here();
     files.seconds = 1;
     const guest_text g{.file = "guest.metal",
@@ -88,7 +87,9 @@ TEST_CASE("messages: Metal that never ends, and no files left") {
         (void)investigate(g, {}, *metal_as_cpp(files));
     } catch (const cannot_run& error) { words = error.what(); }
     CHECK(says(words, "Does each of its loops end?"));
-    CHECK(scratch() == before);
+    CHECK(is_empty(own));
+    setenv("TMPDIR", folder.c_str(), 1);
+    remove_all(own);
 }
 
 TEST_CASE("messages: an engine's text without the engine's macros") {
@@ -141,6 +142,8 @@ TEST_CASE("languages: by ending and #version") {
     using parity::version;
     CHECK(dialect_of("a.wgsl", "") == parity::dialect::wgsl);
     CHECK(dialect_of("a.hlsl", "") == parity::dialect::hlsl);
+    CHECK(dialect_of("a.metal", "") == parity::dialect::msl);
+    CHECK(dialect_of("a.msl", "") == parity::dialect::msl);
     CHECK(dialect_of("a.frag", "// x\n#version 300 es\n") == version::v300_es);
     CHECK(dialect_of("a.frag", "#version 450 core\n") == version::v450);
     CHECK(dialect_of("a.glsl", "float f(sampler2D s) { return texture2D(s, vec2(0.0)).r; }") == version::v120);

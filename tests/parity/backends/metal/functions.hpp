@@ -170,9 +170,9 @@ inline void discard_fragment() {}                       // what is returned is l
 inline float3 dfdx(float3) { return float3(1, 0, 0); }  // no neighbors here
 inline float3 dfdy(float3) { return float3(0, 1, 0); }
 
-template <int Columns, int Rows>
-matrix<Rows, Columns> transpose(const matrix<Columns, Rows>& m) {
-    matrix<Rows, Columns> all;
+template <class T, int Columns, int Rows>
+matrix<T, Rows, Columns> transpose(const matrix<T, Columns, Rows>& m) {
+    matrix<T, Rows, Columns> all;
     for (int i = 0; i < Rows; ++i)
         for (int k = 0; k < Columns; ++k) all[i][k] = m[k][i];
     return all;

@@ -88,15 +88,15 @@ private:
 };
 
 /// Of columns.
-template <int Columns, int Rows>
+template <class T, int Columns, int Rows>
 struct matrix {
-    using column = vec<float, Rows>;
-    using row = vec<float, Columns>;
+    using column = vec<T, Rows>;
+    using row = vec<T, Columns>;
     column columns[Columns];
 
     matrix() = default;
-    explicit matrix(float diagonal) {
-        for (int i = 0; i < Columns; ++i) columns[i] = column(0.0f), columns[i][i] = diagonal;
+    explicit matrix(T diagonal) {
+        for (int i = 0; i < Columns; ++i) columns[i] = column(T(0)), columns[i][i] = diagonal;
     }
     template <class... Vectors>
     requires(sizeof...(Vectors) == Columns) matrix(const Vectors&... all) : columns{column(all)...} {}
@@ -105,7 +105,7 @@ struct matrix {
     const column& operator[](int i) const { return columns[i]; }
 
     friend column operator*(const matrix& m, const row& v) {
-        column all(0.0f);
+        column all(T(0));
         for (int i = 0; i < Columns; ++i) all += m[i] * v[i];
         return all;
     }
@@ -115,8 +115,8 @@ struct matrix {
         return all;
     }
     template <int Others>
-    friend matrix<Others, Rows> operator*(const matrix& a, const matrix<Others, Columns>& b) {
-        matrix<Others, Rows> all;
+    friend matrix<T, Others, Rows> operator*(const matrix& a, const matrix<T, Others, Columns>& b) {
+        matrix<T, Others, Rows> all;
         for (int i = 0; i < Others; ++i) all[i] = a * b[i];
         return all;
     }
@@ -140,8 +140,8 @@ using bool4 = metal::vec<bool, 4>;
 
 namespace metal {
 
-using float2x2 = matrix<2, 2>;
-using float3x3 = matrix<3, 3>;
-using float4x4 = matrix<4, 4>;
+using float2x2 = matrix<float, 2, 2>;
+using float3x3 = matrix<float, 3, 3>;
+using float4x4 = matrix<float, 4, 4>;
 
 }  // namespace metal
