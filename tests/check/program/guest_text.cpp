@@ -120,6 +120,12 @@ std::string hints(const guest_text& g, const std::string& log) {
             if (const std::string around = conditions_around(g.text, f.at); uses(log, name) && !around.empty())
                 all += "hint: " + name + " is compiled only if these hold, which --before can define: " + around + '\n';
         }
+        if (fits && std::regex_search(log, std::regex("vec4|float4|4-component")) &&
+            !std::regex_search(log, std::regex("no matching (overloaded )?function"))) {
+            const char* four = g.in == dialect::wgsl ? "vec4f" : g.in.in == dialect::glsl ? "vec4" : "float4";
+            all += "hint: the call must give one number or four. " + std::string(four) + '(' + g.call +
+                   ", 0.0, 0.0) makes four of two\n";
+        }
         if (!found && !known.empty())
             all += "hint: " + g.file + " has no function " + name + "; it has " + known + '\n';
         if (!found && known.empty()) all += "hint: no function was found in " + g.file + '\n';

@@ -26,7 +26,8 @@ constexpr const char* usage =
 
   FILE           .wgsl, .hlsl, .metal or .msl, else GLSL, by its #version. Nothing here runs Metal: its text is compiled
                  as C++, which shows what it computes by IEEE's rules, not what a GPU makes of it
-  --call         calls the function:  'shadow(map, uv, z)'  'pack(z)'  'vec4(pack_rg(z), 0.0, 0.0)'  'unpack(c)'
+  --call         calls the function:  'shadow(map, uv, z)'  'pack(z)'  'unpack(c)'. It gives one number or four; a call
+                 makes four of two: 'vec4(pack_rg(z), 0.0, 0.0)'. Its words:
                    map, linear_map    the shadow map, read as it is or filtered: sampler2D, Texture2D, texture_2d<f32>,
                                       texture2d<float>
                    shadow_map         with comparison: sampler2DShadow, Texture2D, texture_depth_2d, depth2d<float>
@@ -45,7 +46,7 @@ constexpr const char* usage =
   --on           llvmpipe, softpipe or hardware for GLSL, lavapipe or hardware for HLSL, naga for WGSL; clang++ or g++,
                  which compiles Metal
   --before       text ahead of the file's, such as an engine's #defines
-  --map and others   uniform of the file that is to be this map
+  --map, --linear-map, --shadow-map   the file's uniform that is to be this map, in GLSL, HLSL and WGSL
 
 Exit status: 0 the same but for rounding and edges, 1 another function, 2 called wrongly or it does not compile.
 )";
@@ -76,6 +77,14 @@ std::uint64_t whole_number(const std::string& text) {
     return number;
 }
 
+subject kind_of(const std::string& word) {
+    if (word == "filter") return subject::filter;
+    if (word == "pack") return subject::pack;
+    if (word == "unpack") return subject::unpack;
+    if (word == "bound") return subject::bound;
+    throw cannot_run("--kind must be one of: filter, pack, unpack, bound; got " + word);
+}
+
 options parse(int argc, char** argv) {
     options o;
     for (int i = 1; i < argc; ++i) {
@@ -97,7 +106,8 @@ options parse(int argc, char** argv) {
         else if (word == "--map") o.guest.uniforms[0] = value();
         else if (word == "--linear-map") o.guest.uniforms[1] = value();
         else if (word == "--shadow-map") o.guest.uniforms[2] = value();
-        else if (word.starts_with("--")) throw cannot_run("there is no option " + std::string(word));
+        else if (word.starts_with("--"))
+            throw cannot_run("there is no option " + std::string(word) + "; --help lists them");
         else if (o.guest.file.empty()) o.guest.file = word;
         else throw cannot_run("one file at a time, not " + std::string(word));
     }
@@ -106,11 +116,7 @@ options parse(int argc, char** argv) {
     if (o.guest.call.empty()) throw cannot_run("--call says how the function is called, such as 'shadow(map, uv, z)'");
     o.guest.text = read(o.guest.file);
     o.guest.in = dialect_of(o.guest.file, o.guest.text);
-    o.guest.is = o.kind == "filter"   ? subject::filter
-                 : o.kind == "pack"   ? subject::pack
-                 : o.kind == "unpack" ? subject::unpack
-                 : o.kind == "bound"  ? subject::bound
-                                      : subject_of(o.guest.call);
+    o.guest.is = o.kind.empty() ? subject_of(o.guest.call) : kind_of(o.kind);
     if (!o.values.empty()) o.guest.is = subject::unpack;  // four numbers in, no map
     const auto known = names(o.guest.is);
     if (const std::string& is = o.expected.is; !is.empty() && std::ranges::find(known, is) == known.end())

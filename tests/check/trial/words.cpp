@@ -36,6 +36,9 @@ TEST_CASE("messages: the user's own lines, and what helps") {
     CHECK(says(words_of("// a\n#include <common>\n" + good, "shadow(map, uv, z)"),
                "line 2 needs another text, #include <common>"));
     CHECK(says(words_of(good, "shadow(map, uv, z"), "the call's brackets do not match"));
+    CHECK(!says(words_of("float pack(vec4 c) { return c.x; }\n", "pack(z)"), "makes four"));
+    CHECK(says(words_of("vec2 pack(float z) { return vec2(z); }\n", "pack(z)"),
+               "vec4(pack(z), 0.0, 0.0) makes four of two"));
 }
 
 TEST_CASE("messages: Metal, whose text is compiled as C++") {
@@ -64,6 +67,8 @@ TEST_CASE("messages: Metal, whose text is compiled as C++") {
     CHECK(says(words(good + "float pack(float z) {\n    return tixture;\n}\n", "pack(z)"), "guest.metal:12:12: error"));
     CHECK(says(words("#include <metal_stdlib>\n#include \"Types.h\"\nfloat pack(float z) { return z; }\n", "pack(z)"),
                "line 2 needs another text, #include \"Types.h\""));
+    CHECK(
+        says(words("float2 pack(float z) { return float2(z); }\n", "pack(z)"), "float4(pack(z), 0.0, 0.0) makes four"));
     CHECK(says(words("half pack(half z) { return z; }\n", "pack(z)"), "--before '#define half float'"));
     CHECK(says(words("int pack(float z) { return 5 / int(z * 0.0); }\n", "pack(z)"), "divides an integer by 0"));
 }
