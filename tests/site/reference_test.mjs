@@ -59,7 +59,11 @@ check(
 check(built('core/parallel.hpp').includes('<dt><code>omission</code></dt><dd>a piece that never'), 'a list is not shown as one');
 
 const kinds = all.headers.get('images/min_max.hpp').paragraphs.map(part => part.kind).join();
-check(kinds === 'text,code,text', `code above a text in min_max.hpp is read as ${kinds}`);
+check(kinds === 'text,code,text,text', `code above a text in min_max.hpp is read as ${kinds}`);
+const begins = [...all.headers.values()].flatMap(({ paragraphs }) => paragraphs.filter(part => /Also called: /.test(part.text ?? '')));
+check(begins.length > 60 && begins.every(part => part.text.startsWith('Also called: ')), 'names elsewhere are no paragraph of their own');
+check(built('draw/dual_paraboloid_pass.hpp').includes('map_size</code><sup>2</sup>'), 'a power of a name is not raised');
+check(built('light/warp/light_space_perspective.hpp').includes('light_<wbr>space_'), 'a long title does not break');
 
 // Faults that it must see.
 check(

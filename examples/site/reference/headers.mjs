@@ -31,10 +31,15 @@ function read_header(place, text) {
         .join('\n')
         .split(/\n\s*\n/)
         .filter(block => block.trim() !== '')
-        .flatMap(parts_of);
+        .flatMap(parts_of)
+        .flatMap(other_names_apart);
     const also = /Also called: ([^]*?[\w)\]])\.(?:\s|$)/.exec(paragraphs.map(each => each.text ?? '').join('\n'));
     return { place, lines, paragraphs, also_called: also ? also_called(also[1].replace(/\s+/g, ' ')) : [] };
 }
+
+/// A text with its names elsewhere as a text of their own.
+const other_names_apart = part =>
+    part.kind === 'text' ? part.text.split(/ (?=Also called: )/).map(text => ({ ...part, text })) : part;
 
 /// A block of a comment as texts, lists and code. A list's first row is "  term  text". The texts of all rows begin in one
 /// column, and lines that are indented farther than terms continue them. Elsewhere four spaces begin code.

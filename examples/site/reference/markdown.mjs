@@ -76,7 +76,7 @@ export function render(context, { text, file: source, path: from }, addresses, e
 }
 
 /// Code that may go on in another line behind an underscore, a slash, a point or a bracket, and before a capital of a long name.
-const breakable = code => escape(code).replace(/(?:[_/(]|(?<=[a-z)])\.|::)(?=\w)/g, '$&<wbr>')
+export const breakable = code => escape(code).replace(/(?:[_/(]|(?<=[a-z)])\.|::)(?=\w)/g, '$&<wbr>')
     .replace(/[A-Za-z]{12,}/g, name => name.replace(/(?<=[a-z])(?=[A-Z])/g, '<wbr>'));
 
 export const plain = text =>

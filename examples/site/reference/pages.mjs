@@ -6,6 +6,7 @@ import { page } from '../page.mjs';
 import { entry_html, paragraph } from './entry.mjs';
 import { folder_page, folders_of, headers_below, way } from './folders.mjs';
 import { header_page, link } from './links.mjs';
+import { breakable } from './markdown.mjs';
 import { model } from './model.mjs';
 
 export async function pages(context) {
@@ -45,7 +46,7 @@ function of_header(context, all, header) {
     const names = here.map(({ name }) => `<li><a href="#${name}">${name}</a></li>`).join('');
     const contents = `<nav class="contents" aria-label="Names of this header"><ul>${names}</ul></nav>`;
     const body = `${way(path, header.place)}
-<h1>${escape(header.place.split('/').pop())}</h1>
+<h1>${breakable(header.place.split('/').pop())}</h1>
 <div class="prose opening">${opening.join('\n')}</div>
 ${code(`#include <umbrage/${header.place}>`)}
 ${here.length > 1 ? contents : ''}
@@ -84,6 +85,6 @@ function of_source(context, path) {
         `source/${path}.html`,
         path,
         `The file ${path} of umbrage`,
-        `<h1 class="file">${escape(path)}</h1><pre tabindex="0"><code>${code}</code></pre>`,
+        `<h1 class="file">${breakable(path)}</h1><pre tabindex="0"><code>${code}</code></pre>`,
     );
 }

@@ -13,7 +13,7 @@ export function prose(text, to) {
             return part
                 .split(/(\b[\w/]+\.hpp\b|\b[a-z]\w*_\w+\b)/)
                 .map((word, k) => {
-                    if (k % 2 === 0) return raised(escape(word));
+                    if (k % 2 === 0) return raised(escape(word), k > 0);
                     const address = to(word);
                     return address
                         ? `<a href="${address}"><code>${word}</code></a>`
@@ -26,9 +26,10 @@ export function prose(text, to) {
         .join('');
 }
 
-/// Powers that stand in a sentence: 2^-24, (2r+1)^2.
-const raised = html =>
-    html.replace(/(?<=[\w)])\^(-?\([^()]*\)|-?\w+)/g, (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
+/// Powers that stand in a sentence: 2^-24, (2r+1)^2, and right behind a name, map_size^2.
+const raised = (html, behind_a_name) =>
+    html.replace(behind_a_name ? /(?<=^|[\w)])\^(-?\([^()]*\)|-?\w+)/g : /(?<=[\w)])\^(-?\([^()]*\)|-?\w+)/g,
+        (_, power) => `<sup>${power.replace('-', '−')}</sup>`);
 
 function linked(code, to) {
     const address = /^[\w/.]+$/.test(code) ? to(code) : null;
