@@ -33,12 +33,11 @@ exceptions::exceptions(const char* file) {
     }
 }
 
-bool exceptions::has(const program& p, int number, turn what) const {
-    const place& at = p.places[std::size_t(number)];
-    const std::string_view line(at.text), name(turn_names[std::size_t(what)]);
+bool exceptions::has(const program& p, const place& at, std::string_view turn) const {
+    const std::string_view line(at.text);
     return std::ranges::any_of(all_, [&](const entry& e) {
         if (e.program != "*" && e.program != p.name) return false;
-        if (e.turns != "any" && (", " + e.turns + ",").find(", " + std::string(name) + ",") == std::string::npos)
+        if (e.turns != "any" && (", " + e.turns + ",").find(", " + std::string(turn) + ",") == std::string::npos)
             return false;
         for (auto found = line.find(e.code); found != line.npos; found = line.find(e.code, found + 1))
             if (found <= std::size_t(at.column) && std::size_t(at.column + at.size) <= found + e.code.size())

@@ -12,13 +12,14 @@
 namespace turned {
 
 /// Lines `program | code | turns | reason`. The code is a part of the program's line that holds the number. The turns
-/// are names, or `any`. The program may be `*`.
+/// are names, which values of an enumeration have too, or `any`. The program may be `*`.
 class exceptions {
 public:
     /// @throws std::runtime_error   a file that is not there, or a line of another form
     explicit exceptions(const char* file);
 
-    [[nodiscard]] bool has(const program& p, int number, turn what) const;
+    /// @param turn   what became of the place, by name
+    [[nodiscard]] bool has(const program& p, const place& at, std::string_view turn) const;
 
 private:
     struct entry {

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "enumerations.hpp"
+
 namespace turned {
 
 namespace {
@@ -101,7 +103,10 @@ public:
             const token& t = tokens_[i];
             const std::string_view s = text(i);
             if (t.kind == token_kind::number) all.push_back({t.at, t.size, why()});
-            else if (s == "constexpr") constant_from_ = open_.size(), is_constant_ = true;
+            else if (const auto others = others_of(i); !others.empty()) {
+                const std::size_t from = tokens_[begin_of_name(i)].at;
+                all.push_back({from, t.at + t.size - from, why(), others});
+            } else if (s == "constexpr") constant_from_ = open_.size(), is_constant_ = true;
             else if (s == ";" && is_constant_ && open_.size() <= constant_from_) is_constant_ = false;
             else if (s == "<") i = end_of_arguments(i);
             else if (s == "(") open_.push_back({'(', i > 0 ? of_call(text(i - 1)) : kept::no});
@@ -118,6 +123,18 @@ private:
         static constexpr std::array<std::string_view, 4> prints{"printf", "puts", "putchar", "write_picture"};
         if (called == "for") return kept::in_loop;
         return std::ranges::find(prints, called) != prints.end() ? kept::in_output : kept::no;
+    }
+    /// The first token of a name with its namespaces, by its last.
+    [[nodiscard]] std::size_t begin_of_name(std::size_t i) const {
+        while (i >= 3 && text(i - 1) == ":" && text(i - 2) == ":" && tokens_[i - 3].kind == token_kind::word) i -= 3;
+        return i;
+    }
+    /// Names of the other values of the enumeration whose value ends here.
+    [[nodiscard]] std::vector<std::string_view> others_of(std::size_t i) const {
+        if (tokens_[i].kind != token_kind::word) return {};
+        std::vector<std::string_view> all = names_of_values(begin_of_name(i) < i ? text(i - 3) : "", text(i));
+        if (std::erase(all, text(i)) == 0) all.clear();
+        return all;
     }
     /// True where a bracket follows a value, and not where it begins a lambda or an attribute.
     [[nodiscard]] bool is_value(std::size_t i) const {

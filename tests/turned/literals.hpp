@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tokens of C++ code, as far as it takes to find its numbers and to see which of them may change while a program runs.
+// Tokens of C++ code, as far as it takes to find its numbers and enumerators, and to see which of them may change while
+// a program runs.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +28,10 @@ enum class kept { no, in_loop, in_subscript, in_constant, in_output };
 struct literal {
     std::size_t at, size;
     kept why;
+    std::vector<std::string_view> others{};  ///< names of an enumerator's other values; a number has none
 };
 
-/// Numbers of code in their order, without template arguments, which are other programs.
+/// Numbers and enumerators of code in their order, without template arguments, which are other programs.
 [[nodiscard]] std::vector<literal> literals_of(std::string_view code, const std::vector<token>& tokens);
 
 [[nodiscard]] std::string_view name_of(kept why);

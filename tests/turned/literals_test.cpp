@@ -64,3 +64,19 @@ TEST_CASE("fields: none in assignments, comparisons, text and constants") {
     CHECK(without_each("x.a = 1; if (x.a == 1) f(\"{.a = 1}\");").empty());
     CHECK(without_each("constexpr light a{.b = 1}; light c{.d = 2};") == "constexpr light a{.b = 1}; light c{}; | ");
 }
+
+TEST_CASE("enumerators: each goes to each other value of its enumeration, with its namespaces") {
+    const std::string_view code =
+        "f(glsl::texture::depth, a.depth, version::v330, 1, umbrage::cpu_clip_space); texture::own();";
+    std::string all;
+    for (const literal& l : literals_of(code, tokens_of(code)))
+        all += std::string(code.substr(l.at, l.size)) + ':' + std::to_string(l.others.size()) + ' ';
+    CHECK(all == "glsl::texture::depth:9 version::v330:12 1:0 umbrage::cpu_clip_space:9 ");
+    CHECK(found_in("a = handedness::left; b.outside = umbrage::outside_map::clamped;") ==
+          "handedness::left:turned umbrage::outside_map::clamped:turned ");
+}
+
+TEST_CASE("enumerators: constants stay, and none is in template arguments") {
+    CHECK(found_in("constexpr auto a = depth_direction::forward; f<depth_direction::forward>(a);") ==
+          "depth_direction::forward:constant ");
+}

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs the programs of pages with each of their numbers changed, and says what became of them:
+// Runs the programs of pages with each of their numbers and enumerators changed, and says what became of them:
 //     turned --sample 500 LIST     so many changes of all programs, spread evenly
 //     turned --all LIST [PROGRAM]  every change, of one program
 //     turned --faults LIST         each planted fault, of which all must be seen
-//     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN), 7 (left out)
+//     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN), `rebuilt`, or the
+//                                  name of an enumerator's value
 // A run is a process of its own, so that one that crashes or hangs is a result too.
 #include <algorithm>
 #include <array>
@@ -27,36 +28,49 @@ constexpr std::array turns{turn::twice, turn::half, turn::thousandth, turn::zero
 
 struct job {
     const program* of;
-    int place;
-    turn what;
+    change to;
+
+    [[nodiscard]] const place& at() const { return of->places[std::size_t(to.place)]; }
+    [[nodiscard]] std::string_view turn_name() const {
+        if (to.what == turn::rebuilt) return at().why;
+        return to.what == turn::value ? to.value : turn_names[std::size_t(to.what)];
+    }
 };
 
 std::vector<job> all_jobs() {
     std::vector<job> all;
     for (const program& p : programs())
-        for (std::size_t i = 0; i < p.places.size(); ++i)
-            for (const turn t : turns) all.push_back({&p, int(i), t});
-    for (const program& p : programs_without()) all.push_back({&p, 0, turn::left_out});
+        for (int i = 0; i < std::ssize(p.places); ++i) {
+            const auto& [line, column, size, why, text, others] = p.places[std::size_t(i)];
+            for (const std::string_view other : others)
+                if (why == std::string_view("turned")) all.push_back({&p, {i, turn::value, other}});
+            for (const turn t : turns)
+                if (others.empty()) all.push_back({&p, {i, t}});
+        }
+    for (const program& p : programs_rebuilt()) all.push_back({&p, {0, turn::rebuilt}});
     return all;
 }
 
 std::string described(const job& j) {
-    const place& at = j.of->places[std::size_t(j.place)];
+    const place& at = j.at();
     std::string text(at.text);
     const auto column = std::size_t(at.column);
     text.insert(column + std::size_t(at.size), "]").insert(column, "[");
     text.erase(0, text.find_first_not_of(' '));
-    // Programs without a field are numbered, as places are.
-    int number = j.place;
-    if (j.what == turn::left_out)
-        for (const program* p = j.of; p != programs_without().data() && (p - 1)->name == j.of->name; --p) ++number;
-    return j.of->name + ' ' + std::to_string(number) + ' ' + std::to_string(int(j.what)) + " (line " +
-           std::to_string(at.line) + ", " + std::string(turn_names[std::size_t(j.what)]) + "): " + text;
+    // Rebuilt programs are numbered, as places are.
+    int number = j.to.place;
+    if (j.to.what == turn::rebuilt)
+        for (const program* p = j.of; p != programs_rebuilt().data() && (p - 1)->name == j.of->name; --p) ++number;
+    const std::string turned = j.to.what == turn::rebuilt ? "rebuilt"
+                               : j.to.what == turn::value ? std::string(j.to.value)
+                                                          : std::to_string(int(j.to.what));
+    return j.of->name + ' ' + std::to_string(number) + ' ' + turned + " (line " + std::to_string(at.line) + ", " +
+           std::string(j.turn_name()) + "): " + text;
 }
 
 /// What a change's outcome counts as.
 std::string verdict_of(const job& j, const outcome& o, const exceptions& listed) {
-    const bool may_be_refused = j.what != turn::twice && j.what != turn::half;
+    const bool may_be_refused = j.to.what != turn::twice && j.to.what != turn::half;
     switch (o.how) {
         case ending::no_change: return "no change";
         case ending::right: return o.decided > 0 ? "right by rays" : "ran, nothing to trace";
@@ -65,19 +79,19 @@ std::string verdict_of(const job& j, const outcome& o, const exceptions& listed)
             break;
         default: break;
     }
-    return listed.has(*j.of, j.place, j.what) ? "listed" : "WRONG";
+    return listed.has(*j.of, j.at(), j.turn_name()) ? "listed" : "WRONG";
 }
 
 bool prove(const std::vector<job>& jobs, const exceptions& listed) {
     std::map<std::string, std::size_t> counts;
     std::size_t lit = 0, dark = 0, kept_back = 0;
     for (const job& j : jobs) {
-        const place& at = j.of->places[std::size_t(j.place)];
-        if (j.what != turn::left_out && std::string_view(at.why) != "turned") {
-            ++counts[std::string("kept: ") + at.why], ++kept_back;
+        const std::string_view why(j.at().why);
+        if (j.to.what != turn::rebuilt && why != "turned") {
+            ++counts["kept: " + std::string(why)], ++kept_back;
             continue;
         }
-        const outcome o = run(*j.of, {j.place, j.what});
+        const outcome o = run(*j.of, j.to);
         const std::string v = verdict_of(j, o, listed);
         ++counts[v], lit += o.lit, dark += o.dark;
         kept_back += v == "listed";
@@ -117,8 +131,8 @@ bool plant_faults(const exceptions& listed) {
         }
         for (const job& j : all_jobs()) {
             if (!found.empty()) break;
-            if (j.what != turn::twice) continue;
-            const outcome o = run(*j.of, {j.place, j.what});
+            if (j.to.what != turn::twice) continue;
+            const outcome o = run(*j.of, j.to);
             if (verdict_of(j, o, listed) == "WRONG") found = described(j) + ": " + o.message;
         }
         std::printf("%-44.*s %s\n", int(fault_names[f].size()), fault_names[f].data(),
@@ -139,17 +153,18 @@ std::vector<job> sample_of(std::vector<job> all, std::size_t count) {
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);
     std::ranges::sort(programs(), {}, &program::name);
-    std::ranges::stable_sort(programs_without(), {}, &program::name);
+    std::ranges::stable_sort(programs_rebuilt(), {}, &program::name);
     const std::string_view what = argc > 1 ? argv[1] : "";
     if (what == "--faults" && argc == 3) return plant_faults(exceptions(argv[2])) ? 0 : 1;
     if (argc == 4 && !what.starts_with("--")) {
         const int number = std::atoi(argv[2]);
-        const auto what_becomes = turn(std::atoi(argv[3]));
-        const bool is_without = what_becomes == turn::left_out;
-        const std::vector<program>& all = is_without ? programs_without() : programs();
+        const std::string_view turned = argv[3];
+        const bool is_rebuilt = turned == "rebuilt", is_number = turned.find_first_not_of("0123456") == turned.npos;
+        const std::vector<program>& all = is_rebuilt ? programs_rebuilt() : programs();
         const auto own = std::ranges::equal_range(all, what, {}, &program::name);
-        if (!own.empty() && number >= 0 && (!is_without || number < std::ssize(own))) {
-            const outcome o = run(is_without ? own[number] : own.front(), {number, what_becomes});
+        if (!own.empty() && number >= 0 && (!is_rebuilt || number < std::ssize(own))) {
+            const change c = is_number ? change{number, turn(std::atoi(argv[3]))} : change{number, turn::value, turned};
+            const outcome o = is_rebuilt ? run(own[number], {0, turn::rebuilt}) : run(own.front(), c);
             std::printf("%zu lit, %zu dark: %s\n", o.lit, o.dark, o.message.c_str());
             return o.how == ending::right || o.how == ending::refused ? 0 : 1;
         }

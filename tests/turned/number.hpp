@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of a program, each of which may be another one while the program runs.
+// Numbers and enumerators of a program, each of which may be another one while the program runs.
 #pragma once
 
 #include <array>
@@ -16,17 +16,20 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "enumerations.hpp"
+
 namespace turned {
 
-/// What becomes of a number. A field is left out while a program is written, for each of which it is another program.
-enum class turn { none, twice, half, thousandth, zero, negative, nan, left_out };
-inline constexpr std::array<std::string_view, 8> turn_names{"as it is", "twice",    "half", "a thousandth",
-                                                            "zero",     "negative", "NaN",  "left out"};
+/// What becomes of a number or, by its name, of an enumerator. A rebuilt program is changed while it is written.
+enum class turn { none, twice, half, thousandth, zero, negative, nan, rebuilt, value };
+inline constexpr std::array<std::string_view, 7> turn_names{"as it is", "twice",    "half", "a thousandth",
+                                                            "zero",     "negative", "NaN"};
 
-/// The number that changes in this run.
+/// The number or enumerator that changes in this run.
 struct change {
     int place = -1;
     turn what = turn::none;
+    std::string_view value{};  ///< that an enumerator becomes
 };
 inline change chosen;
 inline bool is_running = false;  ///< a program is: its numbers outside of functions would not change
@@ -129,6 +132,16 @@ inline auto operator%(int a, integer b) { return a % divisor<int>(b); }
 template <plain T>
 T& operator+=(T& a, integer b) {
     return a = static_cast<T>(a + b);
+}
+
+/// The enumerator, or the clip space, at a place of a program.
+template <class T>
+[[nodiscard]] T enumerator(int place, const T& value) {
+    if (!is_running) throw std::logic_error("an enumerator outside of functions, which no run changes");
+    if (place != chosen.place) return value;
+    for (const auto& other : named_values(value))
+        if (other.name == chosen.value) return other.value == value ? throw no_change() : other.value;
+    throw std::logic_error("no value of this enumeration");
 }
 
 /// The number at a place of a program.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What the text of a rewritten program needs: its numbers, the watched library, and the list of programs.
+// What the text of a rewritten program needs: its numbers and enumerators, the watched library, and the list of
+// programs.
 #pragma once
 
 #include <cstdio>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "number.hpp"
@@ -13,11 +15,12 @@
 
 namespace turned {
 
-/// A number of a program's text.
+/// A number or enumerator of a program's text.
 struct place {
     int line, column, size;
-    const char* why;   ///< "turned", or why it keeps its value
+    const char* why;   ///< "turned", or why it keeps its value. Of a rebuilt program: what became of it
     const char* text;  ///< of the line
+    std::vector<std::string_view> others{};  ///< names of an enumerator's other values; a number has none
 };
 
 struct program {
@@ -32,12 +35,12 @@ inline std::vector<program>& programs() {
 }
 inline bool add(program p) { return programs().push_back(std::move(p)), true; }
 
-/// Programs without a field, which is their one place. Each has the name of the whole program.
-inline std::vector<program>& programs_without() {
+/// Programs without a field, or with another constant, which is their one place. Each has the whole program's name.
+inline std::vector<program>& programs_rebuilt() {
     static std::vector<program> all;
     return all;
 }
-inline bool add_without(program p) { return programs_without().push_back(std::move(p)), true; }
+inline bool add_rebuilt(program p) { return programs_rebuilt().push_back(std::move(p)), true; }
 
 }  // namespace turned
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes a page's C++, or a whole program, with its numbers taken from a table at run time:
+// Writes a page's C++, or a whole program, with its numbers and enumerators taken from a table at run time:
 //     write_program ID PAGE.md OUT.cpp        or: write_program ID PROGRAM.cpp OUT.cpp
 // A block with a main is a function, as tests/readme has it. Other blocks of a page are one function in their order.
-// With `--without` behind, OUT has a program for each field that an initializer names, as it is but for that field.
+// With `--rebuilt` behind, OUT has a program for each field that an initializer names, without that field, and one for
+// each other value of an enumerator that is a constant.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -46,13 +47,21 @@ std::vector<block> blocks_of(const std::string& page) {
     return all;
 }
 
-/// A program, with its numbers from a table, or without a field.
+/// Code that stands in place of other code.
+struct replacement {
+    std::size_t at, size;
+    std::string by;
+    std::size_t place_at, place_size;  ///< of what a report shows
+    std::string why;
+};
+
+/// A program, with its numbers from a table, or with one replacement.
 class writer {
 public:
     explicit writer(bool is_turned) : is_turned_(is_turned) {}
 
-    /// @param without   left out of the block; none: null
-    void add(const block& b, const field* without = nullptr) {
+    /// @param other   in the block; none: null
+    void add(const block& b, const replacement* other = nullptr) {
         const std::vector<token> tokens = tokens_of(b.code);
         const std::vector<literal> numbers = literals_of(b.code, tokens);
         std::string text;
@@ -65,12 +74,13 @@ public:
         for (const token& t : tokens) {
             const std::string own = b.code.substr(t.at, t.size);
             if (t.at < copied) continue;
-            if (without && t.at == without->at) put({token_kind::text, without->at, without->size}, "");
+            if (other && t.at == other->at) put({token_kind::text, t.at, other->size}, other->by);
             else if (t.kind == token_kind::directive) {
                 if (own.starts_with("#include <")) includes_ += own + '\n';
                 put(t, "");
             } else if (is_turned_ && next < numbers.size() && numbers[next].at == t.at) {
-                put(t, turned_number(b, numbers[next++]));
+                const literal& l = numbers[next++];
+                put({t.kind, l.at, l.size}, turned_value(b, l));
             } else if (t.kind == token_kind::word && own == "main") {
                 const std::string name = "program_" + std::to_string(programs_++);
                 put(t, name), has_main = true;
@@ -80,7 +90,7 @@ public:
         if (has_main)
             put({token_kind::sign, tokens.back().at, 1}, "return 0;\n}");  // which the last brace may leave out
         text += b.code.substr(copied);
-        if (without) places_ = place_of(b, without->name_at, without->name_size, "left out");
+        if (other) places_ = place_of(b, other->place_at, other->place_size, other->why, {});
         if (has_main) functions_ += text + '\n';
         else body_ += text + watched_values(b.code, tokens) + '\n';
     }
@@ -92,24 +102,28 @@ public:
         std::string name = "turned_" + id + suffix;
         for (char& c : name)
             if (c == '.' || c == '-') c = '_';
-        const std::string add = is_turned_ ? "::turned::add" : "::turned::add_without";
+        const std::string add = is_turned_ ? "::turned::add" : "::turned::add_rebuilt";
         return "\nnamespace " + name + " {\nnamespace umbrage = ::watched;\nnamespace {\n\n" + functions_ +
                "void code() {\n" + body_ + "}\n\nconst bool known = " + add + "({\"" + id + "\", {\n" + places_ +
                "}, [] {\n" + calls_ + "    code();\n}});\n\n}  // namespace\n}  // namespace " + name + "\n";
     }
 
 private:
-    static std::string place_of(const block& b, std::size_t at, std::size_t size, std::string_view why) {
+    static std::string place_of(const block& b, std::size_t at, std::size_t size, std::string_view why,
+                                const std::vector<std::string_view>& others) {
         const std::size_t from = b.code.rfind('\n', at) + 1;  // npos + 1 is 0
         const std::string line = b.code.substr(from, b.code.find('\n', at) - from);
+        std::string names;
+        for (const std::string_view other : others) names += '"' + std::string(other) + "\", ";
         const auto lines = std::count(b.code.begin(), b.code.begin() + std::ptrdiff_t(at), '\n');
         return "    {" + std::to_string(b.line + lines) + ", " + std::to_string(at - from) + ", " +
-               std::to_string(size) + ", \"" + std::string(why) + "\", R\"~~(" + line + ")~~\"},\n";
+               std::to_string(size) + ", \"" + std::string(why) + "\", R\"~~(" + line + ")~~\", {" + names + "}},\n";
     }
-    std::string turned_number(const block& b, const literal& l) {
-        places_ += place_of(b, l.at, l.size, name_of(l.why));
+    std::string turned_value(const block& b, const literal& l) {
+        places_ += place_of(b, l.at, l.size, name_of(l.why), l.others);
         const std::string own = b.code.substr(l.at, l.size), place = std::to_string(count_++);
-        return l.why == kept::no ? "::turned::number(" + place + ", " + own + ")" : own;
+        const std::string function = l.others.empty() ? "::turned::number(" : "::turned::enumerator(";
+        return l.why == kept::no ? function + place + ", " + own + ")" : own;
     }
     /// Pages name floats `dark` and `lit`, which are visibilities.
     [[nodiscard]] static std::string watched_values(const std::string& code, std::vector<token> tokens) {
@@ -134,15 +148,30 @@ private:
     bool is_turned_;
 };
 
-std::string programs_without(const std::string& id, const std::vector<block>& blocks) {
+/// What a build more changes in a block: each field is left out, and each constant enumerator has each other value.
+std::vector<replacement> replacements_of(const std::string& code) {
+    const std::vector<token> tokens = tokens_of(code);
+    std::vector<replacement> all;
+    for (const field& f : fields_of(code, tokens))
+        all.push_back({f.at, f.size, "", f.name_at, f.name_size, "left out"});
+    for (const literal& l : literals_of(code, tokens))
+        for (const std::string_view other : l.others) {
+            if (l.why != kept::in_constant) continue;
+            const std::string own = code.substr(l.at, l.size), spaces = own.substr(0, own.rfind(':') + 1);
+            all.push_back({l.at, l.size, spaces + std::string(other), l.at, l.size, std::string(other)});
+        }
+    return all;
+}
+
+std::string programs_rebuilt(const std::string& id, const std::vector<block>& blocks) {
     std::string all, includes;
     int count = 0;
     for (const block& changed : blocks)
-        for (const field& f : fields_of(changed.code, tokens_of(changed.code))) {
+        for (const replacement& r : replacements_of(changed.code)) {
             writer w(false);
-            for (const block& b : blocks) w.add(b, &b == &changed ? &f : nullptr);
+            for (const block& b : blocks) w.add(b, &b == &changed ? &r : nullptr);
             includes = w.includes();
-            all += w.program(id, "_without_" + std::to_string(count++));
+            all += w.program(id, "_rebuilt_" + std::to_string(count++));
         }
     return includes + "#include \"program.hpp\"\n" + all;
 }
@@ -150,14 +179,14 @@ std::string programs_without(const std::string& id, const std::vector<block>& bl
 }  // namespace
 
 int main(int argc, char** argv) try {
-    const bool is_without = argc == 5 && std::string_view(argv[4]) == "--without";
-    if (argc != 4 && !is_without) return 2;
+    const bool is_rebuilt = argc == 5 && std::string_view(argv[4]) == "--rebuilt";
+    if (argc != 4 && !is_rebuilt) return 2;
     const std::string text = read(argv[2]), id = argv[1];
     const std::vector<block> blocks =
         std::string_view(argv[2]).ends_with(".md") ? blocks_of(text) : std::vector<block>{{text, 1}};
     std::ofstream out(argv[3]);
     out << "// SPDX-License-Identifier: MIT\n";
-    if (is_without) return out << programs_without(id, blocks), 0;
+    if (is_rebuilt) return out << programs_rebuilt(id, blocks), 0;
     writer w(true);
     for (const block& b : blocks) w.add(b);
     out << w.includes() << "#include \"program.hpp\"\n" << w.program(id);
