@@ -6,7 +6,7 @@
 //     fit_bias(generator);     // again when things move
 import { bias_of_casters } from './bias.mjs';
 import { depth_error, dot, fit_cone, fit_cube, fit_parallel, parallel_offset, reach_of, solid } from './fit.mjs';
-import { check_options, flag, must } from './options.mjs';
+import { above_zero, check_numbers, check_options, check_places, flag, must } from './options.mjs';
 
 const where = 'babylon: fit_bias', kinds = ['point', 'directional', 'spot'];  // by Light.getTypeID
 const filters = { none: 0, poisson: 2, pcf: 6, pcss: 7 }, half_float = 2;  // ShadowGenerator.FILTER_*; of a texture's type
@@ -29,7 +29,9 @@ const array_of = ({ x, y, z }) => [x, y, z];
 function solids(meshes) {
     return meshes.filter(mesh => mesh?.isEnabled() && mesh.isVisible && mesh.getTotalVertices() > 0).map(mesh => {
         const matrix = mesh.computeWorldMatrix(true).m, { minimum, maximum } = mesh.getBoundingInfo().boundingBox;
-        return solid(array_of(minimum), array_of(maximum), matrix);
+        const corners = solid(array_of(minimum), array_of(maximum), matrix);
+        check_places(where, `mesh ${mesh.name}`, corners);
+        return corners;
     });
 }
 
@@ -39,6 +41,8 @@ function view_of(light) {
     const [x, y, z] = array_of(light.getShadowDirection(0).normalizeToNew()), across = Math.hypot(x, z);
     const right = across > 0 ? [z / across, 0, -x / across] : [1, 0, 0];
     const up = [y * right[2] - z * right[1], z * right[0] - x * right[2], x * right[1] - y * right[0]];
+    check_places(where, 'light', [position]);
+    must(where, [x, y, z].every(Number.isFinite), "the light's direction must be finite", [x, y, z]);
     return { position, axes: [right, up, [-x, -y, -z]] };
 }
 
@@ -105,10 +109,12 @@ function fit_cascades(generator, points) {
 
 /** Sets what Babylon.js does not fit to casters and receivers: a box that holds them and no more, and its planes. */
 function fit_map(generator, light, kind, { receivers, casters, filter, steady }) {
-    const { width, height } = generator.getShadowMap().getSize(), reach = filter?.reach ?? [Math.SQRT2, 0];
+    const map_size = generator.getShadowMap().getSize(), { width, height } = map_size, reach = filter?.reach ?? [Math.SQRT2, 0];
+    check_numbers(where, 'map', map_size, { width: above_zero, height: above_zero });
+    if (kind !== 'directional') check_numbers(where, 'light', light, { range: ['a number above 0', range => range > 0] });
     const { position, axes } = view_of(light), common = { receivers, casters, axes, position, size: [width, height], reach: reach[0] };
     const distance = light.range < Number.MAX_VALUE ? light.range : Infinity, tangent = Math.tan(light.angle / 2);
-    must(where, kind !== 'spot' || light.angle < 3, "the light's angle must be below 3 radians", light.angle);
+    must(where, kind !== 'spot' || (light.angle > 0 && light.angle < 3), "the light's angle must be above 0 and below 3 radians", light.angle);
     const fit = kind === 'directional' ? fit_parallel({ ...common, steady })
         : kind === 'spot' ? fit_cone({ ...common, tangents: [tangent, tangent], distance, narrow: !steady })
         : fit_cube({ ...common, size: width, reach, distance });

@@ -14,7 +14,7 @@
 //     height(t) >= r texel sin t + e cos t
 import { cone_of, cones, judged_in_cone } from './engine_cones.mjs';
 import { dot, parallel_parts } from './fit.mjs';
-import { check_options, must } from './options.mjs';
+import { above_zero, check_options, must } from './options.mjs';
 
 const where = 'engines: engine_bias';
 
@@ -130,7 +130,6 @@ export const engines = {
     },
 };
 
-const above_zero = ['a finite number above 0', value => Number.isFinite(value) && value > 0];
 const not_below_zero = ['a finite number, 0 or more', value => Number.isFinite(value) && value >= 0];
 const known = {
     engine: [`one of ${Object.keys(engines).join(', ')}; engines.md says how to measure any other`, value => Object.hasOwn(engines, value)],
@@ -221,6 +220,7 @@ function cone_light(engine, kind, options) {
     const facts = cones[options.engine], { range, distance = range, near, extent = range } = options;
     must(where, facts?.initial[kind], `light must be ${lights_of(options.engine).join(' or ')} for ${engine.title}`, kind);
     must(where, !(near >= distance), 'near must be below the distance', near);
+    must(where, (near ?? facts.near(range)) < range, `range must be above the near plane, ${near ?? facts.near(range)}`, range);
     const light = cone_of(facts, { ...options, ...filter_of(engine, options, facts.texel ?? 1), extent, border: engine.border ?? 0 });
     must(where, light, 'map_size must be larger for this filter', options.map_size);
     return { ...light, texel: light.unit * light.depth };

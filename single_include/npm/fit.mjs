@@ -219,6 +219,9 @@ export function fit_cube({ position, receivers, casters, view, size, reach: [tex
     return r < 0.25 ? { ...found, radial, texel: texel * farthest, offset } : undefined;
 }
 
+/** Texels to which a box clamps its radius, as box.hpp has it. */
+const largest_box = 8;
+
 /** Texels from a receiver to the farthest texel that a filter of this package compares.
  *  @param values   its arguments */
 export function reach_of({ filter }, values) {
@@ -226,5 +229,5 @@ export function reach_of({ filter }, values) {
     if (softness !== undefined) return softness[2] / 16 + half_texel;
     if (radius === undefined) return filter.reach * Math.SQRT2;
     const is_disc = filter.arguments.some(({ name, type }) => name === 'radius' && type === 'float');
-    return is_disc ? Math.max(radius, 0) + half_texel : (radius + 0.5) * Math.SQRT2;
+    return is_disc ? Math.max(radius, 0) + half_texel : (Math.min(Math.max(radius, 0), largest_box) + 0.5) * Math.SQRT2;
 }

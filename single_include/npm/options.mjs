@@ -13,6 +13,19 @@ const is_object = value => typeof value === 'object' && value !== null && !Array
 export const flag = ['true or false', value => typeof value === 'boolean'];
 export const checked_later = ['', () => true];
 
+/** What a number must be: words and a test. */
+export const above_zero = ['a finite number above 0', value => Number.isFinite(value) && value > 0];
+
+/** Refuses numbers of an engine's object that its user set to what no shadow has. */
+export function check_numbers(where, name, object, known) {
+    for (const [key, [words, holds]] of Object.entries(known)) must(where, holds(object[key]), `${name}.${key} must be ${words}`, object[key]);
+}
+
+/** Refuses points that lie nowhere. */
+export function check_places(where, name, points) {
+    for (const point of points) must(where, point.every(Number.isFinite), `${name} must be at a finite place in the world`, point);
+}
+
 /** Refuses options that an addon does not have, and values of another kind.
  *  @param known   what each option must be */
 export function check_options(where, options, known) {

@@ -12,7 +12,7 @@ import { bias_of_distances } from './bias.mjs';
 import {
     depth_error, fit_cone, largest, longest, parallel_offset, perspective_offset, reach_of, roundings, snapping, solid,
 } from './fit.mjs';
-import { check_options, must } from './options.mjs';
+import { above_zero, check_numbers, check_options, check_places, must } from './options.mjs';
 
 const where = 'playcanvas: fit_bias', kinds = { directional: 'directional', spot: 'spot', omni: 'point', point: 'point' };
 
@@ -36,6 +36,24 @@ const known = {
     receivers: ['an entity of PlayCanvas, or an array of them',
         value => [value].flat().length > 0 && [value].flat().every(is_entity)],
 };
+
+/** What a light's numbers must be, of those that its kind has. */
+const degrees = most => [`degrees above 0 and below ${most}`, value => value > 0 && value < most];
+const numbers_of_light = {
+    directional: { numCascades: ['an integer from 1 to 4', value => [1, 2, 3, 4].includes(value)],
+        cascadeDistribution: ['a number from 0 to 1', value => value >= 0 && value <= 1] },
+    spot: { range: above_zero, outerConeAngle: degrees(90) },
+    point: { range: above_zero },
+};
+
+/** What a camera's numbers must be, of those that its projection has. */
+function check_camera(camera, { shadowDistance }) {
+    const perspective = camera.projection === PROJECTION_PERSPECTIVE, auto = camera.aspectRatioMode === ASPECT_AUTO, { nearClip } = camera;
+    const beyond = [`a finite number above nearClip, ${nearClip}`, value => Number.isFinite(value) && value > nearClip];
+    check_numbers(where, 'camera', camera, { nearClip: above_zero, farClip: beyond, ...(perspective ? { fov: degrees(180) } : { orthoHeight: above_zero }),
+        ...(!auto && { aspectRatio: above_zero }) });
+    check_numbers(where, 'light', { shadowDistance }, { shadowDistance: beyond });
+}
 
 /** Texels that a tile of the clusters' atlas leaves free around a spot light's map, and around each face of a point light. */
 const free_of_tile = { spot: 4, point: 3 };
@@ -115,7 +133,12 @@ export function fit_bias(light, options = {}) {
     must(where, kind !== 'directional' || options.camera, 'camera must be given for a directional light', options.camera);
     const receivers = solids(options.receivers ?? app.root), points = receivers.flat(), position = array_of(light.entity.getPosition());
     must(where, points.length > 0, 'receivers must have an enabled render component', 'none');
+    check_places(where, 'receivers', points);
+    check_places(where, 'light', [position]);
+    check_numbers(where, 'light', light, numbers_of_light[kind]);
+    if (kind === 'directional') check_camera(options.camera, light);
     const map = map_of(light, kind), { size, clustered } = map, filter = filter_of(light, map, kind), magnitude = Math.max(largest(points, longest), longest(position));
+    check_numbers(where, 'map', { size }, { size: above_zero });
     const needed = needs[kind](light, options, filter ?? { reach: [0, 0], error: depth_error },
         { receivers, points, position, magnitude, size });
     const half = clustered ? 1 + 2 ** -10 : 1, offset = needed.offset * half, bias = needed.bias * half;  // clusters have floats of 16 bits

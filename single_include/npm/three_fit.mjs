@@ -5,7 +5,7 @@
 //     import { fit_shadow } from 'umbrage/three';  // or 'umbrage/three/webgpu'
 //     fit_shadow(light, { receivers: scene });     // again when things move
 import { dot, fit_cone, fit_cube, fit_parallel, parallel_offset, placed, reach_of, solid } from './fit.mjs';
-import { check_options, flag, must } from './options.mjs';
+import { check_options, check_places, flag, must } from './options.mjs';
 
 const where = 'three: fit_shadow', basic = 0, vsm = 3;  // of renderer.shadowMap.type; three's default is PCF
 const webgpu_coordinates = 2001, identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -139,6 +139,8 @@ export function fit_shadow(light, options = {}) {
     must(where, receivers.length > 0, 'receivers must have a visible mesh with receiveShadow', 'none');
     const casters = solids(options.casters ?? options.receivers, 'castShadow');
     const { reach, variance = false } = filter_of(light, options), view = camera && frustum(camera);
+    check_places(where, 'receivers', receivers.flat());
+    check_places(where, 'casters', casters.flat());
     const common = { receivers, casters, view, size: [mapSize.x, mapSize.y], reach: reach[0] };
     const enough = fit => {
         must(where, fit !== undefined,

@@ -101,6 +101,7 @@ for (const [what, options, said] of [
     ["Godot's point lights", { engine: 'godot', light: 'point', map_size: 512, range: 9 }, 'light must be directional or spot for Godot 4; got point'],
     ["three.js' spot lights", { engine: 'three', light: 'spot', angle: 60, map_size: 512, range: 9 }, 'light must be directional for three.js; got spot'],
     ['a near plane beyond', { engine: 'bevy', light: 'point', map_size: 512, range: 9, near: 9 }, 'near must be below the distance; got 9'],
+    ['a range below the near plane', { engine: 'filament', light: 'point', map_size: 512, range: 0.01 }, 'range must be above the near plane, 0.01; got 0.01'],
     ['too few texels', { engine: 'bevy', light: 'spot', angle: 170, map_size: 64, range: 9 }, 'map_size must be larger for this filter; got 64'],
     ['a misspelled option', { ...given, size: 1024 }, 'options must have no properties but engine, map_size, '],
 ]) {

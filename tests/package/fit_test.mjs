@@ -145,6 +145,9 @@ function floor_camera() {
     const tiny = new THREE.DirectionalLight(), own = new THREE.DirectionalLight();
     tiny.shadow.mapSize.set(4, 4);
     own.shadow.filterNode = () => {};
+    const nowhere = new THREE.Mesh(new THREE.BoxGeometry());
+    nowhere.receiveShadow = nowhere.castShadow = true;
+    nowhere.position.x = NaN;
     spot.angle = 1.55;
     /** A light with one of its own numbers changed. */
     const light_with = change => {
@@ -173,6 +176,8 @@ function floor_camera() {
         ['a radius of NaN', light_with(light => { light.shadow.radius = NaN; }), 'light.shadow.radius must be finite; got NaN'],
         ['a place of NaN', light_with(light => light.position.setY(NaN)), 'light must be at a finite place in the world; got [0, NaN, 0]'],
         ['a target of NaN', light_with(light => light.target.position.setX(NaN)), 'light.target must be at a finite place in the world; got [NaN, 0, 0]'],
+        ['a mesh of NaN', () => fit_shadow(sun, { receivers: nowhere }), 'receivers must be at a finite place in the world; got [NaN, '],
+        ['a caster of NaN', () => fit_shadow(sun, { receivers: box, casters: [box, nowhere] }), 'casters must be at a finite place in the world; got [NaN, '],
         ['a wide spot', () => fit_shadow(spot, { receivers: box }), 'light.angle must be above 0 and at most 1.5 radians; got 1.55'],
     ]) {
         let said = 'accepted';
