@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes the numbers of a program in JavaScript, one at a time, and counts what becomes of it: right, or refused by name.
+// Changes the numbers and flags of a program in JavaScript, one at a time, and counts what becomes of it: right, or refused by
+// name.
 
 const turns = { twice: v => 2 * v, half: v => v / 2, thousandth: v => v / 1000, zero: () => 0, negative: v => -v, nan: () => NaN };
+const turns_of_flag = { other: v => !v, number: v => Number(v), text: String };
+const must_be_right = ['', 'twice', 'half', 'other'];
 
-/** Numbers of an object, as paths. */
-const paths = (value, path = []) => (typeof value === 'number' ? [path]
+/** Numbers and flags of an object, as paths. */
+const paths = (value, path = []) => (['number', 'boolean'].includes(typeof value) ? [path]
     : Object.entries(value).flatMap(([key, inner]) => paths(inner, [...path, key])));
 
-/** A copy with one number changed. */
+/** A copy with one of them changed. */
 function changed(value, [key, ...rest], turn) {
     if (key === undefined) return turn(value);
     const copy = Array.isArray(value) ? [...value] : { ...value };
@@ -31,17 +34,21 @@ export class turned_programs {
     }
 
     /** Runs a program as it is, and with each of its numbers changed.
-     *  @param run        takes the numbers; returns what is wrong with the result, or undefined
-     *  @param is_whole   paths of integers, whose fractions are no change */
-    run_all(name, numbers, run, is_whole = () => false) {
-        for (const path of [undefined, ...paths(numbers)])
-            for (const [turn, of] of path ? Object.entries(turns) : [['', v => v]]) {
-                const all = path ? changed(numbers, path, of) : numbers;
+     *  @param run         takes the numbers; returns what is wrong with the result, or undefined
+     *  @param is_whole    paths of integers, whose fractions are no change
+     *  @param is_engine   paths of numbers that an engine takes, and no function of this package: twice and half alone */
+    run_all(name, numbers, run, is_whole = () => false, is_engine = () => false) {
+        for (const path of [undefined, ...paths(numbers)]) {
+            const own = path?.reduce((v, k) => v[k], numbers);
+            const all_turns = !path ? { '': v => v } : typeof own === 'boolean' ? turns_of_flag : turns;
+            for (const [turn, of] of Object.entries(all_turns)) {
+                if (path && is_engine(path) && !must_be_right.includes(turn)) continue;
+                const all = path ? changed(numbers, path, of) : numbers, value = path?.reduce((v, k) => v[k], all);
                 const is_same = path && turn !== 'nan' && JSON.stringify(all) === JSON.stringify(numbers);
-                const value = path?.reduce((v, k) => v[k], all);
-                if (is_same || (path && is_whole(path) && !Number.isInteger(value) && turn !== 'nan')) ++this.counts.same;
+                if (is_same || (typeof value === 'number' && is_whole(path) && !Number.isInteger(value) && turn !== 'nan')) ++this.counts.same;
                 else this.count(`${name} ${path?.join('.') ?? 'as it is'}`, turn, () => run(all));
             }
+        }
     }
 
     /** Counts a change: what is wrong with its result, or the message that it is refused with. */
@@ -52,9 +59,9 @@ export class turned_programs {
         try { wrong = run(); } catch (error) {
             const named = error instanceof Error && /^umbrage(::|\/|: )/.test(error.message) && error.message.includes(' must ');
             if (!named) return this.fails(`${name} ${turn}: ${error.message}`);
-            const must_be_right = turn === 'twice' || turn === 'half' || turn === '';
-            if (must_be_right && !is_limit) return this.fails(`${name} ${turn} is refused: ${error.message}`);
-            return ++counts[must_be_right ? 'limits' : 'refused'];
+            const is_refused_badly = must_be_right.includes(turn);
+            if (is_refused_badly && !is_limit) return this.fails(`${name} ${turn} is refused: ${error.message}`);
+            return ++counts[is_refused_badly ? 'limits' : 'refused'];
         }
         if (wrong === undefined) return ++counts.right;
         if (is_limit) return ++counts.limits;
