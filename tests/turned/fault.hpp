@@ -25,9 +25,10 @@ enum class fault {
     normal_dropped,
     map_one_texel_off,
     bias_of_wrong_sign,
-    origin_dropped
+    origin_dropped,
+    brace_dropped
 };
-inline constexpr std::array<std::string_view, 14> fault_names{"none",
+inline constexpr std::array<std::string_view, 15> fault_names{"none",
                                                               "a light's position: one axis is dropped",
                                                               "a light's direction: one axis is dropped",
                                                               "a spot's cone: a sixth of it",
@@ -40,7 +41,8 @@ inline constexpr std::array<std::string_view, 14> fault_names{"none",
                                                               "a lookup: the normal is dropped",
                                                               "a drawn map: one texel off",
                                                               "a lookup: a bias of the wrong sign",
-                                                              "a shadow's origin is dropped"};
+                                                              "a shadow's origin is dropped",
+                                                              "a shader's text: its last brace is dropped"};
 inline fault planted_fault = fault::none;
 [[nodiscard]] inline bool is_planted(fault f) { return planted_fault == f; }
 

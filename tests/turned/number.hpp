@@ -138,7 +138,7 @@ T& operator+=(T& a, integer b) {
 template <class T>
 [[nodiscard]] T enumerator(int place, const T& value) {
     if (!is_running) throw std::logic_error("an enumerator outside of functions, which no run changes");
-    if (place != chosen.place) return value;
+    if (place != chosen.place || chosen.what == turn::none) return value;
     for (const auto& other : named_values(value))
         if (other.name == chosen.value) return other.value == value ? throw no_change() : other.value;
     throw std::logic_error("no value of this enumeration");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "number.hpp"
+#include "texts.hpp"
 #include "watched.hpp"
 
 namespace turned {
