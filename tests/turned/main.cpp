@@ -3,7 +3,7 @@
 // Runs the programs of pages with each of their numbers and enumerators changed, and says what became of them:
 //     turned --sample 500 LIST     so many changes of all programs, spread evenly
 //     turned --all LIST [PROGRAM]  every change, of one program
-//     turned --faults LIST         each planted fault, of which all must be seen
+//     turned --faults LIST [FAULT] each planted fault, of which all must be seen, or one by its number from 1
 //     turned PROGRAM PLACE TURN    one change, with what is wrong in it. Turns: 0 (none) to 6 (NaN), `rebuilt`, or the
 //                                  name of an enumerator's value
 // A run is a process of its own, so that one that crashes or hangs is a result too.
@@ -120,9 +120,11 @@ bool prove_unchanged() {
 }
 
 /// A fault is seen in the programs as they are, or where a number is twice what it was and no exception allows for it.
-bool plant_faults(const exceptions& listed) {
+/// @param only   a fault's number; 0: all
+bool plant_faults(const exceptions& listed, std::size_t only) {
     bool all_seen = true;
     for (std::size_t f = 1; f < fault_names.size(); ++f) {
+        if (only != 0 && f != only) continue;
         planted_fault = fault(f);
         std::string found;
         for (const program& p : programs()) {
@@ -155,7 +157,8 @@ int main(int argc, char** argv) {
     std::ranges::sort(programs(), {}, &program::name);
     std::ranges::stable_sort(programs_rebuilt(), {}, &program::name);
     const std::string_view what = argc > 1 ? argv[1] : "";
-    if (what == "--faults" && argc == 3) return plant_faults(exceptions(argv[2])) ? 0 : 1;
+    if (what == "--faults" && (argc == 3 || argc == 4))
+        return plant_faults(exceptions(argv[2]), argc == 4 ? std::strtoul(argv[3], nullptr, 10) : 0) ? 0 : 1;
     if (argc == 4 && !what.starts_with("--")) {
         const int number = std::atoi(argv[2]);
         const std::string_view turned = argv[3];
@@ -181,6 +184,6 @@ int main(int argc, char** argv) {
         const bool is_proven = prove(is_sample ? sample_of(all, std::strtoul(argv[2], nullptr, 10)) : all, listed);
         return is_right && is_proven ? 0 : 1;
     }
-    std::puts("usage: turned --sample N LIST | --all LIST [PROGRAM] | --faults LIST | PROGRAM PLACE TURN");
+    std::puts("usage: turned --sample N LIST | --all LIST [PROGRAM] | --faults LIST [FAULT] | PROGRAM PLACE TURN");
     return 2;
 }
