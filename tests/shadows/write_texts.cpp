@@ -88,7 +88,8 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     const shadow sides(shadow_scene::tetrahedron(clip), {512, 512}, filter);
     const shadow halves(shadow_scene::paraboloids(clip), {512, 512}, filter);
     std::vector<member> of_anchored{MEMBER(anchored_map, to_texels), MEMBER(anchored_map, planes),
-                                    MEMBER(anchored_map, anchor), MEMBER(anchored_map, rounding)};
+                                    MEMBER(anchored_map, anchor), MEMBER(anchored_map, rounding),
+                                    MEMBER(anchored_map, slack)};
     write_block(folder, bind(spot, "spot"), block_of<single_map>(of_anchored));
     write_block(folder, bind(bulb, "bulb"), block_of<cube_maps>(of_anchored));
     of_anchored.push_back({"center", sizeof(anchored_map), 4});
@@ -116,7 +117,7 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     using warped = warped_maps::uniforms;
     std::vector<member> of_warps = numbered("to_texels", offsetof(warped, to_texels), 4);
     for (const member& m : numbered("planes", offsetof(warped, planes), 4)) of_warps.push_back(m);
-    for (const member& m : {MEMBER(warped, rounding), MEMBER(warped, fades), MEMBER(warped, added),
+    for (const member& m : {MEMBER(warped, rounding), MEMBER(warped, slack), MEMBER(warped, fades),
                             MEMBER(warped, anchor), MEMBER(warped, ahead), MEMBER(warped, ends)})
         of_warps.push_back(m);
     const shadow bent(shadow_scene::warped(clip), {256, 256}, filter);
@@ -126,6 +127,7 @@ void write_blocks(const fs::path& folder, clip_space clip) {
     for (const member& m : numbered("cells", offsetof(adaptive, cells), 8)) of_pages.push_back(m);
     of_pages.push_back(MEMBER(adaptive, anchor));
     of_pages.push_back(MEMBER(adaptive, pages));
+    of_pages.push_back(MEMBER(adaptive, slack));
     const shadow paged(shadow_scene::pages(clip), {80, 80}, filter);
     write_block(folder, bind(paged, "paged"), block_of<adaptive_maps>(of_pages));
 }
