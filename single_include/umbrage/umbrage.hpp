@@ -23001,168 +23001,6 @@ inline constexpr const snippet* ps14_snippets[]{&decode_ps14, &receiver_ps14, &f
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/shadow/map_slack.hpp
-// What a map's numbers tell of the slack that a comparison on a receiver's plane needs: the rounding of receivers and
-// of the vertices of their own surface, the texels beside the plane, and what texels miss of a concave edge.
-//
-// See also: anchored_map.hpp, which makes uniforms of it.
-
-namespace umbrage::detail {
-
-/// Largest relative error of one rounding in binary32.
-inline constexpr double one_rounding = 0x1p-24;
-/// Error of a depth by its products, sums, divisions and stores, and by those of plane_reference, as a share of it.
-inline constexpr double depth_rounding = 8.0 * one_rounding;
-/// Texels of slope that cover a slope's own rounding, where the light grazes a surface.
-inline constexpr double grazing = 0.125;
-
-/// Texels of slope by which a texel may lie beside a receiver's plane: for the rasterizer's snap, for the rounding of
-/// coordinates, and for that of the slope itself.
-[[nodiscard]] inline double texels_beside_plane(const clip_space& clip, glm::ivec2 map_size) {
-    return 2.0 / (1 << clip.subpixel_bits) + 0x1p-21 * (glm::max)(map_size.x, map_size.y) + grazing;
-}
-
-[[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
-    return {m[0][row], m[1][row], m[2][row]};
-}
-/// Sum of the magnitudes that a row of a matrix adds.
-[[nodiscard]] inline double magnitudes(const glm::dvec3& row, const glm::dvec3& p) {
-    return glm::dot(glm::abs(row), glm::abs(p));
-}
-
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
-/// True where depth depends on w alone, as under every perspective along the axis of a view.
-[[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
-    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
-}
-
-/// Point where the rays of a lens meet, or else the middle of the map.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) {
-        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
-        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
-    }
-    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
-    return glm::dvec3(middle) / middle.w;
-}
-
-/// Matrix for positions relative to a point.
-[[nodiscard]] inline glm::dmat4 moved_to(glm::dmat4 m, glm::dvec3 anchor) {
-    m[3] = m * glm::dvec4(anchor, 1.0);
-    return m;
-}
-
-/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
-/// elsewhere. Rounding then enters the depth by z or by w alone.
-/// @return   the multiple: depth to add after the division
-[[nodiscard]] inline double take_depth(glm::dmat4& m) {
-    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    const bool lens = is_lens(m);
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
-    for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
-    if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
-    else m[3][2] = 0.0;
-    return depth;
-}
-
-/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
-[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
-    return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
-}
-
-/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
-[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
-    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
-    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
-}
-
-/// Depth of a texel's width along the light, where w is 1. It covers what a map's texels miss of a concave edge.
-[[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
-    const glm::dvec2 units = map_units(m, map_size);
-    return units.x * units.y;
-}
-
-/// Corner of a map's box at a depth, less the anchor.
-/// @param back   inverse of the texture matrix of positions less the anchor
-[[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
-    const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
-    return glm::dvec3(p) / p.w;
-}
-
-/// Refuses a light so far from the origin that float is too coarse for what it covers.
-/// @param away           distance of the anchor from the origin of positions
-/// @param extent         size of what the light covers
-inline void require_digits(double away, double extent) {
-    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
-            "Pass an origin near it.");
-}
-
-/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
-/// surface.
-///
-/// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
-/// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
-/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance. In a
-/// warped map z and w change nearly together, so z counts without the anchor's depth times w.
-/// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
-/// @param anchor   as the shader gets it
-[[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
-    const glm::dmat4 back = glm::inverse(m);
-    const glm::dvec3 rows[]{row_of(m, 0), row_of(m, 1), row_of(m, 2), row_of(m, 3)};
-    const double away = glm::length(anchor);
-    if (is_lens(m)) {
-        double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
-        for (int i = 0; i < 4; ++i) {
-            const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
-            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
-            for (const double end : {0.0, 1.0})
-                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
-        }
-        require_digits(away, farthest);
-        return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
-                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
-    }
-    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
-    double nearest_w = highest<double>, farthest_w = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
-        const double w = glm::dot(rows[3], p) + m[3][3];
-        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
-        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
-        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
-    }
-    require_digits(away, farthest);
-    if (rows[3] == glm::dvec3(0)) {
-        const auto off = [&](int r) { return one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor)); };
-        return {0.0, 1.0, (glm::max)(off(0), off(1)), off(2)};
-    }
-    // The rounding of w is k + d i of w. It moves a texel by as much of its coordinate, and a depth by as much of its
-    // distance from the anchor's depth.
-    const double w = glm::length(rows[3]), k = 10.0 * w * way, d = 2.0 * w * away + 6.0 * std::abs(m[3][3]);
-    // The rounding of another row is length (10 way + 2 away i) + 6 offset i. Returns the lower of two bounds of it
-    // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
-    const auto share = [&](double length, double offset) {
-        const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
-        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
-    };
-    const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
-                 y = map_size.y + share(glm::length(rows[1]), m[3][1]);
-    glm::dmat4 without_depth = m;
-    static_cast<void>(take_depth(without_depth));
-    const double z = share(glm::length(row_of(without_depth, 2)), 0.0);
-    return {one_rounding * k, one_rounding * d, (glm::max)(x, y), z};
-}
-
-}  // namespace umbrage::detail
-
 // ---- umbrage/shader/translate/layout.hpp
 // Line breaks of translated text, whose words have other lengths.
 //
@@ -23603,6 +23441,182 @@ template <real T>
 }  // namespace detail
 }  // namespace umbrage
 
+// ---- umbrage/shadow/map_slack.hpp
+// What a map's numbers tell of the slack that a comparison on a receiver's plane needs: the rounding of receivers and
+// of the vertices of their own surface, the texels beside the plane, and what texels miss of a concave edge.
+//
+// See also: anchored_map.hpp, which makes uniforms of it.
+
+namespace umbrage::detail {
+
+/// Largest relative error of one rounding in binary32.
+inline constexpr double one_rounding = 0x1p-24;
+/// Error of a depth by its products, sums, divisions and stores, and by those of plane_reference, as a share of it.
+inline constexpr double depth_rounding = 8.0 * one_rounding;
+/// Texels of slope that cover a slope's own rounding, where the light grazes a surface.
+inline constexpr double grazing = 0.125;
+
+/// Texels of slope by which a texel may lie beside a receiver's plane: for the rasterizer's snap, for the rounding of
+/// coordinates, and for that of the slope itself.
+[[nodiscard]] inline double texels_beside_plane(const clip_space& clip, glm::ivec2 map_size) {
+    return 2.0 / (1 << clip.subpixel_bits) + 0x1p-21 * (glm::max)(map_size.x, map_size.y) + grazing;
+}
+
+[[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
+    return {m[0][row], m[1][row], m[2][row]};
+}
+/// Sum of the magnitudes that a row of a matrix adds.
+[[nodiscard]] inline double magnitudes(const glm::dvec3& row, const glm::dvec3& p) {
+    return glm::dot(glm::abs(row), glm::abs(p));
+}
+
+/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
+    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// True where depth depends on w alone, as under every perspective along the axis of a view.
+[[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
+}
+
+/// Point where the rays of a lens meet, or else the middle of the map.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
+    if (is_lens(m)) {
+        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
+        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
+    }
+    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
+    return glm::dvec3(middle) / middle.w;
+}
+
+/// Matrix for positions relative to a point.
+[[nodiscard]] inline glm::dmat4 moved_to(glm::dmat4 m, glm::dvec3 anchor) {
+    m[3] = m * glm::dvec4(anchor, 1.0);
+    return m;
+}
+
+/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
+/// elsewhere. Rounding then enters the depth by z or by w alone.
+/// @return   the multiple: depth to add after the division
+[[nodiscard]] inline double take_depth(glm::dmat4& m) {
+    const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
+    const bool lens = is_lens(m);
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
+    for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
+    if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
+    else m[3][2] = 0.0;
+    return depth;
+}
+
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
+    return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
+}
+
+/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
+    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+}
+
+/// Depth of a texel's width along the light, where w is 1. It covers what a map's texels miss of a concave edge.
+[[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
+    const glm::dvec2 units = map_units(m, map_size);
+    return units.x * units.y;
+}
+
+/// What the slack of a plane has beyond the error of texels: a texel's width along the light, and grazing light.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
+    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
+    m = moved_to(m, anchor_of(m, map_size));
+    double width = width_in_depth(m, map_size);
+    if (is_lens(m)) {
+        m /= glm::length(row_of(m, 3));
+        const double depth = take_depth(m);
+        width *= std::abs((place.at.z - depth) / m[3][2]);  // 1 / w
+    }
+    return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
+}
+
+/// Corner of a map's box at a depth, less the anchor.
+/// @param back   inverse of the texture matrix of positions less the anchor
+[[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
+    const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
+    return glm::dvec3(p) / p.w;
+}
+
+/// Refuses a light so far from the origin that float is too coarse for what it covers.
+/// @param away           distance of the anchor from the origin of positions
+/// @param extent         size of what the light covers
+inline void require_digits(double away, double extent) {
+    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
+            "Pass an origin near it.");
+}
+
+/// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
+/// surface.
+///
+/// A sum of three products is off by 3/2 of its magnitudes at most, in any order, fused or not. Its matrix, and the
+/// positions less the anchor, each add one rounding of the same magnitudes. Given positions add that of their distance
+/// from the origin. With both sides this makes 10 and 2. In a lens all are multiples of w or of that distance. In a
+/// warped map z and w change nearly together, so z counts without the anchor's depth times w.
+/// @param m        texture matrix of positions less the anchor. w has a gradient of 1 in a lens
+/// @param anchor   as the shader gets it
+[[nodiscard]] inline glm::dvec4 rounding_of(const glm::dmat4& m, glm::ivec2 map_size, const glm::dvec3& anchor) {
+    const glm::dmat4 back = glm::inverse(m);
+    const glm::dvec3 rows[]{row_of(m, 0), row_of(m, 1), row_of(m, 2), row_of(m, 3)};
+    const double away = glm::length(anchor);
+    if (is_lens(m)) {
+        double wide = 0.0, farthest = 0.0;  // longest distance from the light, in w; the farthest corner
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 p = corner_of(back, map_size, i, 0.75);
+            wide = (glm::max)(wide, glm::length(p) / glm::dot(rows[3], p));
+            for (const double end : {0.0, 1.0})
+                farthest = (glm::max)(farthest, glm::length(corner_of(back, map_size, i, end)));
+        }
+        require_digits(away, farthest);
+        return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
+                (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
+    }
+    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
+    double nearest_w = highest<double>, farthest_w = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
+        const double w = glm::dot(rows[3], p) + m[3][3];
+        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
+        for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
+        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
+    }
+    require_digits(away, farthest);
+    if (rows[3] == glm::dvec3(0)) {
+        const auto off = [&](int r) { return one_rounding * (10.0 * sums[r] + 2.0 * magnitudes(rows[r], anchor)); };
+        return {0.0, 1.0, (glm::max)(off(0), off(1)), off(2)};
+    }
+    // The rounding of w is k + d i of w. It moves a texel by as much of its coordinate, and a depth by as much of its
+    // distance from the anchor's depth.
+    const double w = glm::length(rows[3]), k = 10.0 * w * way, d = 2.0 * w * away + 6.0 * std::abs(m[3][3]);
+    // The rounding of another row is length (10 way + 2 away i) + 6 offset i. Returns the lower of two bounds of it
+    // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
+    const auto share = [&](double length, double offset) {
+        const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
+        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
+    };
+    const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
+                 y = map_size.y + share(glm::length(rows[1]), m[3][1]);
+    glm::dmat4 without_depth = m;
+    static_cast<void>(take_depth(without_depth));
+    const double z = share(glm::length(row_of(without_depth, 2)), 0.0);
+    return {one_rounding * k, one_rounding * d, (glm::max)(x, y), z};
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/shadow/anchored_map.hpp
 // A light's map for positions relative to an anchor, with the slack that comparisons on a receiver's plane need.
 //
@@ -23637,11 +23651,10 @@ namespace detail {
     glm::dmat4 m = moved_to(here, exact);
     const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
     if (lens) m /= glm::length(row_of(m, 3));
-    glm::dvec4 rounding = rounding_of(m, map_size, exact);
-    const double width = width_in_depth(m, map_size);
     anchored_map out;
-    out.planes = glm::mat4(plane_matrix_of_shadow(m));
-    const double depth = take_depth(m);
+    out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
+    glm::dvec4 rounding = rounding_of(m, map_size, exact);
+    const double width = width_in_depth(m, map_size), depth = take_depth(m);
     glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
     if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
     else slack.z += width;
@@ -24186,6 +24199,7 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param world                                 position of the point
 /// @param normal                                its normal
 /// @return                                      its place on the face that it lies before, with weight 1
@@ -29203,8 +29217,9 @@ public:
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
     /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
-    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + slack. For a caster of slope c, max(|c|, |c - slope|)
-    ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + rounding. For a caster of slope c,
+    ///           max(|c|, |c - slope|) takes the place of |slope|. Maps that bend planes add by how much a plane leaves
+    ///           its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
@@ -29212,7 +29227,8 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
-            if constexpr (detail::along_plane<Setup, Filter>) terms.error -= 0x1p-23f;  // acne_free_bias adds it
+            if constexpr (detail::along_plane<Setup, Filter>)  // acne_free_bias adds 2^-23, which slack has
+                terms.error -= detail::spare_slack(matrix_of(place.number), map_size_, place) + 0x1p-23f;
             if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
@@ -29228,8 +29244,7 @@ public:
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const light_space<double> light = setup_.lights()[static_cast<std::size_t>(place.number)];
-        const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
+        const auto wide = float(detail::units_at(matrix_of(place.number), glm::dvec3(world) + origin_).x);
         return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
 
@@ -29237,6 +29252,10 @@ public:
     [[nodiscard]] const uniforms_type& uniforms() const { return uniforms_; }
 
 private:
+    /// Texture matrix of a map.
+    [[nodiscard]] glm::dmat4 matrix_of(int number) const {
+        return texture_matrix(setup_.lights()[static_cast<std::size_t>(number)], map_size_);
+    }
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
         return detail::receiver_of<Setup, Filter>(uniforms_.terms, place, encoding_.direction);
     }

@@ -137,17 +137,21 @@ struct shadow_facts {
     place_list places;
     map_finder map_of;
     std::function<float(glm::vec3, glm::vec3)> detaches;
+    std::function<float(const umbrage::map_place&)> spare;  ///< slack that is no error of a caster's texels
     umbrage::shadow_terms terms;
     double reach;             ///< reach of the filter alone, texels
     bool bordered, reversed;  ///< bordered: beside its maps all is lit
     bool along_plane;         ///< texels are compared along the receiver's plane
 
-    /// Depth up to which a caster's shadow is lost, by the slopes of the receiver and of the caster.
-    [[nodiscard]] float lost_before(glm::vec2 own, glm::vec2 caster, float error) const {
+    /// Depth up to which a caster's shadow is lost, by the places of the receiver and the slope of the caster.
+    [[nodiscard]] float lost_before(const umbrage::map_place& place, glm::vec2 caster) const {
+        const glm::vec2 own = place.slope;
+        const float error = terms.error + place.slack;
         const float bias = along_plane ? error : umbrage::acne_free_bias(own, terms.reach, error);
         const auto sum = [](glm::vec2 v) { return std::abs(v.x) + std::abs(v.y); };
         const bool turned = along_plane && sum(caster - own) > sum(caster);
-        return umbrage::peter_panning_distance(bias + error, turned ? caster - own : caster, terms.reach);
+        return umbrage::peter_panning_distance(bias + error - spare(place), turned ? caster - own : caster,
+                                               terms.reach);
     }
 
     /// @param origin   of positions, as the shadow is told
@@ -156,6 +160,14 @@ struct shadow_facts {
         : places(places_of(s.uniforms())),
           map_of(traced_maps(s.setup(), s.map_size(), origin)),
           detaches([s](glm::vec3 p, glm::vec3 n) { return s.peter_panning_distance(p, n); }),
+          spare([s](const umbrage::map_place& place) {
+              using setup = std::remove_cvref_t<decltype(s.setup())>;
+              if constexpr (!umbrage::detail::along_plane<setup, std::remove_cvref_t<decltype(s.filter())>>)
+                  return 0.0f;
+              const auto& light = s.setup().lights()[std::size_t(place.number)];
+              const glm::dmat4 m = umbrage::texture_matrix(light, s.map_size());
+              return umbrage::detail::spare_slack(m, s.map_size(), place);
+          }),
           terms(s.uniforms().terms),
           reach(double(s.filter().reach())),
           bordered(std::remove_cvref_t<decltype(s.setup())>::outside == umbrage::outside_map::bordered),

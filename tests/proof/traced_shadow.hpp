@@ -80,13 +80,12 @@ inline void trace(const any_shadow& s, const ray_light& light, const ray_mesh& m
         found.misplaced += !(glm::length(glm::dvec2(place.at) - glm::dvec2(h) / h.w) < 1.0 / 64) ||
                            !(std::abs(depth - h.z / h.w) < 0x1p-20 + double(place.slack));
         is_told = is_told && !map.is_near_edge(mesh, p, 1.5 * (s.reach + 1));
-        const float error = s.terms.error + place.slack;
         for (std::size_t k = 0; k < mesh.triangles.size() && is_told; ++k) {
             const double t = k == own ? std::nan("") : mesh.meets(k, p, way);
             if (std::isnan(t) || (light.is_point && t >= 1)) continue;
             const glm::dvec3 caster = glm::dvec3(p) + t * way;
             const double before = h.z / h.w - map.depth(caster);
-            const float margin = s.lost_before(place.slope, map.slope(mesh.normal(k), caster), error);
+            const float margin = s.lost_before(place, map.slope(mesh.normal(k), caster));
             is_told = std::abs(before) > double(margin);
             is_lit = is_lit && before <= 0;
         }
@@ -166,9 +165,10 @@ struct detached {
     const double t = high * glm::dot(n, way) / glm::dot(n, own), world = t * glm::length(own);
     const glm::dvec3 caster = here + t * own;
     const double depth = map->depth(here) - map->depth(caster);
-    float error = s.terms.error;
-    static_cast<void>(s.places(*last, normal, [&](const umbrage::map_place& place) { error += place.slack; }));
-    const float bound = s.lost_before(map->slope(normal, here), map->slope(normal, caster), error);
+    float bound = 0;
+    static_cast<void>(s.places(*last, normal, [&](const umbrage::map_place& place) {
+        bound = s.lost_before(place, map->slope(normal, caster));
+    }));
     return detached{world * double(s.detaches(*last, normal)) / depth, world * double(bound) / depth, world};
 }
 

@@ -52,11 +52,10 @@ namespace detail {
     glm::dmat4 m = moved_to(here, exact);
     const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
     if (lens) m /= glm::length(row_of(m, 3));
-    glm::dvec4 rounding = rounding_of(m, map_size, exact);
-    const double width = width_in_depth(m, map_size);
     anchored_map out;
-    out.planes = glm::mat4(plane_matrix_of_shadow(m));
-    const double depth = take_depth(m);
+    out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
+    glm::dvec4 rounding = rounding_of(m, map_size, exact);
+    const double width = width_in_depth(m, map_size), depth = take_depth(m);
     glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
     if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
     else slack.z += width;

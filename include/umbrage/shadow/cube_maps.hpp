@@ -26,6 +26,7 @@ namespace umbrage {
 /// @param planes                                likewise
 /// @param anchor                                likewise
 /// @param rounding                              likewise
+/// @param slack                                 likewise
 /// @param world                                 position of the point
 /// @param normal                                its normal
 /// @return                                      its place on the face that it lies before, with weight 1

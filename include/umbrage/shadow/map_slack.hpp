@@ -21,6 +21,7 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/shadow/setup.hpp>
 
 namespace umbrage::detail {
 
@@ -103,6 +104,20 @@ inline constexpr double grazing = 0.125;
 [[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec2 units = map_units(m, map_size);
     return units.x * units.y;
+}
+
+/// What the slack of a plane has beyond the error of texels: a texel's width along the light, and grazing light.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
+    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
+    m = moved_to(m, anchor_of(m, map_size));
+    double width = width_in_depth(m, map_size);
+    if (is_lens(m)) {
+        m /= glm::length(row_of(m, 3));
+        const double depth = take_depth(m);
+        width *= std::abs((place.at.z - depth) / m[3][2]);  // 1 / w
+    }
+    return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
 }
 
 /// Corner of a map's box at a depth, less the anchor.

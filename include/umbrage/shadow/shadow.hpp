@@ -258,8 +258,9 @@ public:
     /// it fully. light_units_at converts it to world units. A shader bound with `.linear` adds half a texel
     /// of slope to the bias. Contact hardening has the distance of its widest filter.
     /// @return   difference of depth from 0 to 1, in the point's map. The larger one if two maps blend
-    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + slack. For a caster of slope c, max(|c|, |c - slope|)
-    ///           takes the place of |slope|. Maps that bend planes add by how much a plane leaves its slope's line
+    /// @formula  bias + reach (|slope.x| + |slope.y|) + error + rounding. For a caster of slope c,
+    ///           max(|c|, |c - slope|) takes the place of |slope|. Maps that bend planes add by how much a plane leaves
+    ///           its slope's line
     [[nodiscard]] float peter_panning_distance(glm::vec3 world, glm::vec3 normal) const requires(!prefilter<Filter>) {
         float distance = 0.0f;
         const decoding_error off = encoding_.error();  // a caster may be stored too far from the light
@@ -267,7 +268,8 @@ public:
         for (const map_place& place : Setup::places(uniforms_.maps, uniforms_.terms, world, normal)) {
             shadow_terms terms = uniforms_.terms;
             terms.error += detail::bias_of<Setup, Filter>(terms, place) + static_cast<float>(farther);
-            if constexpr (detail::along_plane<Setup, Filter>) terms.error -= 0x1p-23f;  // acne_free_bias adds it
+            if constexpr (detail::along_plane<Setup, Filter>)  // acne_free_bias adds 2^-23, which slack has
+                terms.error -= detail::spare_slack(matrix_of(place.number), map_size_, place) + 0x1p-23f;
             if constexpr (has_bent_lines<Setup>) terms.error += Setup::bend(uniforms_.maps, terms, world, normal);
             if (place.weight > 0.0f) distance = (glm::max)(distance, detail::kernel_bias_of<Filter>(terms, place));
         }
@@ -283,8 +285,7 @@ public:
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const light_space<double> light = setup_.lights()[static_cast<std::size_t>(place.number)];
-        const auto wide = float(detail::units_at(texture_matrix(light, map_size_), glm::dvec3(world) + origin_).x);
+        const auto wide = float(detail::units_at(matrix_of(place.number), glm::dvec3(world) + origin_).x);
         return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
     }
 
@@ -292,6 +293,10 @@ public:
     [[nodiscard]] const uniforms_type& uniforms() const { return uniforms_; }
 
 private:
+    /// Texture matrix of a map.
+    [[nodiscard]] glm::dmat4 matrix_of(int number) const {
+        return texture_matrix(setup_.lights()[static_cast<std::size_t>(number)], map_size_);
+    }
     [[nodiscard]] glm::vec3 receiver(const map_place& place) const {
         return detail::receiver_of<Setup, Filter>(uniforms_.terms, place, encoding_.direction);
     }

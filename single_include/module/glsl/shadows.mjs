@@ -446,6 +446,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 };
 
 export const calls = {
+    clamp_bias: snippets.clamp_bias,
     acne_free_bias: snippets.acne_free_bias,
     acne_free_disc_bias: snippets.acne_free_disc_bias,
     biased: snippets.biased,

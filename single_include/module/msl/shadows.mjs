@@ -422,6 +422,7 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
 };
 
 export const calls = {
+    clamp_bias: snippets.clamp_bias,
     acne_free_bias: snippets.acne_free_bias,
     acne_free_disc_bias: snippets.acne_free_disc_bias,
     biased: snippets.biased,

@@ -422,6 +422,7 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
 };
 
 export const calls = {
+    clamp_bias: snippets.clamp_bias,
     acne_free_bias: snippets.acne_free_bias,
     acne_free_disc_bias: snippets.acne_free_disc_bias,
     biased: snippets.biased,

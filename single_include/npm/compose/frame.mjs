@@ -18,12 +18,16 @@ export function frame_in(w, calls, is) {
     const fields = all_fields(maps, soft).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
     const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
 
-    /** The receiver's bias over a reach in texels, from `terms` and `slope`. */
-    const by_disc = filter.disc && !along_plane, of_bias = by_disc ? calls.acne_free_disc_bias : calls.acne_free_bias;
-    const counted = numbers(w, filter.arguments);
-    const reach = along_plane ? '0.5' : by_disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
-    const bias = reach => [w.precise('float', 'error', 'terms.w + slope.z'),
-        constant('float', 'bias', `umbrage_${of_bias.name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)];
+    /** The receiver's bias, from `terms` and `slope`: the slack of its plane, or a bias over a reach in texels. */
+    const of_bias = along_plane ? calls.clamp_bias : filter.disc ? calls.acne_free_disc_bias : calls.acne_free_bias;
+    const counted = numbers(w, filter.arguments), steep = ['x', 'y'].map(axis => `${w.builtin('abs')}(slope.${axis})`);
+    const reach = filter.disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
+    const bias = linear => [
+        w.precise('float', 'error', `terms.w + slope.z${linear ? ` + 0.5 * (${steep.join(' + ')})` : ''}`),
+        ...along_plane
+            ? [`${w.flag('is_seen', `${w.builtin('max')}(${steep.join(', ')}) < 2.0`)}  // not edge-on by the light`,
+                constant('float', 'bias', w.choice('is_seen', 'umbrage_clamp_bias(error)', '1.0'))]
+            : [constant('float', 'bias', `umbrage_${of_bias.name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)]];
 
     /** The statement that chooses the map of `number`, and what it calls. */
     const choice = !several ? [] : layers ? [constant('float', 'layer', 'number')]
@@ -52,7 +56,7 @@ export function frame_in(w, calls, is) {
 
     const called = linear ?? snippet, weights = linear ? filter.linear.weights : '';
     const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel], [
-        ...bias(linear ? '1.0' : reach),
+        ...bias(linear),
         constant('float', 'receiver', w.choice('umbrage_beyond_far_plane(at.z)', 'at.z', 'umbrage_biased(at.z, bias)')),
         ...along_plane ? [constant('vec2', 'receiver_slope', vec(2, 'slope.x', 'slope.y')),
             constant('vec3', 'receiver_at', vec(3, 'at.x', 'at.y', 'receiver'))] : [],
@@ -67,7 +71,7 @@ export function frame_in(w, calls, is) {
     /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
     const debug = ({ probe_color, probe_inputs, read_map }, parts) => [
         own('place_color', "a receiver's debug color in one map", 'vec3', [...terms, ['vec4', 'at'], ['vec3', 'slope']],
-            [...bias(reach), `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
+            [...bias(), `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
         own('blended_color', 'debug color of a point of the world', 'vec3', [...fields, ...terms, ...world],
             blended('vec3', vec(3, '1.0', '1.0', '1.0'), `umbrage_place_color(terms, filter_terms, at, ${slope})`,
                 vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, slope.z)`)), []), places),

@@ -80,9 +80,9 @@ template <class Setup>
 /// Snippets that texts of shadows call, by name.
 inline std::string calls_in_module() {
     std::string out = "\nexport const calls = {";
-    for (const snippet* s : {&glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::biased, &glsl::beyond_far_plane,
-                             &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile, &glsl::map_softness,
-                             &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
+    for (const snippet* s : {&glsl::clamp_bias, &glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::biased,
+                             &glsl::beyond_far_plane, &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile,
+                             &glsl::map_softness, &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
         out += "\n    " + std::string(s->name) + ": snippets." + std::string(s->name) + ',';
     return out + "\n};\n";
 }
