@@ -164,7 +164,7 @@ struct shadow_facts {
               using setup = std::remove_cvref_t<decltype(s.setup())>;
               if constexpr (!umbrage::detail::along_plane<setup, std::remove_cvref_t<decltype(s.filter())>>)
                   return 0.0f;
-              const auto& light = s.setup().lights()[std::size_t(place.number)];
+              const umbrage::light_space<double> light = s.setup().lights()[std::size_t(place.number)];
               const glm::dmat4 m = umbrage::texture_matrix(light, s.map_size());
               return umbrage::detail::spare_slack(m, s.map_size(), place);
           }),
