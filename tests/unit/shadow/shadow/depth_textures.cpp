@@ -19,7 +19,7 @@ TEST_CASE("depth16: an empty floor under cascades is lit, compared as a GPU comp
     const cascade_fit<float> fit{
         .camera = {.position = {0, 3, 12}, .direction = {0, -0.2f, -1}, .tan_half_x = 0.8f, .tan_half_y = 0.5f},
         .direction = {-0.2f, -6, -0.3f},
-        .scene = {{-200, 0, -200}, {200, 50, 200}},
+        .scene = {{-200, 0, -200}, {200, 4000, 200}},  // so deep that a step is more than a texel of the first cascade
         .overlap = 0.1f,
         .clip = {.range = depth_range::minus_one_to_one, .subpixel_bits = 8}};
     const auto cascades = make_stable_cascades<4>(fit, practical_splits<4>(0.5f, 60.0f, 0.9f));
