@@ -17,13 +17,16 @@ constexpr auto clip = umbrage::opengl_clip_space;
 auto make_spot() { return umbrage::shadow(scene::make_spot(clip), {1024, 1024}, umbrage::filters::tent<3>); }
 auto make_sun() { return umbrage::shadow(scene::make_cascades(clip), {1024, 1024}, umbrage::filters::tent<3>); }
 
-void give(const auto& shadow, float* block, float* to_clip) {
+int give(const auto& shadow, float* block, float* to_clip) {
     const auto uniforms = shadow.uniforms();
+    constexpr int floats = sizeof uniforms / sizeof(float);
+    if (!block) return floats;
     std::memcpy(block, &uniforms, sizeof uniforms);
     for (const auto& light : shadow.setup().lights()) {
         const glm::mat4 matrix(light.projection * light.view);
         std::memcpy(to_clip, &matrix, sizeof matrix), to_clip += 16;
     }
+    return floats;
 }
 
 }  // namespace
@@ -38,9 +41,10 @@ const char* shadow_text() {
     return text.c_str();
 }
 
-// Blocks of 48 and 64 floats, one matrix and three. Take what moves as arguments: here nothing does.
-void spot_values(float* block, float* to_clip) { give(make_spot(), block, to_clip); }
-void sun_values(float* block, float* to_clip) { give(make_sun(), block, to_clip); }
+// Blocks, one matrix and three. The result is a block's floats, without a block that alone. Take what moves as
+// arguments: here nothing does.
+int spot_values(float* block, float* to_clip) { return give(make_spot(), block, to_clip); }
+int sun_values(float* block, float* to_clip) { return give(make_sun(), block, to_clip); }
 
 // The scene, which is yours.
 const char* shading_text() { return scene::shading.c_str(); }

@@ -25,8 +25,8 @@ def values(function, *sizes):
 
 mesh, = values(umbrage.mesh_values, umbrage.mesh_values(None))
 camera, = values(umbrage.camera_values, 16)
-spot_block, spot_to_clip = values(umbrage.spot_values, 48, (1, 16))
-sun_block, sun_to_clip = values(umbrage.sun_values, 64, (3, 16))
+spot_block, spot_to_clip = values(umbrage.spot_values, umbrage.spot_values(None, None), (1, 16))
+sun_block, sun_to_clip = values(umbrage.sun_values, umbrage.sun_values(None, None), (3, 16))
 shading = umbrage.shading_text().decode()
 
 context = moderngl.create_standalone_context(require=330, backend='egl')
