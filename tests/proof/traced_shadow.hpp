@@ -78,7 +78,7 @@ inline void trace(const any_shadow& s, const ray_light& light, const ray_mesh& m
         }
         const double depth = s.reversed ? 1 - double(place.at.z) : double(place.at.z);
         found.misplaced += !(glm::length(glm::dvec2(place.at) - glm::dvec2(h) / h.w) < 1.0 / 64) ||
-                           !(std::abs(depth - h.z / h.w) < 0x1p-20 + double(place.slack));
+                           !(std::abs(depth - h.z / h.w) < 0x1p-20 + double(place.slack - s.spare(place)));
         is_told = is_told && !map.is_near_edge(mesh, p, 1.5 * (s.reach + 1));
         for (std::size_t k = 0; k < mesh.triangles.size() && is_told; ++k) {
             const double t = k == own ? std::nan("") : mesh.meets(k, p, way);

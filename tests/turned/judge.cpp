@@ -66,7 +66,8 @@ drawn_shadow::ruling drawn_shadow::rule(const joints::receiver& r) const {
     const float beyond = facts.places(r.point, r.normal, [&](const umbrage::map_place& place) {
         verdict here = verdict::none;
         const proof::traced_map& map = facts.map_of(place, r.point);
-        const double reach = double(facts.terms.reach) + 1.0 / 16, off = double(place.slack) + 0x1p-22;
+        const double reach = double(facts.terms.reach) + 1.0 / 16,
+                     off = double(place.slack - facts.spare(place)) + 0x1p-22;
         const glm::dvec4 h = map.placed(glm::dvec3(r.point));
         const auto is_held = [&](double least, double spare) {
             const auto within = [&](double v, float size) { return v >= least && v <= double(size) - least; };

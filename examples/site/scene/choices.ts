@@ -32,7 +32,7 @@ export const choices = {
     size: { label: 'Map size', options: [['1024', '1024 x 1024'], ['256', '256 x 256'], ['512', '512 x 512'],
         ['2048', '2048 x 2048'], ['4096', '4096 x 4096']] },
     depth: { label: 'Direction of depth', options: [['forward', 'Forward'], ['reversed', 'Reversed']] },
-    bias: { label: 'Bias', options: [['smallest', 'The smallest without acne'], ['none', 'None on slopes: acne']] },
+    bias: { label: 'Bias', options: [['smallest', 'Computed: no acne'], ['none', 'None on slopes: acne']] },
     view: { label: 'View', options: [['both', 'GPU beside C++'], ['difference', 'Pixels that differ'], ['texels', 'Texels and maps'],
         ['map', 'The map, as the light sees it']] },
 } as const satisfies Record<string, Choice>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a map's numbers tell of the slack that a comparison on a receiver's plane needs: the rounding of receivers and
-// of the vertices of their own surface, the texels beside the plane, and what texels miss of a concave edge.
+// Slack that comparisons on a receiver's plane need in a map, from the map's numbers. It covers the rounding of
+// receivers and of the vertices of their own surface, texels beside the plane, and what texels miss of a concave edge.
 //
 // See also: anchored_map.hpp, which makes uniforms of it.
 #pragma once
@@ -32,10 +32,14 @@ inline constexpr double depth_rounding = 8.0 * one_rounding;
 /// Texels of slope that cover a slope's own rounding, where the light grazes a surface.
 inline constexpr double grazing = 0.125;
 
-/// Texels of slope by which a texel may lie beside a receiver's plane: for the rasterizer's snap, for the rounding of
-/// coordinates, and for that of the slope itself.
+/// Texels by which the rasterizer's snap (rasterizer_snap) and the rounding of coordinates may move a surface in a map.
+[[nodiscard]] inline double texels_moved(const clip_space& clip, glm::ivec2 map_size) {
+    return 2.0 / (1 << clip.subpixel_bits) + 0x1p-21 * (glm::max)(map_size.x, map_size.y);
+}
+
+/// Texels of slope by which a texel may lie beside a receiver's plane: those moved, and the rounding of the slope.
 [[nodiscard]] inline double texels_beside_plane(const clip_space& clip, glm::ivec2 map_size) {
-    return 2.0 / (1 << clip.subpixel_bits) + 0x1p-21 * (glm::max)(map_size.x, map_size.y) + grazing;
+    return texels_moved(clip, map_size) + grazing;
 }
 
 [[nodiscard]] inline glm::dvec3 row_of(const glm::dmat4& m, glm::length_t row) {
@@ -106,7 +110,7 @@ inline constexpr double grazing = 0.125;
     return units.x * units.y;
 }
 
-/// What the slack of a plane has beyond the error of texels: a texel's width along the light, and grazing light.
+/// Part of a place's slack that is no error of texels: a texel's width along the light, and the rounding of the slope.
 /// @param m   texture matrix of the map
 [[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
     const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));

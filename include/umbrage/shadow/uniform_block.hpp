@@ -8,7 +8,6 @@
 #include <cstring>
 #include <span>
 
-#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -16,6 +15,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/shadow/lookup.hpp>
+#include <umbrage/shadow/map_slack.hpp>
 #include <umbrage/shadow/setup.hpp>
 #include <umbrage/shadow/softness.hpp>
 
@@ -48,9 +48,7 @@ inline void require_finite_uniforms(std::span<const float> uniforms) {
 template <class Filter>
 [[nodiscard]] shadow_terms make_shadow_terms(glm::ivec2 map_size, const Filter& filter, decoding_error off,
                                              clip_space clip, bent_lines bends) {
-    const float size = static_cast<float>((glm::max)(map_size.x, map_size.y));
-    const float snap = 2.0f / static_cast<float>(1 << clip.subpixel_bits);  // rasterizer_snap
-    const float more = snap + 0x1p-21f * size + bends.reach;                // 2^-21 size: rounding of coordinates
+    const float more = static_cast<float>(texels_moved(clip, map_size)) + bends.reach;
     // acne_free_bias adds 2^-23 for the rounding of depths, which a place's `slack` already has.
     const double added = point_filter<Filter> && bends.reach == 0.0f ? 0.0 : 0x1p-23;
     const double error = (clip.direction == depth_direction::forward ? off.below : off.above) - added;

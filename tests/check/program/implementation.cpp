@@ -79,13 +79,13 @@ language language_of(dialect d) {
 
 metal_files metal_here(const std::string& on) {
     const metal_files files{.compiler = first_on_path(on.empty() ? cpp_compilers : std::vector{on}),
-                            .library = own_files() / "metal"};
+                            .headers = own_files() / "metal"};
     const std::string metal = "Metal runs here as C++, and needs ";
     if (files.compiler.empty())
         throw cannot_run(metal + "a compiler of it: no folder of PATH has a program " +
                          (on.empty() ? "clang++ or g++" : on) + ". Install one (Debian: clang or g++)");
-    if (!exists(files.library))
-        throw cannot_run(metal + files.library.string() + ", which is installed with umbrage-check: install it again");
+    if (!exists(files.headers))
+        throw cannot_run(metal + files.headers.string() + ", which is installed with umbrage-check: install it again");
     return files;
 }
 

@@ -104,7 +104,7 @@ private:
                                                // Metal's literals are floats
                                                clang ? "-cl-single-precision-constant" : "-fsingle-precision-constant",
                                                clang ? "-ferror-limit=4" : "-fmax-errors=4",
-                                               "-I" + files_.library.string(), source.string(), "-o", program.string()};
+                                               "-I" + files_.headers.string(), source.string(), "-o", program.string()};
         if (!succeeds(command, log)) throw std::runtime_error(content(log));
         program_ = std::make_unique<parity::child>(std::vector{program.string(), std::to_string(files_.seconds)});
         program_->answer(block({}, 0));  // an answer: it has begun, and needs its file no more

@@ -12,7 +12,7 @@ namespace check {
 
 struct metal_files {
     std::filesystem::path compiler;  ///< clang++ or g++
-    std::filesystem::path library;   ///< folder of Metal's standard library as C++
+    std::filesystem::path headers;   ///< folder of Metal's standard library as C++
     int seconds = 10;                ///< of processor time that one run may take
 };
 

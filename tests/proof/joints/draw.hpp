@@ -127,7 +127,7 @@ private:
                 const proof::traced_map& map = facts.map_of(place, r.point);
                 const double reach = facts.reach + more + 1.0 / 16;
                 here = verdict_of(map, lit_.light, scene_.surfaces, r, reach, stated, lit_.clips);
-                const double off = double(place.slack) + 0x1p-22;
+                const double off = double(place.slack - facts.spare(place)) + 0x1p-22;
                 is_in = is_in && is_held(map, r.point, 0, off);
                 if (std::abs(map.depth(r.point) - 1) <= off) here = verdict::none;  // on the far plane, or beyond it
                 if (here == verdict::dark && !is_held(map, r.point, reach + 1)) here = verdict::none;
