@@ -119,7 +119,7 @@ inline constexpr double grazing = 0.125;
     if (is_lens(m)) {
         m /= glm::length(row_of(m, 3));
         const double depth = take_depth(m);
-        width *= std::abs((place.at.z - depth) / m[3][2]);  // 1 / w
+        width *= std::abs((double(place.at.z) - depth) / m[3][2]);  // 1 / w
     }
     return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
 }
