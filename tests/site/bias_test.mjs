@@ -16,7 +16,7 @@ await visit(async ({ open, check, picture, axe }) => {
     const ready = page => page.waitForSelector('#bias:not(.loading)');
     const cell = (page, name) => page.locator(`#${name}`).textContent();
     const shown = async (page, settings) => page.waitForFunction(text => document.getElementById('these_settings').textContent === text,
-        Object.entries(settings).map(([name, value]) => `${name} ${value}`).join(', '), { timeout: 20000 });
+        Object.entries(settings).map(([name, value]) => `${name} ${value}`).join(', '));
     const none = ['three', 'godot', 'unity_urp', 'bevy', 'filament'];
     check(JSON.stringify(Object.keys(engines)) === JSON.stringify(none), `the engines are ${Object.keys(engines)}`);
 
@@ -46,8 +46,9 @@ await visit(async ({ open, check, picture, axe }) => {
             `${engine}, ${light}: fields of another light`);
     }
     await page.selectOption('#engine', 'filament');
+    await page.waitForFunction(() => document.getElementById('code').textContent.includes('options.normalBias = '));
     const text = await copied(page, '#copy');
-    check(text.includes('options.normalBias = ') && text === (await cell(page, 'code')), `what was copied is ${text}`);
+    check(text === (await cell(page, 'code')), `what was copied is ${text}`);
     const link = await copied(page, '#link');
     check(link === (await address_of(page)) && link.includes('#engine=filament') && link.includes('width=12.5'), `the link is ${link}`);
     await page.fill('#width', '-1');

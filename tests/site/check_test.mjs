@@ -19,7 +19,7 @@ const folder = join(process.argv[2], 'check');
 await visit(
     async ({ open, check, picture, axe }) => {
         const answered = page =>
-            page.waitForFunction(() => document.body.dataset.state === 'done', null, { timeout: 60_000, polling: 50 });
+            page.waitForFunction(() => document.body.dataset.state === 'done', null, { polling: 50 });
         const value = (page, id) => page.locator(`#${id}`).inputValue();
         const argument = (page, name) => page.locator(`#needs input[name="${name}"]`);
 

@@ -47,7 +47,7 @@ await visit(async ({ open, check }) => {
 
     // Stopped: the results up to then.
     const stopped = await open('proof/?on=webgl2&inputs=256&run');
-    await stopped.waitForFunction(() => document.querySelector('.headline'), null, { timeout: 60_000 });
+    await stopped.waitForFunction(() => document.querySelector('.headline'));
     await stopped.click('#prove');
     await finished(stopped);
     check(await stopped.isVisible('#report'), 'a run that is stopped has no report');

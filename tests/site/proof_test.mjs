@@ -6,7 +6,7 @@ import { visit, webgl_flags } from './visit.mjs';
 
 await visit(async ({ open, check, picture, axe }) => {
     const page = await open(`proof/?on=webgl2,webgpu,webgl1&${share}&run`);
-    await page.waitForFunction(() => document.querySelector('.headline'), null, { timeout: 60_000 });
+    await page.waitForFunction(() => document.querySelector('.headline'));
     check(page.workers().length === 1, 'the run is not in a worker');
     const run = await finished(page);
     for (const api of ['webgl2', 'webgl1']) check_headline(check, api, run[api]);

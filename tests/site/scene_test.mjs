@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { copied, visit, webgl_flags } from './visit.mjs';
 
 /** Waits for C++'s answer to what the page shows. */
-const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.compared, null, { timeout: 120_000 })
+const answer = page => page.waitForFunction(() => document.querySelector('#picture').dataset.compared)
     .catch(async () => { throw new Error(`${page.url()} says "${await page.textContent('#verdict')}" and "${await said(page)}"`); });
 const forget = page => page.evaluate(() => { document.querySelector('#picture').dataset.compared = ''; });
 const seen = page => page.evaluate(() => {
@@ -170,7 +170,7 @@ await visit(async ({ open, check, picture, axe }) => {
     // files
     for (const [file, words] of refused) {
         await page.setInputFiles('#file', file);
-        await page.waitForFunction(part => document.querySelector('#said').textContent.includes(part), words, { timeout: 60_000 })
+        await page.waitForFunction(part => document.querySelector('#said').textContent.includes(part), words)
             .catch(async () => check(false, `${file.name ?? file}: the page says "${await said(page)}", not "${words}"`));
         check(await page.inputValue('#set-scene') === 'garden', `${file.name ?? file}: the scene stays`);
     }

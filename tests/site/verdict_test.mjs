@@ -24,8 +24,7 @@ const read = page => page.evaluate(() => {
     green.remove();
     return { words: verdict.textContent, is_green, time: document.querySelector('#time').textContent };
 });
-const says = (page, words) => page.waitForFunction(part => document.querySelector('#verdict').textContent.includes(part), words,
-    { timeout: 120_000 });
+const says = (page, words) => page.waitForFunction(part => document.querySelector('#verdict').textContent.includes(part), words);
 const choose = (name, value) => [`#set-${name} to ${value}`, page => page.evaluate(([id, to]) => {
     const input = document.querySelector(id);
     input.value = to;

@@ -13,6 +13,9 @@ const no_gpu_flags = ['--disable-gpu', '--disable-software-rasterizer'];
 export const webgl_flags = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 export const webgpu_flags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
 
+/// Milliseconds that a test waits for a page. They end a test that hangs; a slow machine never meets them.
+const patience = 600_000;
+
 /// The page's address as the page has it: page.url() hears of a replaced one later.
 export const address_of = page => page.evaluate(() => location.href);
 
@@ -45,6 +48,7 @@ export async function visit(trial, flags = no_gpu_flags) {
     async function open(path, { width = 1280, dark = false, before } = {}) {
         const context = await browser.newContext({ viewport: { width, height: width < 600 ? 844 : 800 },
             colorScheme: dark ? 'dark' : 'light', permissions: ['clipboard-read', 'clipboard-write'] });
+        context.setDefaultTimeout(patience);
         const page = await context.newPage();
         page.on('console', m => check(m.type() !== 'error', `${path}: the console says ${m.text()}`));
         page.on('pageerror', e => check(false, `${path}: ${e.stack ?? e}`));

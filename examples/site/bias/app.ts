@@ -12,7 +12,7 @@ import { first_filter, limits, read_state, usual_range, write_state, type State 
 const by_id = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const form = by_id<HTMLFormElement>('light'), notice = by_id('notice'), filter = by_id<HTMLSelectElement>('filter');
 const kind = by_id<HTMLSelectElement>('kind');
-let state: State, refused: string[], code = '', is_asked = false;
+let state: State, refused: string[], is_asked = false;
 
 const short = (value: number): string => String(Number(value.toPrecision(3)));
 const percent = (share: number): string => (share === 0 ? '0 %' : share < 0.001 ? 'below 0.1 %' : `${(100 * share).toFixed(1)} %`);
@@ -59,8 +59,7 @@ function options_of({ engine, light, filter, radius, map_size, width, range, ang
  *  @return   what is wrong with them, in words */
 function show_found(engine_name: Engine): string[] {
     const engine = engines[engine_name], bias = engine_bias(options_of(state)), { formula, sources } = formula_of(engine_name, state.light);
-    code = code_of[engine_name](bias.settings, state.light);
-    by_id('code').textContent = code;
+    by_id('code').textContent = code_of[engine_name](bias.settings, state.light);
     const sides = shown(options_of(state), state.sun), { place: { unit }, texel } = sides;
     show_side('these', bias, bias.texel, sides);
     show_side('defaults', bias.defaults, bias.texel, sides);
@@ -74,8 +73,8 @@ function show_found(engine_name: Engine): string[] {
         : [];
 }
 
+/** Shows what was found, which takes longer than the form. */
 function show(): void {
-    show_form();
     const told = refused.map(each => `The address has "${each}", which is left out.`), { engine } = state;
     let is_found = engine !== 'other';
     try {
@@ -102,6 +101,7 @@ function changed(): void {
     if (usual_range(state.light) !== usual_range(before.light)) state.range = usual_range(state.light);
     refused = [];
     history.replaceState(null, '', write_state(state));
+    show_form();  // at once, since the next change reads all fields
     if (!is_asked) requestAnimationFrame(() => { is_asked = false; show(); });
     is_asked = true;
 }
@@ -117,12 +117,13 @@ function copies(name: string, text: () => string, words: string): void {
 
 function read_address(): void {
     ({ state, refused } = read_state(location.hash));
+    show_form();
     show();
 }
 
 form.addEventListener('input', changed);
 form.addEventListener('submit', event => event.preventDefault());
-copies('copy', () => code, 'Copied');
+copies('copy', () => by_id('code').textContent!, 'Copied');
 copies('link', () => new URL(write_state(state), location.href).href, 'Link copied');
 window.addEventListener('hashchange', read_address);
 read_address();
