@@ -130,6 +130,10 @@ TEST_CASE("visibility: every path gives the filter's bits, 16-bit map") {
     check_filters(umbrage::rg<16>{.edge = umbrage::center<float>}, {8});
 }
 TEST_CASE("visibility: every path gives the filter's bits, 24-bit map") { check_filters(umbrage::rgb24{}, {2}); }
+TEST_CASE("visibility: every path gives the filter's bits, 9-bit map") { check_filters(umbrage::rg<9>{}, {3}); }
+TEST_CASE("visibility: every path gives the filter's bits, a float's own bits") {
+    check_filters(umbrage::float_bits{}, {5});
+}
 
 TEST_CASE("visibility: windows of one's own, of all sizes") {
     for (const int size : {1, 4, 8, 9, 15}) {
