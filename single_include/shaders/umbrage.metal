@@ -4545,15 +4545,13 @@ inline float umbrage_biased(float receiver, float bias) {
 #ifndef UMBRAGE_HAS_PLANE_REFERENCE
 #define UMBRAGE_HAS_PLANE_REFERENCE
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 inline float umbrage_plane_reference(float2 slope, float3 at, float2 texel) {
     float2 way = texel - (float2(at.x, at.y) - 0.5);
     float plane = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? metal::min(plane, at.z) : metal::max(plane, at.z);
 }
 #endif
 
@@ -4568,9 +4566,7 @@ inline float umbrage_bordered_plane_reference(float2 slope, float3 at, float2 te
     float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
     float y = inside.y == texel.y ? moves.y : lights;
     float plane = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? metal::min(plane, at.z) : metal::max(plane, at.z);
 }
 #endif
 
@@ -5023,7 +5019,7 @@ inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map
                                    float receiver) {
     float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
     float outside = umbrage_compare_shadow(receiver, 1.0);
-    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 #endif

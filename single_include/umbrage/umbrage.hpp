@@ -3715,7 +3715,8 @@ template <real T>
 /// @param coord      receiver position in the map, in texels
 /// @param texel      index of the texel
 /// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @edge             a NaN in any other argument than receiver: returns receiver. Below 2^-126 hardware may give either
+/// @edge             a NaN in any other argument than receiver: returns receiver; a shader may return NaN, which no texel
+///                   lights. Slopes of clamp_slope are never NaN. Below 2^-126 hardware may give either
 /// @formula          min(receiver + slope . (texel - (coord - 1/2)), receiver); max for reversed depth
 /// @exactness        B, n = 8
 template <real T, class Compare = less_equal>
@@ -3793,16 +3794,14 @@ inline constexpr snippet plane_reference{
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
                                             UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 )GLSL",
 };
@@ -3824,9 +3823,7 @@ UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, U
     UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
     UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 )GLSL",
 };
@@ -23543,7 +23540,7 @@ inline constexpr double grazing = 0.125;
     if (is_lens(m)) {
         m /= glm::length(row_of(m, 3));
         const double depth = take_depth(m);
-        width *= std::abs((place.at.z - depth) / m[3][2]);  // 1 / w
+        width *= std::abs((double(place.at.z) - depth) / m[3][2]);  // 1 / w
     }
     return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
 }
@@ -25157,7 +25154,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 )GLSL"};
@@ -25232,7 +25229,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
     UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 )GLSL"};

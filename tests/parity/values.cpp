@@ -45,6 +45,12 @@ std::vector<value_class> large_values() {
     return kinds;
 }
 
+std::vector<value_class> finite_values() {
+    auto kinds = large_values();
+    std::erase_if(kinds, [](const value_class& k) { return k.name == "NaN" || k.name == "infinity"; });
+    return kinds;
+}
+
 std::vector<value_class> depth_values(int bits) {
     auto kinds = special_values();
     kinds.push_back({"any bits", [](auto, random& r) { return any_bits(r); }});

@@ -26,6 +26,9 @@ struct range {
 /// special_values without denormals and the smallest normal, whose products hardware may take for 0.
 [[nodiscard]] std::vector<value_class> large_values();
 
+/// large_values without NaN and infinity: for functions that take no NaN, and whose sums of infinities would be one.
+[[nodiscard]] std::vector<value_class> finite_values();
+
 /// special_values, every bit pattern, and the edges of a code of `bits` bits with the floats beside them.
 [[nodiscard]] std::vector<value_class> depth_values(int bits = 11);
 

@@ -74,7 +74,8 @@ template <real T>
 /// @param coord      receiver position in the map, in texels
 /// @param texel      index of the texel
 /// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @edge             a NaN in any other argument than receiver: returns receiver. Below 2^-126 hardware may give either
+/// @edge             a NaN in any other argument than receiver: returns receiver; a shader may return NaN, which no texel
+///                   lights. Slopes of clamp_slope are never NaN. Below 2^-126 hardware may give either
 /// @formula          min(receiver + slope . (texel - (coord - 1/2)), receiver); max for reversed depth
 /// @exactness        B, n = 8
 template <real T, class Compare = less_equal>
@@ -152,16 +153,14 @@ inline constexpr snippet plane_reference{
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
                                             UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 )GLSL",
 };
@@ -183,9 +182,7 @@ UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, U
     UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
     UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 )GLSL",
 };

@@ -4154,15 +4154,13 @@ export const plane_reference = { language, name: "plane_reference", summary: "de
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 float umbrage_plane_reference(float2 slope, float3 at, float2 texel) {
     precise float2 way = texel - (float2(at.x, at.y) - 0.5);
     precise float plane = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 ` };
 
@@ -4178,9 +4176,7 @@ float umbrage_bordered_plane_reference(float2 slope, float3 at, float2 texel, fl
     float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
     float y = inside.y == texel.y ? moves.y : lights;
     precise float plane = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 ` };
 

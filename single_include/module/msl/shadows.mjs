@@ -293,7 +293,7 @@ const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness:
 inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     float lit = UMBRAGE_LIT_FILTERED;
     float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 ` };
@@ -322,7 +322,7 @@ const lit_at_bordered_along_a_plane = { name: "lit_at", role: "chosen", exactnes
 inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
     float2 texel = metal::floor(uv * size + 0.5) - 0.5;
     float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    float2 inside = metal::clamp((0.5 - metal::abs(uv - 0.5)) * size + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
     return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 ` };

@@ -293,7 +293,7 @@ const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness:
 fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
-    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let inside: vec2f = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 ` };
@@ -322,7 +322,7 @@ const lit_at_bordered_along_a_plane = { name: "lit_at", role: "chosen", exactnes
 fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
     let texel: vec2f = floor(uv * size + 0.5) - 0.5;
     let lit: f32 = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let inside: vec2f = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 ` };

@@ -4153,15 +4153,13 @@ export const plane_reference = { language, name: "plane_reference", summary: "de
     exactness: "b", operations: 8, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 fn umbrage_plane_reference(slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
     let way: vec2f = texel - (vec2f(at.x, at.y) - 0.5);
     let plane: f32 = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
-    return select(at.z, plane, nearer);
+    return select(max(plane, at.z), min(plane, at.z), umbrage_cleared_depth() > 0.5);
 }
 ` };
 
@@ -4177,9 +4175,7 @@ fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, insid
     let x: f32 = select(lights, moves.x, inside.x == texel.x);  // the same for all texels of a column
     let y: f32 = select(lights, moves.y, inside.y == texel.y);
     let plane: f32 = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
-    return select(at.z, plane, nearer);
+    return select(max(plane, at.z), min(plane, at.z), umbrage_cleared_depth() > 0.5);
 }
 ` };
 

@@ -42,15 +42,13 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 #ifndef UMBRAGE_HAS_PLANE_REFERENCE
 #define UMBRAGE_HAS_PLANE_REFERENCE
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 UMBRAGE_HIGHP float umbrage_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec2 texel) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel - (vec2(at.x, at.y) - 0.5);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 #endif
 

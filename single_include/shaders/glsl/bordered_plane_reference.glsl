@@ -42,8 +42,6 @@ UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, U
     UMBRAGE_HIGHP float x = inside.x == texel.x ? moves.x : lights;  // the same for all texels of a column
     UMBRAGE_HIGHP float y = inside.y == texel.y ? moves.y : lights;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    bool nearer = umbrage_cleared_depth() > 0.5 ? plane < at.z : plane > at.z;
-    return nearer ? plane : at.z;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
 }
 #endif

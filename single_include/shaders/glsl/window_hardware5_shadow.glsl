@@ -74,7 +74,7 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
                                           UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
     UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, 1.0);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 #endif

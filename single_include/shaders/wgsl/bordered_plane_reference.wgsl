@@ -21,7 +21,5 @@ fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, insid
     let x: f32 = select(lights, moves.x, inside.x == texel.x);  // the same for all texels of a column
     let y: f32 = select(lights, moves.y, inside.y == texel.y);
     let plane: f32 = (at.z + x) + y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
-    return select(at.z, plane, nearer);
+    return select(max(plane, at.z), min(plane, at.z), umbrage_cleared_depth() > 0.5);
 }

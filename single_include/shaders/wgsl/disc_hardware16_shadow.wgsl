@@ -42,7 +42,7 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
                          receiver: f32) -> f32 {
     let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
     let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
-    let inside: vec2f = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let inside: vec2f = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 

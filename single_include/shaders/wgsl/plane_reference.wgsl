@@ -13,13 +13,11 @@ fn umbrage_cleared_depth() -> f32 {
 }
 
 // umbrage_plane_reference: depth of the receiver, or of its plane at a texel where that is nearer to the light
-//   slope   slope of the receiver's plane, per texel
+//   slope   slope of the receiver's plane, per texel, no NaN
 //   at      receiver position in texels, and its depth, bias applied
 //   texel   index of the texel
 fn umbrage_plane_reference(slope: vec2f, at: vec3f, texel: vec2f) -> f32 {
     let way: vec2f = texel - (vec2f(at.x, at.y) - 0.5);
     let plane: f32 = (at.z + slope.x * way.x) + slope.y * way.y;
-    // not min() and max(), which differ between implementations where the plane is NaN
-    let nearer: bool = select((plane > at.z), (plane < at.z), umbrage_cleared_depth() > 0.5);
-    return select(at.z, plane, nearer);
+    return select(max(plane, at.z), min(plane, at.z), umbrage_cleared_depth() > 0.5);
 }

@@ -67,7 +67,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return outside + inside.x * inside.y * (lit - outside);
 }
 )GLSL"};
@@ -142,7 +142,7 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
     UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 - abs(uv - 0.5)) * size + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
     return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 )GLSL"};

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include <umbrage/bias/receiver_plane.hpp>
 
 #include "limits.hpp"
@@ -29,9 +33,16 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(receiver_plane_slope(vec3(s.x[0]), vec3(s.x[1])), 0.0f); },
                    .call = "vec4(umbrage_receiver_plane_slope(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), 0.0)"});
 
-    // no denormals: hardware that takes them for 0 finds a plane and a receiver equal, and gives either
+    // No denormals: hardware that takes them for 0 finds a plane and a receiver equal, and gives either. Of a plane that
+    // is NaN and a receiver, min() and max() may give either too.
     auto placed =
-        spread({{0, 1}, {0, 99}, {0, 99}, {0, 1}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, large_values());
+        spread({{0, 1}, {0, 99}, {0, 99}, {0, 1}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, finite_values());
+    placed.push_back(
+        {"receiver that is no number", [ordinary = placed.front().fill](std::uint64_t i, random& r, sample& s) {
+             ordinary(i, r, s);
+             constexpr float infinity = std::numeric_limits<float>::infinity();
+             s.x[0].x = std::array{std::numeric_limits<float>::quiet_NaN(), infinity, -infinity}[i % 3];
+         }});
     // the comparison of apply_receiver_plane: numbers without rounding, some of them equal
     const auto ties = [](std::uint64_t i, random& r, sample& s) {
         const auto sixteenths = [&](int most) { return static_cast<float>(r.below(most)) / 16.0f; };
