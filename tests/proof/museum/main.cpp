@@ -86,7 +86,8 @@ std::string page() {
         "and that this library does not. This page is its output: `build/dev/tests/proof/museum/museum --page "
         "MUSEUM.md` writes it\n"
         "again.\n\n"
-        "The table has the old formula's share of wrong results, and its largest error. This library has no wrong "
+        "The table has the fraction of the old formula's results that are wrong, and its largest error. This library "
+        "has no wrong "
         "result in any.\n"
         "Errors without a unit are depths or visibilities, in [0, 1].\n\n"
         "| exhibit | wrong | largest error |\n"
@@ -99,7 +100,7 @@ std::string page() {
         out += "| [" + heading + "](#" + anchor(heading) + ") | " + percent(e.old_way) + " | " + worst + " |\n";
         rooms += "\n## " + heading + "\n\n" + e.what->trouble + "\n\n";
         rooms += "- Seen: " + linked(e.what->seen) + "\n- Formula: `" + e.what->formula +
-                 "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ". Largest error: " + worst +
+                 "`\n- Tried: " + e.what->counted + ".\n- Wrong: " + share(e.old_way) + ". Largest error: " + worst +
                  "\n- Here: " + e.what->ours + ". Largest error: " + number(e.our_way.worst) + "\n";
     }
     return out + rooms;
