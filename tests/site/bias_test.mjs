@@ -13,7 +13,7 @@ const sources = path => fileURLToPath(new URL(`../../${path}`, import.meta.url))
 const { engine_bias, engines } = await import(sources('single_include/npm/engines.mjs'));
 
 await visit(async ({ open, check, picture, axe }) => {
-    const ready = page => page.waitForSelector('#bias:not(.loading)');
+    const ready = page => page.waitForSelector('#bias_page:not(.loading)');
     const cell = (page, name) => page.locator(`#${name}`).textContent();
     const shown = async (page, settings) => page.waitForFunction(text => document.getElementById('these_settings').textContent === text,
         Object.entries(settings).map(([name, value]) => `${name} ${value}`).join(', '));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every link of every page leads to a file of the site, and every fragment to an element of it. No page loads anything
-// from another host. The site stays small.
+// from another host. No heading has the name of an element that the style sheet lays out. The site stays small.
 //
 //     node links_test.mjs SITE
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
@@ -33,6 +33,7 @@ function read_page(text) {
         links: all(/<a\b[^>]*\shref="([^"]*)"/g),
         loads: all(/<(?:link|script|img|source|iframe)\b[^>]*\s(?:href|src)="([^"]*)"/g),
         ids: all(/\sid="([^"]*)"/g),
+        headings: all(/<h[1-6]\b[^>]*\sid="([^"]*)"/g),
     };
 }
 
@@ -48,8 +49,11 @@ function dead(page, to) {
     return '';
 }
 
+const style = readFileSync(join(site, 'style.css'), 'utf8');
+const laid_out = new Set(Array.from(style.matchAll(/#([a-z_]+)(?=[^;{}]*\{)/g), match => match[1]));
+check(laid_out.size > 5, `the style sheet lays out ${laid_out.size} elements by name`);
 let links = 0;
-for (const [page, { links: to, loads, ids }] of pages) {
+for (const [page, { links: to, loads, ids, headings }] of pages) {
     const name = relative(site, page);
     for (const each of [...to, ...loads]) {
         const why = dead(page, each);
@@ -57,6 +61,7 @@ for (const [page, { links: to, loads, ids }] of pages) {
         ++links;
     }
     for (const each of loads) check(!/^(https?:)?\/\//.test(each), `${name} loads ${each}`);
+    for (const each of headings.filter(id => laid_out.has(id))) check(false, `${name} lays out the heading ${each}`);
     const twice = ids.filter((id, at) => ids.indexOf(id) !== at);
     check(twice.length === 0, `${name} has two elements called ${twice}`);
 }

@@ -88,7 +88,7 @@ function show(): void {
     by_id('found').hidden = !is_found;
     notice.textContent = told.join(' ');
     notice.hidden = told.length === 0;
-    by_id('bias').classList.remove('loading');
+    by_id('bias_page').classList.remove('loading');
 }
 
 function changed(): void {

@@ -28,7 +28,7 @@ const body = `
 <p class="lead">Numbers for a light of your engine, with which no plane stripes itself. Shadows stay as near to what
 casts them as that allows.</p>
 <noscript><p>This page computes by script. The numbers are also in the npm package, as <code>engine_bias</code>.</p></noscript>
-<div id="bias" class="loading">
+<div id="bias_page" class="loading">
 <form id="light" class="bar bias_form" aria-label="The light">
 <label class="field">engine <select id="engine">${Object.entries(engines).map(([name, { title }]) => option(name, title)).join('')}${option('other', 'another')}</select></label>
 <label class="field of_engine">light <select id="kind"></select></label>
