@@ -59,8 +59,8 @@ export async function pages(context) {
     const cards = ways.map(([to, name, words]) => `<li class="card"><h2><a href="${to}">${name}</a></h2><p>${words}</p></li>`);
     const body = `
 <h1 class="front">Shadows that compute the same in C++ and in your shader</h1>
-<p class="lead">Most shader functions of this C++20 library return the same bits as their C++ versions, and the
-rest keep within <a href="tests/">a stated bound</a>.</p>
+<p class="lead">Most functions of this header-only C++20 library for shadow maps return the same bits in a shader, and the rest
+keep within <a href="tests/">a stated bound</a>. So far that is shown on software renderers.</p>
 <p class="bar"><a class="button main" href="start.html">Start</a> <a class="button" href="proof/">Prove it on this GPU</a>
 <a class="button" href="snippets/">Copy the shader</a></p>
 ${live}
