@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Slope of a plane in a dual paraboloid map, where depth is the distance from the light: its change per texel.
-// Use it there in place of plane_slope.
+// Use it there in place of `plane_slope`.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);

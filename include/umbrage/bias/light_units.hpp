@@ -18,7 +18,7 @@
 //                        filter.reach() * here.drift_world;
 //     glm::vec4 looked_up = umbrage::shadow_coordinate(to_texels, world - bias_world * light_direction);
 //
-// acne_free_bias with plane_slope does not need this, in shaders either.
+// `acne_free_bias` with `plane_slope` does not need this, in shaders either.
 #pragma once
 
 #include <cmath>

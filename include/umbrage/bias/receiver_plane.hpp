@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Receiver plane depth bias: each texel is compared with the receiver, or with its plane at the texel's center where
-// that is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from
-// plane_slope or from screen-space derivatives.
+// Receiver plane depth bias: compares each texel with the receiver or with its plane at the texel's center, whichever
+// is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from `plane_slope`
+// or from screen-space derivatives.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float receiver = p.z - umbrage::acne_free_bias(slope, 0.5f, error);
@@ -85,7 +85,7 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + slope.x * x) + slope.y * y, is_lit(T(0), T(1)));
 }
 
-/// plane_reference in a map whose border is lit: outside, a depth that lies before every stored one.
+/// `plane_reference` in a map whose border is lit. Outside the map it is nearer to the light than every stored depth.
 /// @param inside     index of the nearest texel in the map
 /// Other parameters as for plane_reference.
 /// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which

@@ -4,9 +4,9 @@
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal, without an epsilon. For reversed Z pass greater_equal.
+// Filters compare once per texel with `less_equal`, without an epsilon. For reversed Z pass `greater_equal`.
 // Pass comparison if the direction is known only at run time. In shaders the binding gives the direction.
-// NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test beyond_far_plane first.
+// NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test `beyond_far_plane` first.
 // Also called: shadow test, depth test (compare).
 #pragma once
 

@@ -36,9 +36,9 @@ using error_handler = void (*)(const char* message);
 
 namespace detail {
 
-/// Default argument of functions that are templates for compile time only: a file compiles just those it calls.
-/// It serves functions that use containers, and loops for several instruction sets.
-/// Without it umbrage.hpp would take 0.36 s more to compile, half as much again.
+/// Default argument of functions that are templates for compile time only. A file then compiles just those that it
+/// calls. It serves functions that use containers, and loops for several instruction sets. Without it umbrage.hpp would
+/// take 0.36 s more to compile, half as much again.
 struct on_use;
 
 inline error_handler handler = nullptr;

@@ -8,7 +8,7 @@
 //     };
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
-// The contract of parallel_for(count, piece), for count >= 0:
+// The contract of `parallel_for(count, piece)`, for count >= 0:
 //   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
@@ -17,10 +17,10 @@
 //                 then. Results are unspecified, and arguments may be used again
 //   repetition    none. A piece may run again only while no other runs, and then changes no result
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
-// A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
-// call it. A piece may wait some microseconds for another that is running, but never for one that has yet to start. So
-// one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or triangles.
-// The result has the same bits for all pieces.
+// A function calls `parallel_for` from the caller's thread, once or several times, one call after the other. Pieces
+// never call it. A piece may wait some microseconds for another that is running, but never for one that has yet to
+// start. So one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or
+// triangles. The result has the same bits for all pieces.
 #pragma once
 
 namespace umbrage {

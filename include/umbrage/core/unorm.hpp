@@ -5,7 +5,7 @@
 //     vec4 color = umbrage_to_unorm(channels);     // write: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // read: integers, even if the driver divides by 255 inexactly
 //
-// umbrage_to_unorm10 and umbrage_to_unorm16, and their inverses, do the same for 10 and 16 bits.
+// `umbrage_to_unorm10` and `umbrage_to_unorm16`, and their inverses, do the same for 10 and 16 bits.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadow test on maps of encode_rg without decoding them: one multiply-add per texel.
+// Shadow test on maps of `encode_rg` without decoding them: one multiply-add per texel.
 //
 //     bool lit = umbrage::receiver_rg<11>(depth) <= umbrage::level_rg<11>(sampled);
 //
@@ -9,7 +9,7 @@
 //
 //     {.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}}
 //
-// and pass umbrage_receiver_rg11(depth, 1.0) as the receiver. The visibility has the same bits as with decode_rg.
+// and pass `umbrage_receiver_rg11(depth, 1.0)` as the receiver. The visibility has the same bits as with `decode_rg`.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// encode_rg through a lookup table, for hardware without enough arithmetic: a texture fetch with the depth as
+// `encode_rg` through a lookup table, for hardware without enough arithmetic: a texture fetch with the depth as
 // coordinate. Up to 11 bits the table is one row of 2^Bits texels. From 12 bits on it has rows of 2048 texels, the
 // widest texture of 2002.
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Early exit for a filter: one fetch from a map of depth bounds decides where all of its texels are lit, or none is.
-// The result there has the filter's own bits. In shaders, bind the bounds of make_filter_bounds as a map:
+// The result there has the filter's own bits. In shaders, bind the bounds of `make_filter_bounds` as a map:
 //
 //     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
 //     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds of the texels that a filter may read, for the early exit of bounds_lit. Make them once per map. They have a
+// Bounds of the texels that a filter may read, by which `bounds_lit` returns early. Make them once per map. They have a
 // fourth of the map's texels, or a sixteenth for filters with a large radius.
 //
 //     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());

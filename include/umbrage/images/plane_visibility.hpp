@@ -6,7 +6,7 @@
 //     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
 //
-// Results have the same bits as the filter for each receiver alone over apply_receiver_plane(fetch, slope, at).
+// Results have the same bits as the filter for each receiver alone over `apply_receiver_plane(fetch, slope, at)`.
 #pragma once
 
 #include <umbrage/bias/receiver_plane.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Receivers of a whole image, in the three forms that visibility() takes.
+// Receivers of a whole image, in the three forms that `visibility()` takes.
 //   image of vec3     x and y in texels of the map, z depth with the bias already applied
 //   receiver_planes   the same as three images of floats
 //   depth_receivers   the depth image that a camera rendered

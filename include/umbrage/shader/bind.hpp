@@ -113,7 +113,7 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
+/// True for one expression. A list, with commas outside brackets, is none, nor is an assignment.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_one_expression(std::string_view text) {
     for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {

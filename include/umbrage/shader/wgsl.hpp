@@ -5,7 +5,7 @@
 //     std::string shader = umbrage::wgsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32
 //
-// GLSL's overloads, except the float's, have their type in the name: umbrage_to_unorm_vec2f.
+// GLSL's overloads, except the float's, have their type in the name: `umbrage_to_unorm_vec2f`.
 //
 #pragma once
 

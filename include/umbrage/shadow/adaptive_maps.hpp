@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Adaptive shadow map (virtual shadow map) with up to 64 pages, each of them a map. The uniform block holds the table
-// that finds a receiver's page, so the deepest level is 4. page_coordinate reads a table of more pages and levels from
-// a texture.
+// that finds a receiver's page, so the deepest level is 4. `page_coordinate` reads a table of more pages and levels
+// from a texture.
 //
 //     umbrage::page_cache cache({.slots = {8, 8}, .deepest_level = 4});
 //     const auto drawn = cache.update(seen).drawn;          // each frame; see light/adaptive/README.md

@@ -2,9 +2,9 @@
 //
 // A light's map for positions relative to an anchor, with the slack that comparisons on a receiver's plane need.
 //
-// Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms, so far
-// from the origin a receiver and the vertices of its own surface would round apart. Both are therefore taken relative
-// to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
+// Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms. Far
+// from the origin, a receiver and the vertices of its own surface would round differently. Both are therefore taken
+// relative to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
 //
 //     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
 //     glm::vec3 way = world - glm::vec3(lamp.anchor);

@@ -6,8 +6,8 @@
 //     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
 //     std::puts(umbrage::explain(says));
 //
-// bind(sun, "sun", {.debug = true}) gives a shader the same test: umbrage_calibrate_sun(0.0) returns the reading's
-// number. See in_shader.hpp. A map that was just cleared must read as map_reading::empty.
+// `bind(sun, "sun", {.debug = true})` gives a shader the same test: `umbrage_calibrate_sun(0.0)` returns the reading's
+// number. See in_shader.hpp. A map that was just cleared must read as `map_reading::empty`.
 #pragma once
 
 #include <array>

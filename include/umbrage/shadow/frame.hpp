@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The frame of every shadow, in C++ and in GLSL: places of a receiver from the setup, a lookup in the map of each, and
-// their blend. Setups and filters only state what they are.
+// Frame of every shadow, in C++ and in GLSL. It gets a receiver's places from the setup, looks up the map of each
+// place, and blends the results. Setups and filters only state what they are.
 #pragma once
 
 #include <span>

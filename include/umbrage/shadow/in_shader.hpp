@@ -10,19 +10,19 @@
 // hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
 // map and the sampler.
 //
-// bind(sun, "sun", {.map = texture::shadow, .linear = true}) takes a comparison sampler that filters linearly, and
-// fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
-// and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
+// `bind(sun, "sun", {.map = texture::shadow, .linear = true})` takes a comparison sampler that filters linearly, and
+// fewer fetches: 4 for a `tent<3>`. It is tier C. Each fetch compares four texels with the plane's depth where they
+// meet. Its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
-// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same
-// bits. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+// `bind(sun, "sun", {.gather = true})` reads four texels at once, with the same bits. The 16 texels of `tent<3>` take 4
+// gathers. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
 //
-// bind(sun, "sun", {.derivatives = true}) takes no normal: umbrage_sun(world) has the triangle's own from the
+// `bind(sun, "sun", {.derivatives = true})` takes no normal: `umbrage_sun(world)` has the triangle's own from the
 // derivatives of world on the screen. Call it in a fragment shader, outside all branches. WGSL refuses it elsewhere;
 // other languages leave the derivatives undefined there. GLSL 100 needs GL_OES_standard_derivatives.
 //
-// bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
-// umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
+// `bind(sun, "sun", {.debug = true})` adds two functions for a shadow that is missing. The colors of
+// `umbrage_probe_sun(world, normal)` show the reason (probe.hpp). `umbrage_calibrate_sun(number)` reports how the host
 // reads its map (calibration.hpp).
 //
 // See also: depth_pass.hpp, for the functions of the depth pass.

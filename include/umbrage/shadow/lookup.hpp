@@ -3,8 +3,8 @@
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
 // Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with the slack
-// of its place as bias. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered maps
-// (VSM, ESM, EVSM, MSM), which have texels of their own.
+// of its place as bias. Maps that bend planes take one bias for the filter's whole reach. So do prefiltered maps (VSM,
+// ESM, EVSM, MSM), which have texels of their own.
 #pragma once
 
 #include <concepts>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Slack that comparisons on a receiver's plane need in a map, from the map's numbers. It covers the rounding of
-// receivers and of the vertices of their own surface, texels beside the plane, and what texels miss of a concave edge.
+// receivers and of their surface's vertices, texels beside the plane, and concave edges between texels.
 //
 // See also: anchored_map.hpp, which makes uniforms of it.
 #pragma once
@@ -80,8 +80,8 @@ inline constexpr double grazing = 0.125;
     return m;
 }
 
-/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
-/// elsewhere. Rounding then enters the depth by z or by w alone.
+/// Subtracts a multiple of w from the row of depth. Under a perspective the row then has no directions, and otherwise
+/// no offset. So rounding enters the depth by z or by w alone.
 /// @return   the multiple: depth to add after the division
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);

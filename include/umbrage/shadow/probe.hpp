@@ -5,7 +5,7 @@
 //
 //     glm::vec3 color = umbrage::probe(sun, world, normal);
 //
-// bind(sun, "sun", {.debug = true}) gives a shader the same: umbrage_probe_sun(world, normal). See in_shader.hpp.
+// `bind(sun, "sun", {.debug = true})` gives a shader the same: `umbrage_probe_sun(world, normal)`. See in_shader.hpp.
 // Also called: shadow debug view, visualize cascades (probe).
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
-// Any type that satisfies shadow_setup works, and no list names them. See also: single_map.hpp, the shortest setup.
+// Any type that satisfies `shadow_setup` works, and no list names them. See also: single_map.hpp, the shortest setup.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: make_anchored_map, anchored_place, biased by the place's slack, and the filter on
-// apply_receiver_plane of bordered(map).
+// These functions are its steps: `make_anchored_map`, `anchored_place`, biased by the place's slack, and the filter on
+// `apply_receiver_plane` of `bordered(map)`.
 #pragma once
 
 #include <array>

@@ -5,7 +5,7 @@
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
-// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: has_like_maps.
+// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: `has_like_maps`.
 #pragma once
 
 #include <array>
@@ -96,8 +96,8 @@ void require_light_size(const Filter& filter) {
             "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
 }
 
-/// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
-/// light has one 0.
+/// `per_code` of each map of a setup. It comes from the setup's first lights, because lights that share a map are
+/// alike. A setup with no light has one 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<float> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<float> all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Uniform block of a shadow: what its setup, its filter and its encoding tell the lookup, in C++ and in shaders.
+// Uniform block of a shadow: the numbers of its setup, filter and encoding that the lookup reads, in C++ and in
+// shaders.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 //     umbrage::shadow sun(umbrage::warped_maps(cascades, fit.camera, fit.overlap), fit.map_size, filter);
 //
 // Each map has its own matrix, as each warp differs. A map holds only the casters of its own part of the view. So a
-// point never takes the map of another part, unlike in cascaded_maps.
+// point never takes the map of another part, unlike in `cascaded_maps`.
 #pragma once
 
 #include <array>

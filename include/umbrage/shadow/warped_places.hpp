@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Places of a receiver in warped cascades (LiSPSM, TSM, PSM): in the map that its distance along the camera's axis
-// chooses, and in the next one where the two blend. The end of the last map fades to light.
+// Places of a receiver in warped cascades (LiSPSM, TSM, PSM). Its distance along the camera's axis chooses the map.
+// Where two maps blend, it has a place in the next one too. The end of the last map fades to light.
 //
 // See also: warped_maps.hpp, the setup.
 #pragma once

@@ -53,7 +53,7 @@ inline void require_drawable(glm::ivec2 size, clip_space clip, const char* funct
             "from 0 to 16384 texels a side", size);
 }
 
-/// Stand-in for a vertex outside of planes: off the grid, with their bits.
+/// Placeholder for a vertex outside of some planes. It lies off the grid, and holds the bits of those planes.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles of a few texels, all of a batch at once: a loop over the triangles for each texel of their bounds.
+// Rasterizer for triangles of a few texels, a batch at a time. For each texel of their bounds, it loops over the
+// triangles.
 //
 //     const small_triangles small(batch);
 //     small.for_each_sample([&](int x, int y, float depth) { ... });

@@ -6,7 +6,7 @@
 //     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
-// A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as texture::depth
+// A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as `texture::depth`
 // with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
 //     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Percentage-closer filtering (PCF) over four taps with separate coordinates, as on the Radeon 8500. There, each tap
-// had its own texture matrix (tap_matrices), a nearest fetch and a test. The result was the mean of the tests.
+// had its own texture matrix (`tap_matrices`), a nearest fetch and a test. The result was the mean of the tests.
 //
 //     float visibility = umbrage::four_tap(umbrage::bordered(map), a, b, c, d, depth - bias);
 //

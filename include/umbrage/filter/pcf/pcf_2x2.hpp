@@ -5,8 +5,8 @@
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(map), coord, depth - bias);
 //
-// pcf_2x2 rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
-// pcf_2x2_dx_sdk is the DirectX SDK sample's version, with unrounded weights.
+// `pcf_2x2` rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
+// `pcf_2x2_dx_sdk` is the DirectX SDK sample's version, with unrounded weights.
 // Also called: bilinear PCF, 2x2 PCF, 4-tap PCF. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
 #pragma once
 

@@ -12,7 +12,7 @@
 //                                        bind(glsl::pcf_2x2_cube, "point_light", {.texture = texture::cube_faces})});
 //     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
 //
-// Depths must not depend on the face: store distances from the light, as distance_depth computes them.
+// Depths must not depend on the face: store distances from the light, as `distance_depth` computes them.
 // Also called: seamless point light shadows, samplerCubeShadow, TextureCube SampleCmp.
 #pragma once
 

@@ -4,8 +4,8 @@
 //
 //     float visibility = umbrage::pcf_2x2_hardware(umbrage::bordered(map), coord, depth - bias);
 //
-// In a shader, bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly. For any other map
-// it is pcf_2x2. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
+// In a shader, bind it to a `texture::shadow` or `texture::shadow_array` whose sampler filters linearly. For any other
+// map it is `pcf_2x2`. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
 // OpenGL does not define how a linear filter treats comparisons: Mesa's softpipe compares a filtered depth.
 // Also called: hardware PCF, sampler2DShadow, SampleCmp, textureSampleCompare.
 // See also: pcf_2x2.hpp, exact on every GPU.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Hausdorff moment problem for moment shadow maps (MSM): depths are known to lie in [-1, 1], so less light bleeds than
-// with decode_msm. It needs 32-bit floats.
+// with `decode_msm`. It needs 32-bit floats.
 //
 //     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
 //
 // A floor that falls away from the light darkens a little where it ends before cleared texels. The blur there holds
-// only the floor's nearer side: depths nearer to the light than the receiver. decode_msm misses them, since it takes
+// only the floor's nearer side: depths nearer to the light than the receiver. `decode_msm` misses them, since it takes
 // the cleared texels for spread about a mean. A bias for the blur's radius removes the darkening.
 // Also called: Hausdorff MSM (decode_msm_hausdorff).
 #pragma once

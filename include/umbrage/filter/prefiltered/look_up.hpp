@@ -5,7 +5,7 @@
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
 // In a shader, bind the snippet to the map of moments, any float texture. It weights texels in steps of 1/256. If the
-// sampler filters, call umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
+// sampler filters, call `umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6)`. The weights are then the hardware's.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Blur and mip chain of prefiltered maps, as shader passes: each pass reads one map and writes another. blur() and
-// make_mip_chain() over images give the same bits.
+// Blur and mip chain of prefiltered maps, as shader passes: each pass reads one map and writes another. `blur()` and
+// `make_mip_chain()` over images give the same bits.
 //
 //     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y, into a second map,
 //     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that map along x

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
+// Fast form of a filter, for blocks of 64 receivers. `visibility()` uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form is a plain_form, or a form without_tables. It states its needs of a map, and the smallest width and height
-// that it accepts. blocks() makes its blocks from a map, a filter and tables(). A form that needs texels gets the map
-// as stored: float_texels or rg_texels. A form that needs floats gets float_texels. A form clamps texels to the map's
-// edge. visibility() filters receivers within reach() of a bordered map's border again. A form may name another,
-// by_bounds, which runs where bounds_pay(): see hierarchical.hpp.
+// A form is a `plain_form`, or a form `without_tables`. It states its needs of a map, and the smallest width and height
+// that it accepts. `blocks()` makes its blocks from a map, a filter and `tables()`. A form that needs texels gets the
+// map as stored: `float_texels` or `rg_texels`. A form that needs floats gets `float_texels`. A form clamps texels to
+// the map's edge. `visibility()` filters receivers within `reach()` of a bordered map's border again. A form may name
+// another, `by_bounds`, which runs where `bounds_pay()`: see hierarchical.hpp.
 //
-// Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
-// finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
+// Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. `place()`
+// finds the texels and prefetches them. The second step loads, compares and weights them. A `place()` with a third
 // argument gets the row of pixels of the block. Its column is a multiple of 64. A block has `count` receivers. Loops
 // run to `block` nevertheless, a constant by which compilers vectorize, and results of the rest are ignored. `Isa` is
 // the instruction set for which the code is compiled. All its functions and lambdas are UMBRAGE_INLINE: see
@@ -38,7 +38,7 @@ namespace umbrage::detail {
 
 /// Map that the blocks of a filter read.
 enum class map_need {
-    texels,  ///< few texels per receiver: as stored, if a fast form exists for that, or floats
+    texels,  ///< few texels per receiver: stored texels where a fast form reads them, else floats
     floats,  ///< many texels: decoding each per receiver would cost more than decoding the map once
 };
 
@@ -49,7 +49,7 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
-/// Base of every form: what most have alike.
+/// Base of every form, with the defaults of its members.
 struct plain_form {
     using by_bounds = void;                ///< form that runs where bounds_pay(); void: none
     static constexpr bool rounds = false;  ///< true where results round, so that no product may be fused with a sum

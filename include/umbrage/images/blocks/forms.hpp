@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// List of every filter's fast form over images. visibility() finds them by the filter's type.
+// List of every filter's fast form over images. `visibility()` finds them by the filter's type.
 //
 #pragma once
 

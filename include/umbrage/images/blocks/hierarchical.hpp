@@ -3,7 +3,7 @@
 // Hierarchical evaluation of filters over many texels. Most receivers are entirely lit or in shadow: they read only the
 // bounds of their texels. The other receivers read every texel. Results have the same bits.
 //
-// visibility() uses it for filters::box, window and disc where bounds_pay().
+// `visibility()` uses it for `filters::box`, `window` and `disc` where `bounds_pay()`.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Blocks of receivers that are compared along their own planes: each loaded texel is taken as by apply_receiver_plane.
-// A form that takes planes uses rows_on_planes() for the registers that it loads, or texels_on_planes() for one texel
-// per receiver. For receivers without planes both compile to nothing.
+// Blocks of receivers that are compared along their own planes: each loaded texel is taken as by
+// `apply_receiver_plane`. A form that takes planes uses `rows_on_planes()` for the registers that it loads, or
+// `texels_on_planes()` for one texel per receiver. For receivers without planes both compile to nothing.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ template <class Filter, class Fetch>
     else return static_cast<float>(filter(fetch, coord, receiver));
 }
 
-/// Fetch of decoded texels, as one type for all encodings: code that is rarely used is not compiled for each.
+/// Fetch of decoded texels, as one type for all encodings. So rarely used code is not compiled once per encoding.
 struct erased_fetch {
     const void* fetch;
     float (*call)(const void*, glm::ivec2);

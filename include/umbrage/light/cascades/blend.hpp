@@ -6,7 +6,7 @@
 //     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
 //     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
-// Weights are multiples of 1/256. Visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
+// Weights are multiples of 1/256. Visibilities of `pcf_2x2` are multiples of 2^-16. So their blend does not round.
 // Also called: cascade blending, cross-fade (cascade_fade, blend_cascades); dithered transition, ordered dithering
 // (dithered_cascade).
 #pragma once

@@ -9,7 +9,7 @@
 //     for (const auto& c : cascades) draw_depths(c.light);                   // one depth pass each
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // for select.hpp and blend.hpp
 //
-// Far from the world's origin fit in double, then draw and look up with relative_to(cascades, origin).
+// Far from the world's origin fit in double, then draw and look up with `relative_to(cascades, origin)`.
 // Also called: CSM, PSSM, shadow cascades, sun shadows (make_stable_cascades, make_tight_cascades); stable shadows,
 // shimmering fix (make_stable_cascades). See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
 #pragma once
@@ -99,7 +99,7 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees. It is the whole slice if the slice sees nothing, or one point.
+/// Part of a scene that a slice sees. If the slice sees nothing or one point, it is the whole slice.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const hull seen(intersection(part, scene)), slice(part);

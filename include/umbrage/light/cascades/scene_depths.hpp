@@ -2,9 +2,9 @@
 //
 // Range of depths that the maps of a directional light need for a scene, equal for all of them. For stable cascades.
 //
-// The light's axes are X, Y, and Z along its rays. The scene has sides s_i along the axes i of the world. Inside a map
-// of sides w and h, its depths have a range of at most (s_i + |X_i| w + |Y_i| h) / |Z_i|, wherever the map lies. So a
-// wide ground needs no more depth than a map's part of it. The smallest of these ranges serves all maps.
+// The light's axes are X, Y, and Z along its rays. The scene has sides s_i along the axes i of the world. Inside a
+// map of sides w and h, its depths have a range of at most (s_i + |X_i| w + |Y_i| h) / |Z_i|. This holds wherever the
+// map lies. So a wide ground needs no more depth than a map's part of it. The smallest of these ranges serves all maps.
 //
 #pragma once
 
@@ -26,7 +26,7 @@
 namespace umbrage {
 namespace detail {
 
-/// Depths along a directional light that maps see of a scene. Their range is equal for all maps, wherever they lie.
+/// Depths of a scene along a directional light, as maps see them. Their range is equal for all maps, wherever they lie.
 class scene_depths {
 public:
     /// @param side   sides of the largest map, world units

@@ -10,14 +10,14 @@
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is the layer of an array, or selects a tile of an atlas. Uniform arrays can replace
-// cascade_column if they accept an index that differs per pixel. The cheapest uniform is then one texture matrix per
+// `cascade_column` if they accept an index that differs per pixel. The cheapest uniform is then one texture matrix per
 // cascade, in place of rotation, scale and offset. Round it from double, so that stable cascades stay stable.
 // Store it by rows: the shader then loads three rows, not four columns.
 //
 //     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
 //     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
 //
-// With five to eight cascades, from grouped_cascade_uniforms:
+// With five to eight cascades, from `grouped_cascade_uniforms`:
 //
 //     float number = 0;
 //     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);

@@ -14,8 +14,8 @@
 //     vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels[int(number)], world));
 //     float weight = umbrage_cascade_fade(view_depth, fades[int(number)].x, fades[int(number)].y);  // of the next
 //
-// Select the cascade with cascade_by_depth. cascade_by_projection needs one rotation, but here each map has its own.
-// See also: cascades.hpp without warps, warp/warp_fit.hpp.
+// Select the cascade with `cascade_by_depth`. `cascade_by_projection` needs one rotation, but here each map has its
+// own. See also: cascades.hpp without warps, warp/warp_fit.hpp.
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ struct warped_cascade {
     T begin = T(0), end = T(0);  ///< slice along the camera's axis, world units
 };
 
-/// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees, or the
-/// whole slice if it sees nothing, or a point.
+/// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees. If the
+/// slice sees nothing or one point, the map covers the whole slice.
 ///
 /// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp

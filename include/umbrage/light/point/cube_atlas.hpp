@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Cube textures in place of an atlas of six faces: the face and texel of an atlas texel, and the direction that reads
-// it. Filters for an atlas use this on cubes: see texture::cube_faces in bind.hpp.
+// it. Filters for an atlas use this on cubes: see `texture::cube_faces` in bind.hpp.
 //
 //     glm::vec3 direction = umbrage::cube_atlas_direction(texel, size);  // what a samplerCube takes
 //

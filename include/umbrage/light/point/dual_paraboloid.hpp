@@ -11,10 +11,10 @@
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;    // in maps[int(at.z)]
 //     float depth = umbrage::distance_depth(world - p, 1.0f / 30.0f);
 //
-// In a vertex shader set gl_Position to projection * umbrage_dual_paraboloid_position(world - p, map), for the cut
+// In a vertex shader set gl_Position to `projection * umbrage_dual_paraboloid_position(world - p, map)`, for the cut
 // mesh. Vertices behind the map need a clip distance, such as position.w - 0.1 * distance.
 //
-// plane_slope does not hold for distances. bias/distance_slope.hpp has their slope, and the reach that tessellation
+// `plane_slope` does not hold for distances. bias/distance_slope.hpp has their slope, and the reach that tessellation
 // adds.
 //
 // A border of texels extends each map beyond its half, so that filters need no other map: see point_light.hpp.

@@ -8,8 +8,8 @@
 //
 // A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
 // are enough. Between faces the edge of a shadow moves by at most one texel.
-// Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
-// (distance_depth) itself.
+// Depth is that of a perspective projection per face, at `cube_view_z`. The depth pass must write distances
+// (`distance_depth`) itself.
 // Also called: omnidirectional shadows, point light shadows (make_point_light).
 // See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Position of a point light for warps. warp_fit::direction is the light's axis, and all receivers must lie along it.
+// Position of a point light for warps. `warp_fit::direction` is the light's axis, and all receivers must lie along it.
 //
 //     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
 //

@@ -70,7 +70,7 @@ template <real T>
 [[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
 
 /// Distance of the mildest useful warp.
-/// @return   infinite if camera and light look one way, and for receivers of no extent at the camera
+/// @return   infinite if camera and light point in one direction, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
     const double least = (glm::max)(n, least_distance(v));
@@ -105,7 +105,7 @@ template <real T>
 /// Distance from the receivers to the center of a light-space perspective that minimizes the largest error over the
 /// camera's frustum. It gives the mildest useful warp.
 /// @return      world units along the camera's view, across the light, > 0
-/// @edge        camera and light look one way: infinite
+/// @edge        camera and light point in one direction: infinite
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t, with t the angle between view and light. Along the
 ///              camera's view z0 is the smallest distance of receivers, and d is their extent across the light
 /// @throws std::invalid_argument  as fit_light_space_perspective

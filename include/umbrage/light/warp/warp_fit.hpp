@@ -10,10 +10,10 @@
 //     draw_depths(warped.light);
 //
 // A warp gives more texels to surfaces close to the camera, and fewer to distant ones. Lookups are those of a spot
-// light, with shadow_coordinate and project_coordinate. w is above 0. Depth grows along the light.
+// light, with `shadow_coordinate` and `project_coordinate`. w is above 0. Depth grows along the light.
 //
 // Under low lights (6 to 14 degrees above a ground) a warp can resolve far less than a map without one. Use
-// choose_light to take the better of both.
+// `choose_light` to take the better of both.
 //
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to

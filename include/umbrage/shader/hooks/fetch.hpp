@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hooks for each kind of map, of its depths and of single texels. bind() puts one of these functions in place of a
+// Hooks for each kind of map, of its depths and of single texels. `bind()` puts one of these functions in place of a
 // hook's own text, which is that of a plain map. The map fills in these words:
 //   UMBRAGE_MAP map   its parameters
 //   UMBRAGE_ORIGIN    its first texel in the texture

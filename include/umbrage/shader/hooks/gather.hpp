@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks for maps whose sampler gathers four texels at a time: texel + (0, 0), (1, 0), (0, 1) and (1, 1), in this order.
-// Each step is chosen by itself: what one gather gives, whether the map is a region of its texture, what is compared,
-// and what lies outside. See also: fetch.hpp, which explains the words.
+// Four steps are chosen separately: the texels of one gather, the region of the texture, the comparison, and the texels
+// outside. See also: fetch.hpp, which explains the words.
 //
 #pragma once
 
