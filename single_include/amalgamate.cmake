@@ -44,8 +44,8 @@ endif()
 write(${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
-// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
-// spot_fit, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
+// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (`directional_fit`,
+// `spot_fit`, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
 // texts of snippets. Made by single_include/amalgamate.cmake.
 #pragma once
 

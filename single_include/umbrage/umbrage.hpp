@@ -96,9 +96,9 @@ using error_handler = void (*)(const char* message);
 
 namespace detail {
 
-/// Default argument of functions that are templates for compile time only: a file compiles just those it calls.
-/// It serves functions that use containers, and loops for several instruction sets.
-/// Without it umbrage.hpp would take 0.36 s more to compile, half as much again.
+/// Default argument of functions that are templates for compile time only. A file then compiles just those that it
+/// calls. It serves functions that use containers, and loops for several instruction sets. Without it umbrage.hpp would
+/// take 0.36 s more to compile, half as much again.
 struct on_use;
 
 inline error_handler handler = nullptr;
@@ -622,9 +622,9 @@ inline constexpr const snippet* scalar_snippets[]{&saturate};
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal, without an epsilon. For reversed Z pass greater_equal.
+// Filters compare once per texel with `less_equal`, without an epsilon. For reversed Z pass `greater_equal`.
 // Pass comparison if the direction is known only at run time. In shaders the binding gives the direction.
-// NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test beyond_far_plane first.
+// NaN on either side is in shadow. A receiver beyond the far plane is lit: filters test `beyond_far_plane` first.
 // Also called: shadow test, depth test (compare).
 
 namespace umbrage {
@@ -887,7 +887,7 @@ inline constexpr const snippet* constant_snippets[]{&clamp_bias, &biased};
 //     vec4 color = umbrage_to_unorm(channels);     // write: the same byte whether the store rounds or truncates
 //     vec4 channels = umbrage_from_unorm(texel);   // read: integers, even if the driver divides by 255 inexactly
 //
-// umbrage_to_unorm10 and umbrage_to_unorm16, and their inverses, do the same for 10 and 16 bits.
+// `umbrage_to_unorm10` and `umbrage_to_unorm16`, and their inverses, do the same for 10 and 16 bits.
 
 namespace umbrage {
 
@@ -2058,7 +2058,7 @@ inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &re
 
 // ---- umbrage/bias/distance_slope.hpp
 // Slope of a plane in a dual paraboloid map, where depth is the distance from the light: its change per texel.
-// Use it there in place of plane_slope.
+// Use it there in place of `plane_slope`.
 //
 //     glm::vec2 slope = umbrage::dual_paraboloid_slope(world - light.position, normal, 2.0f / (light.range * inner));
 //     float bias = umbrage::acne_free_bias(slope, filter.reach() + umbrage::tessellation_reach<float>, error);
@@ -2501,8 +2501,8 @@ inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_
 //
 // A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
 // are enough. Between faces the edge of a shadow moves by at most one texel.
-// Depth is that of a perspective projection per face, at cube_view_z. The depth pass must write distances
-// (distance_depth) itself.
+// Depth is that of a perspective projection per face, at `cube_view_z`. The depth pass must write distances
+// (`distance_depth`) itself.
 // Also called: omnidirectional shadows, point light shadows (make_point_light).
 // See also: dual_paraboloid.hpp (two maps), tetrahedron_light.hpp (four).
 
@@ -2774,7 +2774,7 @@ inline constexpr const snippet* texture_matrix_snippets[]{&shadow_coordinate, &t
 //                        filter.reach() * here.drift_world;
 //     glm::vec4 looked_up = umbrage::shadow_coordinate(to_texels, world - bias_world * light_direction);
 //
-// acne_free_bias with plane_slope does not need this, in shaders either.
+// `acne_free_bias` with `plane_slope` does not need this, in shaders either.
 
 namespace umbrage {
 
@@ -3653,9 +3653,9 @@ inline constexpr const snippet* texel_space_snippets[]{&fetch_depth, &depth_at, 
 }  // namespace umbrage
 
 // ---- umbrage/bias/receiver_plane.hpp
-// Receiver plane depth bias: each texel is compared with the receiver, or with its plane at the texel's center where
-// that is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from
-// plane_slope or from screen-space derivatives.
+// Receiver plane depth bias: compares each texel with the receiver or with its plane at the texel's center, whichever
+// is nearer to the light. So a filter of any reach needs half a texel of bias alone. The slope comes from `plane_slope`
+// or from screen-space derivatives.
 //
 //     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
 //     float receiver = p.z - umbrage::acne_free_bias(slope, 0.5f, error);
@@ -3726,7 +3726,7 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + slope.x * x) + slope.y * y, is_lit(T(0), T(1)));
 }
 
-/// plane_reference in a map whose border is lit: outside, a depth that lies before every stored one.
+/// `plane_reference` in a map whose border is lit. Outside the map it is nearer to the light than every stored depth.
 /// @param inside     index of the nearest texel in the map
 /// Other parameters as for plane_reference.
 /// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which
@@ -3934,7 +3934,7 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 //     };
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
-// The contract of parallel_for(count, piece), for count >= 0:
+// The contract of `parallel_for(count, piece)`, for count >= 0:
 //   calls         piece(first, last) with 0 <= first <= last <= count, so that each of 0 .. count - 1 is in one piece.
 //                 Some may be empty
 //   order         any, of pieces of any lengths, on any threads and any number of them. The caller's thread may be one
@@ -3943,10 +3943,10 @@ inline constexpr const snippet* floor_divide_snippets[]{&correct_quotient, &floo
 //                 then. Results are unspecified, and arguments may be used again
 //   repetition    none. A piece may run again only while no other runs, and then changes no result
 //   omission      a piece that never runs leaves its results unspecified, and later pieces may read them
-// A function calls parallel_for from the caller's thread, once or several times, one call after the other. Pieces never
-// call it. A piece may wait some microseconds for another that is running, but never for one that has yet to start. So
-// one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or triangles.
-// The result has the same bits for all pieces.
+// A function calls `parallel_for` from the caller's thread, once or several times, one call after the other. Pieces
+// never call it. A piece may wait some microseconds for another that is running, but never for one that has yet to
+// start. So one thread is enough, and several pools at once work too. Pieces are bands of rows, strips of columns, or
+// triangles. The result has the same bits for all pieces.
 
 namespace umbrage {
 
@@ -4987,7 +4987,7 @@ struct rg {
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg_level.hpp
-// Shadow test on maps of encode_rg without decoding them: one multiply-add per texel.
+// Shadow test on maps of `encode_rg` without decoding them: one multiply-add per texel.
 //
 //     bool lit = umbrage::receiver_rg<11>(depth) <= umbrage::level_rg<11>(sampled);
 //
@@ -4996,7 +4996,7 @@ struct rg {
 //
 //     {.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}}
 //
-// and pass umbrage_receiver_rg11(depth, 1.0) as the receiver. The visibility has the same bits as with decode_rg.
+// and pass `umbrage_receiver_rg11(depth, 1.0)` as the receiver. The visibility has the same bits as with `decode_rg`.
 
 namespace umbrage {
 
@@ -5083,7 +5083,7 @@ inline constexpr const snippet* rg_level_snippets[]{&level_rg<Bits>..., &receive
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg_table.hpp
-// encode_rg through a lookup table, for hardware without enough arithmetic: a texture fetch with the depth as
+// `encode_rg` through a lookup table, for hardware without enough arithmetic: a texture fetch with the depth as
 // coordinate. Up to 11 bits the table is one row of 2^Bits texels. From 12 bits on it has rows of 2048 texels, the
 // widest texture of 2002.
 //
@@ -6237,8 +6237,8 @@ inline constexpr std::array<pcss, 3> pcss::values{{{.points = 8}, {.points = 16}
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(map), coord, depth - bias);
 //
-// pcf_2x2 rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
-// pcf_2x2_dx_sdk is the DirectX SDK sample's version, with unrounded weights.
+// `pcf_2x2` rounds its weights to 1/256, as texture units do, and returns the same bits everywhere.
+// `pcf_2x2_dx_sdk` is the DirectX SDK sample's version, with unrounded weights.
 // Also called: bilinear PCF, 2x2 PCF, 4-tap PCF. See also: pcf_2x2_hardware.hpp, windows.hpp, disc.hpp.
 
 namespace umbrage {
@@ -6404,8 +6404,8 @@ struct pcf_2x2_dx_sdk {
 //
 //     float visibility = umbrage::pcf_2x2_hardware(umbrage::bordered(map), coord, depth - bias);
 //
-// In a shader, bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly. For any other map
-// it is pcf_2x2. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
+// In a shader, bind it to a `texture::shadow` or `texture::shadow_array` whose sampler filters linearly. For any other
+// map it is `pcf_2x2`. The bound holds for samplers whose weights have steps of 1/256, as in Direct3D, or finer steps.
 // OpenGL does not define how a linear filter treats comparisons: Mesa's softpipe compares a filtered depth.
 // Also called: hardware PCF, sampler2DShadow, SampleCmp, textureSampleCompare.
 // See also: pcf_2x2.hpp, exact on every GPU.
@@ -6645,7 +6645,7 @@ inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware
 //     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
-// A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as texture::depth
+// A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as `texture::depth`
 // with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
 //     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
@@ -6830,7 +6830,7 @@ inline constexpr const snippet* pcss_hardware_snippets[]{&blocker_at, &pcss_radi
 
 // ---- umbrage/filter/bounds_lit.hpp
 // Early exit for a filter: one fetch from a map of depth bounds decides where all of its texels are lit, or none is.
-// The result there has the filter's own bits. In shaders, bind the bounds of make_filter_bounds as a map:
+// The result there has the filter's own bits. In shaders, bind the bounds of `make_filter_bounds` as a map:
 //
 //     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
 //     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
@@ -7052,7 +7052,7 @@ struct box {
 
 // ---- umbrage/filter/pcf/four_tap.hpp
 // Percentage-closer filtering (PCF) over four taps with separate coordinates, as on the Radeon 8500. There, each tap
-// had its own texture matrix (tap_matrices), a nearest fetch and a test. The result was the mean of the tests.
+// had its own texture matrix (`tap_matrices`), a nearest fetch and a test. The result was the mean of the tests.
 //
 //     float visibility = umbrage::four_tap(umbrage::bordered(map), a, b, c, d, depth - bias);
 //
@@ -7984,7 +7984,7 @@ struct linear_form {
 //                                        bind(glsl::pcf_2x2_cube, "point_light", {.texture = texture::cube_faces})});
 //     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_point_light(point_light, atlas, at, depth)
 //
-// Depths must not depend on the face: store distances from the light, as distance_depth computes them.
+// Depths must not depend on the face: store distances from the light, as `distance_depth` computes them.
 // Also called: seamless point light shadows, samplerCubeShadow, TextureCube SampleCmp.
 
 namespace umbrage {
@@ -9420,12 +9420,12 @@ inline constexpr const snippet* msm_snippets[]{&encode_msm,   &to_optimized_mome
 
 // ---- umbrage/filter/prefiltered/hausdorff.hpp
 // Hausdorff moment problem for moment shadow maps (MSM): depths are known to lie in [-1, 1], so less light bleeds than
-// with decode_msm. It needs 32-bit floats.
+// with `decode_msm`. It needs 32-bit floats.
 //
 //     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
 //
 // A floor that falls away from the light darkens a little where it ends before cleared texels. The blur there holds
-// only the floor's nearer side: depths nearer to the light than the receiver. decode_msm misses them, since it takes
+// only the floor's nearer side: depths nearer to the light than the receiver. `decode_msm` misses them, since it takes
 // the cleared texels for spread about a mean. A bias for the blur's radius removes the darkening.
 // Also called: Hausdorff MSM (decode_msm_hausdorff).
 
@@ -9568,7 +9568,7 @@ inline constexpr const snippet* hausdorff_snippets[]{&hausdorff_share, &decode_m
 //     float visibility = umbrage::vsm(umbrage::bordered(moments), coord, depth - bias, 1e-6f);
 //
 // In a shader, bind the snippet to the map of moments, any float texture. It weights texels in steps of 1/256. If the
-// sampler filters, call umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6). The weights are then the hardware's.
+// sampler filters, call `umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6)`. The weights are then the hardware's.
 
 namespace umbrage {
 
@@ -9853,8 +9853,8 @@ inline constexpr const snippet* look_up_snippets[]{&fetch_bilinear, &vsm, &esm, 
 }  // namespace umbrage
 
 // ---- umbrage/filter/prefiltered/reduce.hpp
-// Blur and mip chain of prefiltered maps, as shader passes: each pass reads one map and writes another. blur() and
-// make_mip_chain() over images give the same bits.
+// Blur and mip chain of prefiltered maps, as shader passes: each pass reads one map and writes another. `blur()` and
+// `make_mip_chain()` over images give the same bits.
 //
 //     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y, into a second map,
 //     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that map along x
@@ -10400,7 +10400,7 @@ inline constexpr const snippet* page_table_snippets[]{&page_coordinate, &page_ti
 //     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
 //     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, one lookup
 //
-// Weights are multiples of 1/256. Visibilities of pcf_2x2 are multiples of 2^-16. So their blend does not round.
+// Weights are multiples of 1/256. Visibilities of `pcf_2x2` are multiples of 2^-16. So their blend does not round.
 // Also called: cascade blending, cross-fade (cascade_fade, blend_cascades); dithered transition, ordered dithering
 // (dithered_cascade).
 
@@ -10605,14 +10605,14 @@ inline constexpr const snippet* blend_snippets[]{&cascade_weight, &cascade_fade,
 //     float visibility = umbrage::pcf_2x2(umbrage::bordered(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is the layer of an array, or selects a tile of an atlas. Uniform arrays can replace
-// cascade_column if they accept an index that differs per pixel. The cheapest uniform is then one texture matrix per
+// `cascade_column` if they accept an index that differs per pixel. The cheapest uniform is then one texture matrix per
 // cascade, in place of rotation, scale and offset. Round it from double, so that stable cascades stay stable.
 // Store it by rows: the shader then loads three rows, not four columns.
 //
 //     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
 //     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
 //
-// With five to eight cascades, from grouped_cascade_uniforms:
+// With five to eight cascades, from `grouped_cascade_uniforms`:
 //
 //     float number = 0;
 //     for (const glm::vec3& ends : u.ends) number += umbrage::cascade_by_depth(view_depth, ends);
@@ -11342,7 +11342,7 @@ inline constexpr const snippet* pancake_snippets[]{&pancake};
 
 // ---- umbrage/light/point/cube_atlas.hpp
 // Cube textures in place of an atlas of six faces: the face and texel of an atlas texel, and the direction that reads
-// it. Filters for an atlas use this on cubes: see texture::cube_faces in bind.hpp.
+// it. Filters for an atlas use this on cubes: see `texture::cube_faces` in bind.hpp.
 //
 //     glm::vec3 direction = umbrage::cube_atlas_direction(texel, size);  // what a samplerCube takes
 //
@@ -11419,10 +11419,10 @@ inline constexpr const snippet* cube_atlas_snippets[]{&cube_atlas_texel, &cube_a
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;    // in maps[int(at.z)]
 //     float depth = umbrage::distance_depth(world - p, 1.0f / 30.0f);
 //
-// In a vertex shader set gl_Position to projection * umbrage_dual_paraboloid_position(world - p, map), for the cut
+// In a vertex shader set gl_Position to `projection * umbrage_dual_paraboloid_position(world - p, map)`, for the cut
 // mesh. Vertices behind the map need a clip distance, such as position.w - 0.1 * distance.
 //
-// plane_slope does not hold for distances. bias/distance_slope.hpp has their slope, and the reach that tessellation
+// `plane_slope` does not hold for distances. bias/distance_slope.hpp has their slope, and the reach that tessellation
 // adds.
 //
 // A border of texels extends each map beyond its half, so that filters need no other map: see point_light.hpp.
@@ -11999,8 +11999,8 @@ template <real T = float>
 
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. <umbrage/umbrage.hpp>, or headers of their own, have the
-// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (directional_fit,
-// spot_fit, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
+// rest: shadows as one object, functions over whole images with the depth pass, fitted lights (`directional_fit`,
+// `spot_fit`, cascades, warp, adaptive), other programs' formats (depth/foreign), lists of encodings and filters, and
 // texts of snippets. Made by single_include/amalgamate.cmake.
 
 
@@ -12541,7 +12541,7 @@ inline void require_drawable(glm::ivec2 size, clip_space clip, const char* funct
             "from 0 to 16384 texels a side", size);
 }
 
-/// Stand-in for a vertex outside of planes: off the grid, with their bits.
+/// Placeholder for a vertex outside of some planes. It lies off the grid, and holds the bits of those planes.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::lowest(), static_cast<std::int32_t>(planes), 0.0};
 }
@@ -13645,7 +13645,8 @@ private:
 UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/draw/raster/small_triangles.hpp
-// Triangles of a few texels, all of a batch at once: a loop over the triangles for each texel of their bounds.
+// Rasterizer for triangles of a few texels, a batch at a time. For each texel of their bounds, it loops over the
+// triangles.
 //
 //     const small_triangles small(batch);
 //     small.for_each_sample([&](int x, int y, float depth) { ... });
@@ -16263,7 +16264,7 @@ struct reached_texels {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/filter_bounds.hpp
-// Bounds of the texels that a filter may read, for the early exit of bounds_lit. Make them once per map. They have a
+// Bounds of the texels that a filter may read, by which `bounds_lit` returns early. Make them once per map. They have a
 // fourth of the map's texels, or a sixteenth for filters with a large radius.
 //
 //     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
@@ -16816,17 +16817,17 @@ void visibility(image_view<const glm::u16vec4> table, const moment_table& of, im
 }  // namespace umbrage
 
 // ---- umbrage/images/blocks/form.hpp
-// Fast form of a filter, for blocks of 64 receivers. visibility() uses it where a filter has one, and calls other
+// Fast form of a filter, for blocks of 64 receivers. `visibility()` uses it where a filter has one, and calls other
 // filters receiver by receiver.
 //
-// A form is a plain_form, or a form without_tables. It states its needs of a map, and the smallest width and height
-// that it accepts. blocks() makes its blocks from a map, a filter and tables(). A form that needs texels gets the map
-// as stored: float_texels or rg_texels. A form that needs floats gets float_texels. A form clamps texels to the map's
-// edge. visibility() filters receivers within reach() of a bordered map's border again. A form may name another,
-// by_bounds, which runs where bounds_pay(): see hierarchical.hpp.
+// A form is a `plain_form`, or a form `without_tables`. It states its needs of a map, and the smallest width and height
+// that it accepts. `blocks()` makes its blocks from a map, a filter and `tables()`. A form that needs texels gets the
+// map as stored: `float_texels` or `rg_texels`. A form that needs floats gets `float_texels`. A form clamps texels to
+// the map's edge. `visibility()` filters receivers within `reach()` of a bordered map's border again. A form may name
+// another, `by_bounds`, which runs where `bounds_pay()`: see hierarchical.hpp.
 //
-// Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. place()
-// finds the texels and prefetches them. The second step loads, compares and weights them. A place() with a third
+// Blocks work in two steps, some blocks apart, so that texels have arrived from memory when they are needed. `place()`
+// finds the texels and prefetches them. The second step loads, compares and weights them. A `place()` with a third
 // argument gets the row of pixels of the block. Its column is a multiple of 64. A block has `count` receivers. Loops
 // run to `block` nevertheless, a constant by which compilers vectorize, and results of the rest are ignored. `Isa` is
 // the instruction set for which the code is compiled. All its functions and lambdas are UMBRAGE_INLINE: see
@@ -16853,7 +16854,7 @@ namespace umbrage::detail {
 
 /// Map that the blocks of a filter read.
 enum class map_need {
-    texels,  ///< few texels per receiver: as stored, if a fast form exists for that, or floats
+    texels,  ///< few texels per receiver: stored texels where a fast form reads them, else floats
     floats,  ///< many texels: decoding each per receiver would cost more than decoding the map once
 };
 
@@ -16864,7 +16865,7 @@ struct block_form;
 template <class Filter>
 struct every_texel_form;
 
-/// Base of every form: what most have alike.
+/// Base of every form, with the defaults of its members.
 struct plain_form {
     using by_bounds = void;                ///< form that runs where bounds_pay(); void: none
     static constexpr bool rounds = false;  ///< true where results round, so that no product may be fused with a sum
@@ -17169,7 +17170,7 @@ struct map_tile {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/receivers.hpp
-// Receivers of a whole image, in the three forms that visibility() takes.
+// Receivers of a whole image, in the three forms that `visibility()` takes.
 //   image of vec3     x and y in texels of the map, z depth with the bias already applied
 //   receiver_planes   the same as three images of floats
 //   depth_receivers   the depth image that a camera rendered
@@ -17678,9 +17679,9 @@ struct every_texel_form<filters::box> : without_tables {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/blocks/planes.hpp
-// Blocks of receivers that are compared along their own planes: each loaded texel is taken as by apply_receiver_plane.
-// A form that takes planes uses rows_on_planes() for the registers that it loads, or texels_on_planes() for one texel
-// per receiver. For receivers without planes both compile to nothing.
+// Blocks of receivers that are compared along their own planes: each loaded texel is taken as by
+// `apply_receiver_plane`. A form that takes planes uses `rows_on_planes()` for the registers that it loads, or
+// `texels_on_planes()` for one texel per receiver. For receivers without planes both compile to nothing.
 
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
@@ -18293,7 +18294,7 @@ struct every_texel_form<filters::window> : plain_form {
 // Hierarchical evaluation of filters over many texels. Most receivers are entirely lit or in shadow: they read only the
 // bounds of their texels. The other receivers read every texel. Results have the same bits.
 //
-// visibility() uses it for filters::box, window and disc where bounds_pay().
+// `visibility()` uses it for `filters::box`, `window` and `disc` where `bounds_pay()`.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::box{8}, out);
 //
@@ -18746,7 +18747,7 @@ struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/blocks/forms.hpp
-// List of every filter's fast form over images. visibility() finds them by the filter's type.
+// List of every filter's fast form over images. `visibility()` finds them by the filter's type.
 //
 
 
@@ -18769,7 +18770,7 @@ template <class Filter, class Fetch>
     else return static_cast<float>(filter(fetch, coord, receiver));
 }
 
-/// Fetch of decoded texels, as one type for all encodings: code that is rarely used is not compiled for each.
+/// Fetch of decoded texels, as one type for all encodings. So rarely used code is not compiled once per encoding.
 struct erased_fetch {
     const void* fetch;
     float (*call)(const void*, glm::ivec2);
@@ -19975,7 +19976,7 @@ struct plane_form<filters::box> : on_planes<plane_box_form> {};
 //     umbrage::sloped_receivers receivers{{x, y, depth}, slope_x, slope_y};  // plane_slope of each receiver
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::pcss{.softness = soft}, out);
 //
-// Results have the same bits as the filter for each receiver alone over apply_receiver_plane(fetch, slope, at).
+// Results have the same bits as the filter for each receiver alone over `apply_receiver_plane(fetch, slope, at)`.
 
 namespace umbrage {
 
@@ -20567,15 +20568,15 @@ void visibility(image_view<const glm::u16vec4> table, const variance_table& of, 
 // ---- umbrage/light/cascades/scene_depths.hpp
 // Range of depths that the maps of a directional light need for a scene, equal for all of them. For stable cascades.
 //
-// The light's axes are X, Y, and Z along its rays. The scene has sides s_i along the axes i of the world. Inside a map
-// of sides w and h, its depths have a range of at most (s_i + |X_i| w + |Y_i| h) / |Z_i|, wherever the map lies. So a
-// wide ground needs no more depth than a map's part of it. The smallest of these ranges serves all maps.
+// The light's axes are X, Y, and Z along its rays. The scene has sides s_i along the axes i of the world. Inside a
+// map of sides w and h, its depths have a range of at most (s_i + |X_i| w + |Y_i| h) / |Z_i|. This holds wherever the
+// map lies. So a wide ground needs no more depth than a map's part of it. The smallest of these ranges serves all maps.
 //
 
 namespace umbrage {
 namespace detail {
 
-/// Depths along a directional light that maps see of a scene. Their range is equal for all maps, wherever they lie.
+/// Depths of a scene along a directional light, as maps see them. Their range is equal for all maps, wherever they lie.
 class scene_depths {
 public:
     /// @param side   sides of the largest map, world units
@@ -20759,7 +20760,7 @@ template <real T = float>
 //     for (const auto& c : cascades) draw_depths(c.light);                   // one depth pass each
 //     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // for select.hpp and blend.hpp
 //
-// Far from the world's origin fit in double, then draw and look up with relative_to(cascades, origin).
+// Far from the world's origin fit in double, then draw and look up with `relative_to(cascades, origin)`.
 // Also called: CSM, PSSM, shadow cascades, sun shadows (make_stable_cascades, make_tight_cascades); stable shadows,
 // shimmering fix (make_stable_cascades). See also: splits.hpp, select.hpp, blend.hpp, warped.hpp.
 
@@ -20832,7 +20833,7 @@ template <std::size_t Count, real T>
     return parts;
 }
 
-/// Part of a scene that a slice sees. It is the whole slice if the slice sees nothing, or one point.
+/// Part of a scene that a slice sees. If the slice sees nothing or one point, it is the whole slice.
 template <class = on_use>
 [[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const hull seen(intersection(part, scene)), slice(part);
@@ -21051,10 +21052,10 @@ requires(Count > 4) [[nodiscard]] grouped_cascade_uniforms<T, Count> make_cascad
 //     draw_depths(warped.light);
 //
 // A warp gives more texels to surfaces close to the camera, and fewer to distant ones. Lookups are those of a spot
-// light, with shadow_coordinate and project_coordinate. w is above 0. Depth grows along the light.
+// light, with `shadow_coordinate` and `project_coordinate`. w is above 0. Depth grows along the light.
 //
 // Under low lights (6 to 14 degrees above a ground) a warp can resolve far less than a map without one. Use
-// choose_light to take the better of both.
+// `choose_light` to take the better of both.
 //
 // Strong warps need precision. A matrix computed in double and rounded once places points to 1/1000 texel, for maps of
 // 2048 texels under a view of one kilometer. Its product with points in float loses more far from the origin, up to
@@ -21263,8 +21264,8 @@ template <real T>
 //     vec3 at = umbrage_project_coordinate(umbrage_shadow_coordinate(to_texels[int(number)], world));
 //     float weight = umbrage_cascade_fade(view_depth, fades[int(number)].x, fades[int(number)].y);  // of the next
 //
-// Select the cascade with cascade_by_depth. cascade_by_projection needs one rotation, but here each map has its own.
-// See also: cascades.hpp without warps, warp/warp_fit.hpp.
+// Select the cascade with `cascade_by_depth`. `cascade_by_projection` needs one rotation, but here each map has its
+// own. See also: cascades.hpp without warps, warp/warp_fit.hpp.
 
 namespace umbrage {
 
@@ -21276,8 +21277,8 @@ struct warped_cascade {
     T begin = T(0), end = T(0);  ///< slice along the camera's axis, world units
 };
 
-/// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees, or the
-/// whole slice if it sees nothing, or a point.
+/// Warped maps, one per slice of the camera's range. Each covers the part of the scene that its slice sees. If the
+/// slice sees nothing or one point, the map covers the whole slice.
 ///
 /// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
@@ -21613,7 +21614,7 @@ template <real T = float>
 }  // namespace umbrage
 
 // ---- umbrage/light/warp/light_position.hpp
-// Position of a point light for warps. warp_fit::direction is the light's axis, and all receivers must lie along it.
+// Position of a point light for warps. `warp_fit::direction` is the light's axis, and all receivers must lie along it.
 //
 //     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
 //
@@ -21744,7 +21745,7 @@ template <real T>
 [[nodiscard]] inline double least_distance(const along_view& v) { return v.length * 0x1p-14; }
 
 /// Distance of the mildest useful warp.
-/// @return   infinite if camera and light look one way, and for receivers of no extent at the camera
+/// @return   infinite if camera and light point in one direction, and for receivers of no extent at the camera
 [[nodiscard]] inline double optimal_distance(const along_view& v) {
     const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
     const double least = (glm::max)(n, least_distance(v));
@@ -21779,7 +21780,7 @@ template <real T>
 /// Distance from the receivers to the center of a light-space perspective that minimizes the largest error over the
 /// camera's frustum. It gives the mildest useful warp.
 /// @return      world units along the camera's view, across the light, > 0
-/// @edge        camera and light look one way: infinite
+/// @edge        camera and light point in one direction: infinite
 /// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t, with t the angle between view and light. Along the
 ///              camera's view z0 is the smallest distance of receivers, and d is their extent across the light
 /// @throws std::invalid_argument  as fit_light_space_perspective
@@ -23316,7 +23317,7 @@ struct declaration {
 
 // ---- umbrage/shadow/setup.hpp
 // Setup of a light's maps for a shadow: their number, their views, and the place of a world position in them.
-// Any type that satisfies shadow_setup works, and no list names them. See also: single_map.hpp, the shortest setup.
+// Any type that satisfies `shadow_setup` works, and no list names them. See also: single_map.hpp, the shortest setup.
 
 namespace umbrage {
 
@@ -23440,7 +23441,7 @@ template <real T>
 
 // ---- umbrage/shadow/map_slack.hpp
 // Slack that comparisons on a receiver's plane need in a map, from the map's numbers. It covers the rounding of
-// receivers and of the vertices of their own surface, texels beside the plane, and what texels miss of a concave edge.
+// receivers and of their surface's vertices, texels beside the plane, and concave edges between texels.
 //
 // See also: anchored_map.hpp, which makes uniforms of it.
 
@@ -23501,8 +23502,8 @@ inline constexpr double grazing = 0.125;
     return m;
 }
 
-/// Takes a multiple of w from the row of depth, which is left without directions under a lens and without an offset
-/// elsewhere. Rounding then enters the depth by z or by w alone.
+/// Subtracts a multiple of w from the row of depth. Under a perspective the row then has no directions, and otherwise
+/// no offset. So rounding enters the depth by z or by w alone.
 /// @return   the multiple: depth to add after the division
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
@@ -23621,9 +23622,9 @@ inline void require_digits(double away, double extent) {
 // ---- umbrage/shadow/anchored_map.hpp
 // A light's map for positions relative to an anchor, with the slack that comparisons on a receiver's plane need.
 //
-// Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms, so far
-// from the origin a receiver and the vertices of its own surface would round apart. Both are therefore taken relative
-// to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
+// Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms. Far
+// from the origin, a receiver and the vertices of its own surface would round differently. Both are therefore taken
+// relative to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
 //
 //     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
 //     glm::vec3 way = world - glm::vec3(lamp.anchor);
@@ -24726,7 +24727,7 @@ template <known_encoding Encoding>
 }  // namespace umbrage::glsl
 
 // ---- umbrage/shader/hooks/fetch.hpp
-// Hooks for each kind of map, of its depths and of single texels. bind() puts one of these functions in place of a
+// Hooks for each kind of map, of its depths and of single texels. `bind()` puts one of these functions in place of a
 // hook's own text, which is that of a plain map. The map fills in these words:
 //   UMBRAGE_MAP map   its parameters
 //   UMBRAGE_ORIGIN    its first texel in the texture
@@ -24907,8 +24908,8 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 // ---- umbrage/shader/hooks/gather.hpp
 // Hooks for maps whose sampler gathers four texels at a time: texel + (0, 0), (1, 0), (0, 1) and (1, 1), in this order.
-// Each step is chosen by itself: what one gather gives, whether the map is a region of its texture, what is compared,
-// and what lies outside. See also: fetch.hpp, which explains the words.
+// Four steps are chosen separately: the texels of one gather, the region of the texture, the comparison, and the texels
+// outside. See also: fetch.hpp, which explains the words.
 //
 
 namespace umbrage::glsl::hooks {
@@ -25458,7 +25459,7 @@ template <class = umbrage::detail::on_use>
     return all;
 }
 
-/// True for one expression: no list, whose commas lie outside brackets, and no assignment.
+/// True for one expression. A list, with commas outside brackets, is none, nor is an assignment.
 template <class = umbrage::detail::on_use>
 [[nodiscard]] bool is_one_expression(std::string_view text) {
     for (std::size_t i = text.find('='); i != text.npos; i = text.find('=', i + 1)) {
@@ -25609,8 +25610,8 @@ template <class = umbrage::detail::on_use>
 // Lookup of a filter in one map of a shadow, in C++ and in GLSL: the receiver's bias, and the filter's call.
 //
 // Percentage-closer filters (PCF) and contact hardening (PCSS, DPCF) compare along the receiver's plane, with the slack
-// of its place as bias. Maps that bend planes take one bias for the filter's whole reach, and so do prefiltered maps
-// (VSM, ESM, EVSM, MSM), which have texels of their own.
+// of its place as bias. Maps that bend planes take one bias for the filter's whole reach. So do prefiltered maps (VSM,
+// ESM, EVSM, MSM), which have texels of their own.
 
 namespace umbrage {
 
@@ -25863,7 +25864,7 @@ template <class Setup, class Filter, class Encoding>
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
-// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: has_like_maps.
+// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: `has_like_maps`.
 
 namespace umbrage {
 
@@ -25934,8 +25935,8 @@ void require_light_size(const Filter& filter) {
             "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
 }
 
-/// per_code of each of a setup's maps: of the first lights, as one map may hold several that are alike. A setup with no
-/// light has one 0.
+/// `per_code` of each map of a setup. It comes from the setup's first lights, because lights that share a map are
+/// alike. A setup with no light has one 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<float> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<float> all;
@@ -26115,8 +26116,8 @@ struct setup_for<tetrahedron_light<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/warped_places.hpp
-// Places of a receiver in warped cascades (LiSPSM, TSM, PSM): in the map that its distance along the camera's axis
-// chooses, and in the next one where the two blend. The end of the last map fades to light.
+// Places of a receiver in warped cascades (LiSPSM, TSM, PSM). Its distance along the camera's axis chooses the map.
+// Where two maps blend, it has a place in the next one too. The end of the last map fades to light.
 //
 // See also: warped_maps.hpp, the setup.
 
@@ -28175,7 +28176,7 @@ private:
 //     std::string shader = umbrage::wgsl::text({umbrage::glsl::pcf_2x2}) + my_main;
 //     // fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32
 //
-// GLSL's overloads, except the float's, have their type in the name: umbrage_to_unorm_vec2f.
+// GLSL's overloads, except the float's, have their type in the name: `umbrage_to_unorm_vec2f`.
 //
 
 namespace umbrage::wgsl {
@@ -28301,8 +28302,8 @@ template <class Use = umbrage::detail::on_use>
 
 // ---- umbrage/shadow/adaptive_maps.hpp
 // Adaptive shadow map (virtual shadow map) with up to 64 pages, each of them a map. The uniform block holds the table
-// that finds a receiver's page, so the deepest level is 4. page_coordinate reads a table of more pages and levels from
-// a texture.
+// that finds a receiver's page, so the deepest level is 4. `page_coordinate` reads a table of more pages and levels
+// from a texture.
 //
 //     umbrage::page_cache cache({.slots = {8, 8}, .deepest_level = 4});
 //     const auto drawn = cache.update(seen).drawn;          // each frame; see light/adaptive/README.md
@@ -28609,8 +28610,8 @@ inline void cut(std::vector<glm::dvec4>& polygon, const glm::dvec4& plane) {
 }  // namespace umbrage::detail
 
 // ---- umbrage/shadow/frame.hpp
-// The frame of every shadow, in C++ and in GLSL: places of a receiver from the setup, a lookup in the map of each, and
-// their blend. Setups and filters only state what they are.
+// Frame of every shadow, in C++ and in GLSL. It gets a receiver's places from the setup, looks up the map of each
+// place, and blends the results. Setups and filters only state what they are.
 
 namespace umbrage::detail {
 
@@ -28913,7 +28914,8 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
 }  // namespace umbrage::detail
 
 // ---- umbrage/shadow/uniform_block.hpp
-// Uniform block of a shadow: what its setup, its filter and its encoding tell the lookup, in C++ and in shaders.
+// Uniform block of a shadow: the numbers of its setup, filter and encoding that the lookup reads, in C++ and in
+// shaders.
 
 namespace umbrage {
 
@@ -29000,8 +29002,8 @@ template <class Setup, class Filter>
 //     float visibility = sun(map, world, normal);            // 1 lit
 //
 // in_shader.hpp writes the same shadow as a shader function, which gives the same bits where its parts do.
-// These functions are its steps: make_anchored_map, anchored_place, biased by the place's slack, and the filter on
-// apply_receiver_plane of bordered(map).
+// These functions are its steps: `make_anchored_map`, `anchored_place`, biased by the place's slack, and the filter on
+// `apply_receiver_plane` of `bordered(map)`.
 
 namespace umbrage {
 
@@ -29433,8 +29435,8 @@ template <class Setup, class Filter, class Encoding>
 //     umbrage::map_reading says = umbrage::calibrate(sun, known, 0);   // on the CPU: map_reading::right
 //     std::puts(umbrage::explain(says));
 //
-// bind(sun, "sun", {.debug = true}) gives a shader the same test: umbrage_calibrate_sun(0.0) returns the reading's
-// number. See in_shader.hpp. A map that was just cleared must read as map_reading::empty.
+// `bind(sun, "sun", {.debug = true})` gives a shader the same test: `umbrage_calibrate_sun(0.0)` returns the reading's
+// number. See in_shader.hpp. A map that was just cleared must read as `map_reading::empty`.
 
 namespace umbrage {
 
@@ -29653,7 +29655,7 @@ template <class Setup, class Filter, class Encoding>
 //
 //     glm::vec3 color = umbrage::probe(sun, world, normal);
 //
-// bind(sun, "sun", {.debug = true}) gives a shader the same: umbrage_probe_sun(world, normal). See in_shader.hpp.
+// `bind(sun, "sun", {.debug = true})` gives a shader the same: `umbrage_probe_sun(world, normal)`. See in_shader.hpp.
 // Also called: shadow debug view, visualize cascades (probe).
 
 namespace umbrage {
@@ -29728,19 +29730,19 @@ template <class Setup, class Filter>
 // hlsl::text, wgsl::text and msl::text take the same items. In Metal the function's first arguments are the block, the
 // map and the sampler.
 //
-// bind(sun, "sun", {.map = texture::shadow, .linear = true}) takes a comparison sampler that filters linearly, and
-// fewer fetches: 4 for tent<3>. It is tier C: each fetch compares four texels with the plane's depth where they meet,
-// and its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
+// `bind(sun, "sun", {.map = texture::shadow, .linear = true})` takes a comparison sampler that filters linearly, and
+// fewer fetches: 4 for a `tent<3>`. It is tier C. Each fetch compares four texels with the plane's depth where they
+// meet. Its bias has half a texel more of slope. Without `linear` the sampler may filter either way.
 //
-// bind(sun, "sun", {.gather = true}) reads four texels at once: 4 gathers for the 16 texels of tent<3>, and the same
-// bits. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
+// `bind(sun, "sun", {.gather = true})` reads four texels at once, with the same bits. The 16 texels of `tent<3>` take 4
+// gathers. GLSL has gathers from 430 and 310 es on. HLSL, WGSL and Metal then declare a sampler too.
 //
-// bind(sun, "sun", {.derivatives = true}) takes no normal: umbrage_sun(world) has the triangle's own from the
+// `bind(sun, "sun", {.derivatives = true})` takes no normal: `umbrage_sun(world)` has the triangle's own from the
 // derivatives of world on the screen. Call it in a fragment shader, outside all branches. WGSL refuses it elsewhere;
 // other languages leave the derivatives undefined there. GLSL 100 needs GL_OES_standard_derivatives.
 //
-// bind(sun, "sun", {.debug = true}) adds two functions for a shadow that is missing. The colors of
-// umbrage_probe_sun(world, normal) show the reason (probe.hpp). umbrage_calibrate_sun(number) reports how the host
+// `bind(sun, "sun", {.debug = true})` adds two functions for a shadow that is missing. The colors of
+// `umbrage_probe_sun(world, normal)` show the reason (probe.hpp). `umbrage_calibrate_sun(number)` reports how the host
 // reads its map (calibration.hpp).
 //
 // See also: depth_pass.hpp, for the functions of the depth pass.
@@ -29906,7 +29908,7 @@ template <class Setup, class Filter, class Encoding>
 //     umbrage::shadow sun(umbrage::warped_maps(cascades, fit.camera, fit.overlap), fit.map_size, filter);
 //
 // Each map has its own matrix, as each warp differs. A map holds only the casters of its own part of the view. So a
-// point never takes the map of another part, unlike in cascaded_maps.
+// point never takes the map of another part, unlike in `cascaded_maps`.
 
 namespace umbrage {
 
