@@ -81,10 +81,11 @@ const languages = { hpp: 'cpp', mjs: 'js' };
 function of_source(context, path) {
     const ending = path.split('.').pop();
     const code = context.highlight(context.read(path).trimEnd(), languages[ending] ?? ending);
+    const kind = /(LICENSE|\.txt)$/.test(path) ? ' class="wraps"' : ''; // its lines may break anywhere
     return framed(
         `source/${path}.html`,
         path,
         `The file ${path} of umbrage`,
-        `<h1 class="file">${breakable(path)}</h1><pre tabindex="0"><code>${code}</code></pre>`,
+        `<h1 class="file">${breakable(path)}</h1><pre tabindex="0"${kind}><code>${code}</code></pre>`,
     );
 }
