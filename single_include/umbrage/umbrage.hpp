@@ -3715,8 +3715,8 @@ template <real T>
 /// @param coord      receiver position in the map, in texels
 /// @param texel      index of the texel
 /// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @edge             a NaN in any other argument than receiver: returns receiver; a shader may return NaN, which no texel
-///                   lights. Slopes of clamp_slope are never NaN. Below 2^-126 hardware may give either
+/// @edge             a NaN in any other argument than receiver: returns receiver. A shader may return NaN, which is in
+///                   shadow; slopes of clamp_slope are never NaN. Below 2^-126 hardware may give either
 /// @formula          min(receiver + slope . (texel - (coord - 1/2)), receiver); max for reversed depth
 /// @exactness        B, n = 8
 template <real T, class Compare = less_equal>

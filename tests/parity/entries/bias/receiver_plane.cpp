@@ -33,8 +33,8 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(receiver_plane_slope(vec3(s.x[0]), vec3(s.x[1])), 0.0f); },
                    .call = "vec4(umbrage_receiver_plane_slope(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z)), 0.0)"});
 
-    // No denormals: hardware that takes them for 0 finds a plane and a receiver equal, and gives either. Of a plane that
-    // is NaN and a receiver, min() and max() may give either too.
+    // No denormals: hardware that takes them for 0 finds a plane and a receiver equal, and gives either. No NaN in
+    // planes: min() and max() may then give the receiver or NaN.
     auto placed =
         spread({{0, 1}, {0, 99}, {0, 99}, {0, 1}, {-0.1f, 0.1f}, {-0.1f, 0.1f}, {0, 99}, {0, 99}}, finite_values());
     placed.push_back(
