@@ -148,3 +148,17 @@ TEST_CASE("make_directional_light: numbers at the ends of float give finite matr
         CHECK(with([&](auto& l) { l.up.x = infinity; }).starts_with(name + "up "));
     }
 }
+
+TEST_CASE("make_directional_light: a sun that passes straight above turns its map, unless up is across its path") {
+    /// Cosine of the angle by which a map turns over a thousandth of a radian, at the zenith.
+    const auto turn = [](glm::dvec3 up) {
+        const auto x_axis = [&](double angle) {
+            const auto light = make_directional_light<double>(
+                {.direction = {std::sin(angle), -std::cos(angle), 0}, .up = up, .clip = cpu_clip_space});
+            return glm::dvec3(light.view[0][0], light.view[1][0], light.view[2][0]);
+        };
+        return glm::dot(x_axis(-1e-3), x_axis(0));
+    };
+    CHECK(turn({0, 0, 1}) > 0.999);
+    CHECK(std::abs(turn({0, 1, 0})) < 0.01);
+}
