@@ -142,6 +142,7 @@ struct shadow_facts {
     double reach;             ///< reach of the filter alone, texels
     bool bordered, reversed;  ///< bordered: beside its maps all is lit
     bool along_plane;         ///< texels are compared along the receiver's plane
+    double farther;           ///< depth by which a caster may be stored too far from the light
 
     /// Depth up to which a caster's shadow is lost, by the places of the receiver and the slope of the caster.
     [[nodiscard]] float lost_before(const umbrage::map_place& place, glm::vec2 caster) const {
@@ -173,7 +174,8 @@ struct shadow_facts {
           bordered(std::remove_cvref_t<decltype(s.setup())>::outside == umbrage::outside_map::bordered),
           reversed(s.setup().clip().direction == umbrage::depth_direction::reversed),
           along_plane(umbrage::detail::along_plane<std::remove_cvref_t<decltype(s.setup())>,
-                                                   std::remove_cvref_t<decltype(s.filter())>>) {}
+                                                   std::remove_cvref_t<decltype(s.filter())>>),
+          farther(double(reversed ? s.encoding().error().below : s.encoding().error().above)) {}
 };
 
 }  // namespace proof

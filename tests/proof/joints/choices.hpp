@@ -72,6 +72,10 @@ struct filter_choice {
     int number = 0, points = 16;
     double radius = 0;
     double light_size = 0;  ///< of a filter that hardens contacts: the light's in the world, or a tangent
+
+    [[nodiscard]] double least_radius() const { return 0.5 + radius; }
+    [[nodiscard]] double most_radius() const { return 1.5 + 6 * radius; }
+    [[nodiscard]] bool hardens() const { return number == 5; }
 };
 
 struct choices {
@@ -104,6 +108,10 @@ struct choices {
     [[nodiscard]] bool has_camera() const {
         return setup >= setup_kind::light_space_perspective && setup <= setup_kind::warped_cascades;
     }
+    [[nodiscard]] bool is_warped() const {
+        return setup == setup_kind::warped_cascades ||
+               (setup >= setup_kind::light_space_perspective && setup <= setup_kind::perspective);
+    }
     [[nodiscard]] bool is_reversed() const { return clip.direction == umbrage::depth_direction::reversed; }
 };
 
@@ -123,7 +131,7 @@ struct choices {
     c.seed = seed;
     c.setup = setup_kind(d.whole(0, int(setup_names.size()) - 1));
     c.filter = {d.whole(0, int(filter_names.size()) - 1), 8 << d.whole(0, 2), d.real(0, 1)};
-    if (c.setup == setup_kind::paraboloids && c.filter.number == 5) c.filter.number = 4;  // which does not compile
+    if (c.setup == setup_kind::paraboloids && c.filter.hardens()) c.filter.number = 4;  // which does not compile
     c.encoding = d.whole(0, int(encoding_names.size()) - 1);
     c.clip = draw_clip_space(d);
     c.in_double = d.one_in(2);

@@ -14,6 +14,7 @@
 
 #include "choices.hpp"
 #include "host.hpp"
+#include "penumbra.hpp"
 #include "promises.hpp"
 #include "scene.hpp"
 #include "setups.hpp"
@@ -24,14 +25,14 @@ namespace joints {
 
 /// Answers of draws at receivers that rays decide.
 struct tally {
-    std::uint64_t receivers = 0, lit = 0, dark = 0;
-    std::uint64_t falsely_dark = 0, falsely_lit = 0;
-    std::uint64_t unheld = 0;   ///< not in the map, though the fit says so
-    std::uint64_t differs = 0;  ///< another answer over an image than alone
+    std::uint64_t receivers = 0, lit = 0, dark = 0, penumbra = 0;
+    std::uint64_t falsely_dark = 0, falsely_lit = 0;  ///< darker, or lighter, than rays allow
+    std::uint64_t unheld = 0;                         ///< not in the map, though the fit says so
+    std::uint64_t differs = 0;                        ///< another answer over an image than alone
 
     [[nodiscard]] std::uint64_t wrong() const { return falsely_dark + falsely_lit + unheld + differs; }
     tally& operator+=(const tally& o) {
-        receivers += o.receivers, lit += o.lit, dark += o.dark;
+        receivers += o.receivers, lit += o.lit, dark += o.dark, penumbra += o.penumbra;
         falsely_dark += o.falsely_dark, falsely_lit += o.falsely_lit;
         unheld += o.unheld, differs += o.differs;
         return *this;
@@ -49,7 +50,7 @@ public:
           promises_(promises_of(c, scene_)),
           host_(make_host(c, lit_, scene_.origin)) {
         for (int i = 0; i < c.image.x * c.image.y; ++i) receivers_.push_back(scene_.draw_receiver());
-        for (const receiver& r : receivers_) verdicts_.push_back(verdict_at(r));
+        for (std::size_t i = 0; i < receivers_.size(); ++i) verdicts_.push_back(verdict_at(i));
     }
 
     /// The shadow as the library has it, alone and over an image.
@@ -86,8 +87,7 @@ public:
     void list(const std::function<void(std::size_t, verdict, const looked_up&, float)>& use) const {
         for (std::size_t i = 0; i < receivers_.size(); ++i) {
             const float v = host_->visibility(looked(i));
-            if ((verdicts_[i] == verdict::lit && !(v >= 1)) || (verdicts_[i] == verdict::dark && !(v <= 0)))
-                use(i, verdicts_[i], looked(i), v);
+            if (!verdicts_[i].holds(v)) use(i, verdicts_[i], looked(i), v);
         }
     }
     [[nodiscard]] const any_host& host() const { return *host_; }
@@ -105,39 +105,53 @@ private:
     [[nodiscard]] tally count(const Look& look) const {
         tally t{.receivers = receivers_.size(), .unheld = unheld_};
         for (std::size_t i = 0; i < receivers_.size(); ++i) {
-            if (verdicts_[i] == verdict::none) continue;
+            const verdict& rays = verdicts_[i];
+            if (rays.is_open()) continue;
             const float v = look(looked(i));
-            const bool is_lit = verdicts_[i] == verdict::lit;
-            ++(is_lit ? t.lit : t.dark);
-            t.falsely_dark += is_lit && !(v >= 1);
-            t.falsely_lit += !is_lit && !(v <= 0);
+            ++(rays.is_lit() ? t.lit : rays.is_dark() ? t.dark : t.penumbra);
+            t.falsely_dark += !(v >= rays.least);
+            t.falsely_lit += !(v <= rays.most);
         }
         return t;
     }
-    /// What rays say in each map that the receiver is looked up in, if they say the same.
-    [[nodiscard]] verdict verdict_at(const receiver& r) {
-        const proof::shadow_facts& facts = host_->facts;
-        const double stated = double(facts.detaches(r.point, r.normal));
-        const double more = double(facts.terms.reach) - facts.reach;
-        verdict all = verdict::none;
-        bool is_first = true, is_in = true;
-        const float beyond = facts.places(r.point, r.normal, [&](const umbrage::map_place& place) {
-            verdict here = verdict::none;
-            if (glm::abs(place.at.x) < 65000.0f) {
-                const proof::traced_map& map = facts.map_of(place, r.point);
-                const double reach = facts.reach + more + 1.0 / 16;
-                here = verdict_of(map, lit_.light, scene_.surfaces, r, reach, stated, lit_.clips);
-                const double off = double(place.slack - facts.spare(place)) + 0x1p-22;
-                is_in = is_in && is_held(map, r.point, 0, off);
-                if (std::abs(map.depth(r.point) - 1) <= off) here = verdict::none;  // on the far plane, or beyond it
-                if (here == verdict::dark && !is_held(map, r.point, reach + 1)) here = verdict::none;
-            } else is_in = false;
-            all = is_first || all == here ? here : verdict::none;
-            is_first = false;
+    /// What rays say in the maps that a receiver is looked up in.
+    [[nodiscard]] verdict verdict_at(std::size_t i) {
+        const receiver& r = receivers_[i];
+        verdict all{1, 0};
+        bool is_in = true;
+        const float beyond = host_->facts.places(r.point, r.normal, [&](const umbrage::map_place& place) {
+            const bool is_before = glm::abs(place.at.x) < 65000.0f;
+            is_in = is_in && is_before && is_held(map_of(place, r), r.point, 0, rounding_of(place));
+            const verdict here = is_before ? verdict_in(place, i) : verdict{};
+            all = {std::min(all.least, here.least), std::max(all.most, here.most)};
         });
         unheld_ += !is_in && promises_(glm::dvec3(r.point));
-        if (beyond > 0 && all == verdict::dark) return verdict::none;
-        return all;
+        if (all.least > all.most) return {};  // in no map
+        return beyond > 0 ? verdict{all.least, 1} : all;
+    }
+    [[nodiscard]] verdict verdict_in(const umbrage::map_place& place, std::size_t i) const {
+        const receiver& r = receivers_[i];
+        const proof::shadow_facts& facts = host_->facts;
+        const proof::traced_map& map = map_of(place, r);
+        const double more = double(facts.terms.reach) - facts.reach, reach = facts.reach + more + 1.0 / 16;
+        if (std::abs(map.depth(r.point) - 1) <= rounding_of(place)) return {};  // on the far plane, or beyond it
+        const double stated = double(facts.detaches(r.point, r.normal));
+        verdict here = verdict_of(map, lit_.light, scene_.surfaces, r, reach, stated, lit_.clips);
+        const bool is_edge_on = !(glm::max(glm::abs(place.slope.x), glm::abs(place.slope.y)) < 2.0f);
+        if (here.is_open() && choices_.filter.hardens() && !is_edge_on) {
+            const double hidden = 2 * double(facts.terms.error + place.slack) + facts.farther + 0x1p-22;
+            soft_look look{choices_.filter, pixel(i), reach, 0.5 + more + 1.0 / 16, hidden};
+            if (choices_.is_warped()) look.middle = 0.5 * glm::dvec2(facts.terms.map_size);
+            here = penumbra_rays(map, lit_.light, scene_.surfaces, r, lit_.clips, look).visibility();
+        }
+        return is_held(map, r.point, reach + 1) ? here : verdict{here.least, 1};
+    }
+    [[nodiscard]] const proof::traced_map& map_of(const umbrage::map_place& place, const receiver& r) const {
+        return host_->facts.map_of(place, r.point);
+    }
+    /// Depth by which a place may be off.
+    [[nodiscard]] double rounding_of(const umbrage::map_place& place) const {
+        return double(place.slack - host_->facts.spare(place)) + 0x1p-22;
     }
     /// @param spare   depth beyond the far plane that counts as before it
     [[nodiscard]] bool is_held(const proof::traced_map& map, glm::vec3 p, double least, double spare = 0) const {

@@ -30,6 +30,7 @@ bool is_reversed(const choices& c) { return c.is_reversed(); }
 bool is_forward(const choices& c) { return !c.is_reversed(); }
 bool is_sun(const choices& c) { return c.is_sun(); }
 bool is_far(const choices& c) { return c.away > 20 && !c.with_origin && c.facing; }
+bool is_near(const choices& c) { return c.away < 1; }
 bool has_origin(const choices& c) { return c.with_origin && c.away > 1; }
 bool has_boxes(const choices& c) { return c.mirrored; }
 bool is_oblong(const choices& c) { return c.size.x != c.size.y; }
@@ -37,6 +38,11 @@ bool is_depth16(const choices& c) { return c.encoding == 1; }
 bool has_cascades(const choices& c) {
     return c.setup == setup_kind::eight_cascades ||
            (c.cascades > 1 && (c.setup == setup_kind::stable_cascades || c.setup == setup_kind::tight_cascades));
+}
+bool hardens(const choices& c) { return c.filter.hardens(); }
+bool has_softnesses(const choices& c) {
+    return hardens(c) && (has_cascades(c) || c.setup == setup_kind::pages ||
+                          (c.cascades > 1 && c.setup == setup_kind::warped_cascades));
 }
 bool has_maps(const choices& c) {
     return has_cascades(c) || c.setup == setup_kind::pages || c.setup == setup_kind::cube ||
@@ -54,7 +60,8 @@ const std::vector<fault> faults{
     {"bias: none, as the normal is zero", [](tweaks& t) { t.drops_normal = true; }},
     {"bias: towards the caster", [](tweaks& t) { t.turns_bias = true; }},
     {"bias: error of the encoding dropped", [](tweaks& t) { t.drops_error = true; }, is_depth16},
-    {"bias: slack dropped", [](tweaks& t) { t.drops_slack = true; }, is_far},
+    {"bias: slack dropped, far away", [](tweaks& t) { t.drops_slack = true; }, is_far},
+    {"bias: slack dropped, near the origin", [](tweaks& t) { t.drops_slack = true; }, is_near},
     {"bias: planes transformed as points", [](tweaks& t) { t.drops_slope = true; }},
 
     {"bias: the rasterizer moves casters to the light", [](tweaks& t) { t.moves_casters = 0.01; }},
@@ -92,6 +99,15 @@ const std::vector<fault> faults{
     {"encoding: 8 bits stored", [](tweaks& t) { t.depth_bits = 8; }},
     {"encoding: a gamma", [](tweaks& t) { t.stores_linear = true; }},
     {"border: none in the uniforms", [](tweaks& t) { t.drops_border = true; }},
+
+    {"softness: a light 1.3 times as large", [](tweaks& t) { t.softness = 1.3f; }, hardens},
+    {"softness: a light's diameter for its radius", [](tweaks& t) { t.softness = 2; }, hardens},
+    {"softness: a light 1.3 times too small", [](tweaks& t) { t.softness = 1 / 1.3f; }, hardens},
+    {"softness: the default, not of the light's size", [](tweaks& t) { t.default_softness = true; }, hardens},
+    {"softness: of the next map", [](tweaks& t) { t.other_softness = 1; }, has_softnesses},
+    {"blockers: searched within the smallest radius", [](tweaks& t) { t.searches_least = true; }, hardens},
+    {"blockers: a mean over all points", [](tweaks& t) { t.counts_all_points = true; }, hardens},
+    {"blockers: penumbra of the receiver's depth alone", [](tweaks& t) { t.drops_blockers = true; }, hardens},
 };
 
 /// How a fault shows, over draws.

@@ -69,13 +69,13 @@ void add_draw(std::uint64_t seed, table& all, std::atomic<std::uint64_t>& receiv
 /// @return   true when all is well
 bool print(const table& all) {
     line sum;
-    std::printf("%-18s %8s %11s %11s %9s %9s %9s %9s %8s\n", "setup", "draws", "lit", "dark", "false dk", "false lit",
-                "not held", "differ", "refused");
+    std::printf("%-18s %8s %11s %11s %9s %9s %9s %9s %9s %8s\n", "setup", "draws", "lit", "dark", "penumbra",
+                "false dk", "false lit", "not held", "differ", "refused");
     const auto row = [](const char* name, const line& l) {
         std::printf("%-18s %8" PRIu64 " %11" PRIu64 " %11" PRIu64 " %9" PRIu64 " %9" PRIu64 " %9" PRIu64 " %9" PRIu64
-                    " %8" PRIu64,
-                    name, l.draws, l.found.lit, l.found.dark, l.found.falsely_dark, l.found.falsely_lit, l.found.unheld,
-                    l.found.differs, l.refusals());
+                    " %9" PRIu64 " %8" PRIu64,
+                    name, l.draws, l.found.lit, l.found.dark, l.found.penumbra, l.found.falsely_dark,
+                    l.found.falsely_lit, l.found.unheld, l.found.differs, l.refusals());
         for (const auto& [reason, count] : l.refused) std::printf("  %s %" PRIu64 ";", reason.c_str(), count);
         std::printf("\n");
     };
@@ -110,12 +110,11 @@ bool repeat(std::uint64_t seed) {
     try {
         drawn d(c);
         const tally found = d.right();
-        std::printf("%" PRIu64 " lit, %" PRIu64 " dark of %" PRIu64 ", %" PRIu64 " differ\n", found.lit, found.dark,
-                    found.receivers, found.differs);
+        std::printf("%" PRIu64 " lit, %" PRIu64 " dark, %" PRIu64 " in penumbras of %" PRIu64 ", %" PRIu64 " differ\n",
+                    found.lit, found.dark, found.penumbra, found.receivers, found.differs);
         d.list([&](std::size_t i, verdict v, const looked_up& r, float seen) {
-            std::printf("receiver %zu, (%.9g, %.9g, %.9g) with normal (%.6g, %.6g, %.6g), is %g, but rays say %s\n", i,
-                        r.point.x, r.point.y, r.point.z, r.normal.x, r.normal.y, r.normal.z, seen,
-                        v == verdict::lit ? "lit" : "dark");
+            std::printf("receiver %zu, (%.9g, %.9g, %.9g) with normal (%.6g, %.6g, %.6g), is %g; rays: %g to %g\n", i,
+                        r.point.x, r.point.y, r.point.z, r.normal.x, r.normal.y, r.normal.z, seen, v.least, v.most);
             static_cast<void>(d.host().facts.places(r.point, r.normal, [&](const umbrage::map_place& p) {
                 const glm::dvec4 h = d.host().facts.map_of(p, r.point).placed(r.point);
                 std::printf(

@@ -58,6 +58,13 @@ struct tweaks {
     bool wider_filter = false;  ///< a filter of more reach than the uniforms'
     bool drops_border = false;  ///< border of the uniforms' maps: none
     bool lower_edge = false;    ///< codes decode to their other end
+    // contact hardening
+    float softness = 1;              ///< factor of the light's size
+    bool default_softness = false;   ///< a map's softness as filters have it before it is computed
+    int other_softness = 0;          ///< each map has the softness of the one so many maps on
+    bool searches_least = false;     ///< blockers within the smallest radius
+    bool counts_all_points = false;  ///< mean over all points of the search, not over those that found a blocker
+    bool drops_blockers = false;     ///< penumbra of the receiver's depth, not of what lies between
 
     [[nodiscard]] bool draws() const {
         return cull || flips_near || in_float || drops_anchor || drops_depth_share || other_view || clears_near ||

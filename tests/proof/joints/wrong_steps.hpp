@@ -16,6 +16,7 @@
 
 #include "host.hpp"
 #include "tweaks.hpp"
+#include "wrong_pcss.hpp"
 #include "wrong_uniforms.hpp"
 
 namespace joints {
@@ -85,11 +86,21 @@ public:
             const float z = place.at.z;
             const glm::vec3 at(glm::vec2(place.at) + t_.moves_texels,
                                beyond ? z : biased(z, bias, encoding_.direction));
-            return detail::look<setup>(own, filter_, encoding_, at, place.slope, r.pixel);
+            return detail::look<setup>(own, filter_of(place.number), encoding_, at, place.slope, r.pixel);
         });
     }
 
 private:
+    [[nodiscard]] wrong_filter<filter_type> filter_of(int number) const {
+        if constexpr (!umbrage::detail::contact_hardening<filter_type>) return filter_;
+        else {
+            if (t_.other_softness != 0) number = (number + t_.other_softness) % maps_;
+            filter_type own = umbrage::detail::filter_of_map<setup>(filter_, uniforms_, number);
+            if (t_.default_softness) own.softness.per_code = umbrage::penumbra_params{}.per_code;
+            own.softness.per_code *= t_.softness;
+            return {own, t_};
+        }
+    }
     [[nodiscard]] umbrage::clip_space clip() const { return shadow_.setup().clip(); }
     [[nodiscard]] bool is_reversed() const { return clip().direction == umbrage::depth_direction::reversed; }
 
@@ -175,6 +186,7 @@ private:
     typename Shadow::uniforms_type uniforms_;
     filter_type filter_;
     encoding_type encoding_;
+    int maps_ = static_cast<int>(shadow_.setup().lights().size());
 };
 
 }  // namespace joints

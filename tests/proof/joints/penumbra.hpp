@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// What rays say of a receiver whose light is partly hidden. A filter over a disc counts points of it that are lit. Rays
+// decide most points, so the visibility lies between the share that they find lit and the share that they do not find
+// dark. The disc of a filter that hardens contacts is as wide as rays to the light's rim pass its blockers.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/filter/pcf/disc.hpp>
+
+#include "choices.hpp"
+#include "verdict.hpp"
+
+namespace joints {
+
+/// Texels of a penumbra's radius for each unit of depth between a blocker and its receiver, by rays from the receiver
+/// to the middle and to the rim of the light. A light faces along its map's axis.
+/// @param size   of the light: radius, or tangent of half the angle under which it is seen
+[[nodiscard]] inline double penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light, double size,
+                                              glm::dvec3 p) {
+    const glm::dvec3 way = light.way(p);
+    const auto w = [&](glm::dvec3 at) { return map.placed(at).w; };
+    const glm::dvec3 ahead(w({1, 0, 0}) - w({0, 0, 0}), w({0, 1, 0}) - w({0, 0, 0}), w({0, 0, 1}) - w({0, 0, 0}));
+    const glm::dvec3 axis = light.is_point ? ahead : way;
+    const auto texel_at = [&](glm::dvec3 at) {  // across the light, along which a texel is longest
+        const glm::dvec4 h = map.placed(at), across(axis, -glm::dot(axis, at));
+        const auto x = map.point_at(glm::dvec2(h) / h.w + glm::dvec2(1, 0), across),
+                   y = map.point_at(glm::dvec2(h) / h.w + glm::dvec2(0, 1), across);
+        if (!x || !y) return std::nan("");
+        const glm::dvec3 a = *x - at, b = *y - at;
+        const double mean = 0.5 * (glm::dot(a, a) + glm::dot(b, b)), apart = 0.5 * (glm::dot(a, a) - glm::dot(b, b));
+        return std::sqrt(mean + std::hypot(apart, glm::dot(a, b)));
+    };
+    const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 * texel_at(p));
+    const double aside = light.is_point ? size * (1 - w(blocker) / w(p)) : size * glm::length(blocker - p);
+    return aside / (texel_at(blocker) * (map.depth(p) - map.depth(blocker)));
+}
+
+struct range {
+    double low, high;
+};
+
+/// A look of a filter that hardens contacts.
+struct soft_look {
+    filter_choice filter;
+    glm::ivec2 pixel;  ///< which rotates the disc
+    double reach;      ///< of the filter, texels
+    double beside;     ///< texels from a point to the center of its texel, with what a rasterizer moves
+    double hidden;     ///< depth before a receiver that its bias may hide
+    std::optional<glm::dvec2>
+        middle{};  ///< of a warped map, texels: its penumbras have the softness that is right there
+};
+
+/// What rays say of a receiver in one map, by the points of its filter's disc.
+class penumbra_rays {
+public:
+    penumbra_rays(const proof::traced_map& map, const proof::ray_light& light, const std::vector<surface>& all,
+                  const receiver& r, bool clips, const soft_look& look)
+        : map_(map), light_(light), own_(all[r.own]), at_(r.point), clips_(clips), look_(look) {
+        const glm::dvec2 turn = glm::dvec2(umbrage::disc_rotation(glm::vec2(look.pixel))) / 64.0;
+        for (const glm::ivec2 point : umbrage::detail::points_of_disc(look.filter.points)) {
+            const glm::dvec2 p = glm::dvec2(point) / 16.0;
+            points_.emplace_back(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+        }
+        const std::optional<beam> wide = beam::make(map, light, own_, at_, look.reach);
+        if (!wide) points_.clear();
+        for (std::size_t k = 0; k < all.size() && wide; ++k)
+            if (k != r.own && wide->meets(all[k], map, clips)) blockers_.push_back(&all[k]);
+    }
+
+    [[nodiscard]] verdict visibility() const {
+        const glm::dvec3 way = light_.way(at_);
+        const glm::dvec3 right_at =
+            look_.middle ? map_.point_at(*look_.middle, {way, -glm::dot(way, at_)}).value_or(at_) : at_;
+        const double of_depth = penumbra_of_depth(map_, light_, look_.filter.light_size, right_at);
+        const double z = map_.depth(at_);
+        // The search is as wide as the penumbra of a blocker at the near plane.
+        const range search = radii(of_depth, {z, z});
+        range apart{1e300, 0};
+        bool finds = false;
+        for (const glm::dvec2 point : points_) {
+            const std::optional<beam> b = beam_of(point, search);
+            if (!b) return {};
+            for (const surface* s : blockers_) {
+                const std::optional<blocking> here = b->blocks(*s, map_, clips_);
+                if (!here || here->farthest < 0) continue;
+                apart = {std::min(apart.low, std::max(here->nearest, 0.0)), std::max(apart.high, here->farthest)};
+                finds |= here->clear > look_.hidden && b->is_stopped_by(*s, map_, clips_);
+            }
+        }
+        if (points_.empty()) return {};
+        if (apart.low > apart.high) return fully_lit;
+        return count(radii(of_depth, apart), finds);
+    }
+
+private:
+    /// Radii of penumbras, texels: those of a light in world units, and the stated accuracy of pcss.
+    [[nodiscard]] range radii(double of_depth, const range& apart) const {
+        const double code = of_depth * 16 / 65536;  // sixteenths of a texel per code of depth
+        const double low = 16 * of_depth * (apart.low - look_.hidden) * (1 - 1.0 / 256) - 1 - code;
+        const double high = 16 * of_depth * (apart.high + look_.hidden) * (1 + 1.0 / 256) + 2 * code;
+        const double least = std::floor(16 * float(look_.filter.least_radius())),
+                     most = std::floor(16 * float(look_.filter.most_radius()));
+        return {std::clamp(low, least, most) / 16, std::clamp(high, least, most) / 16};
+    }
+    /// Rays of the texel under a point of the disc, for all radii of a range.
+    [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const range& radius) const {
+        const glm::dvec2 spread = glm::abs(point) * (0.5 * (radius.high - radius.low));
+        return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y),
+                          point * (0.5 * (radius.low + radius.high)));
+    }
+    /// @param finds   false where the search may have found no blocker: then all counts as lit
+    [[nodiscard]] verdict count(const range& radius, bool finds) const {
+        if (points_.empty()) return {};
+        double lit = 0, dark = 0;
+        for (const glm::dvec2 point : points_) {
+            const std::optional<beam> b = beam_of(point, radius);
+            if (!b) return {};
+            bool meets = false, stops = false;
+            for (const surface* s : blockers_)
+                if (const std::optional<blocking> here = b->blocks(*s, map_, clips_)) {
+                    meets = true;
+                    stops |= here->clear > look_.hidden && b->is_stopped_by(*s, map_, clips_);
+                }
+            lit += !meets, dark += stops;
+        }
+        const double all = double(points_.size()), blending = 0x1p-20;  // of two maps, which rounds shares
+        const float least = lit == all ? 1.0f : float(lit / all - blending);
+        if (!finds) return {least, 1};
+        return {least, dark == all ? 0.0f : float(1 - dark / all + blending)};
+    }
+
+    const proof::traced_map& map_;
+    const proof::ray_light& light_;
+    const surface& own_;
+    glm::dvec3 at_;
+    bool clips_;
+    soft_look look_;
+    std::vector<glm::dvec2> points_;  ///< in radii
+    std::vector<const surface*> blockers_;
+};
+
+}  // namespace joints
