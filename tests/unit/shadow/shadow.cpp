@@ -13,6 +13,7 @@
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/images/blur.hpp>
+#include <umbrage/light/directional_light.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
 #include "scene.hpp"
@@ -213,6 +214,31 @@ TEST_CASE("shadow: its bias detaches shadows as far as peter_panning_distance sa
     CHECK(soft.peter_panning_distance(world, normal) ==
           acne_free_bias(place.slope, widest.reach, place.slack - less + place.slack));
     static_assert(detaches<shadow<single_map, filters::hard>> && !detaches<shadow<single_map, prefilters::vsm>>);
+}
+
+TEST_CASE("shadow: beyond the far plane all is lit, also by less than the bias") {
+    for (clip_space clip : shadow_clips)
+        for (const depth_direction direction : {depth_direction::forward, depth_direction::reversed}) {
+            clip.direction = direction;
+            const shadow sun(make_directional_light<float>({.direction = {0, -1, 0},
+                                                            .offset = 10,
+                                                            .map_size = {128, 128},
+                                                            .texels_per_unit = 8,
+                                                            .z_near = 1,
+                                                            .z_far = 10,
+                                                            .clip = clip}),
+                             {128, 128}, filters::tent<3>);
+            image<float> map(sun.size(), sun.cleared());
+            sun.draw(map, mesh);
+            image<glm::vec3> points({2, 1}), normals({2, 1}, up);
+            points[{0, 0}] = {0, 0.01f, 0}, points[{1, 0}] = {0, -0.01f, 0};
+            image<float> seen({2, 1});
+            sun.visibility(map, points, normals, seen);
+            for (const int i : {0, 1}) {
+                CHECK(sun(map, points[{i, 0}], up) == float(i));
+                CHECK(seen[{i, 0}] == float(i));
+            }
+        }
 }
 
 TEST_CASE("shadow: bad input") {
