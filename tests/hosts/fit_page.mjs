@@ -9,14 +9,20 @@ import { height, make_yard, map_size, triangles_of, width } from '/fit_scene.mjs
 const copied = {
     directional: ({ light, scale }) => Object.assign(light.shadow.camera, {
         left: -20 * scale, right: 20 * scale, bottom: -20 * scale, top: 20 * scale, near: 0.5 * scale, far: 100 * scale }),
-    spot() {}, point() {},
+    spot() {}, point() {}, sun() {},
 };
 
-/** The light's texel in world units at a point, as three.js has set its camera. */
-function texel_of({ light }, THREE, fitted) {
-    const { camera } = light.shadow, at = new THREE.Vector3(), to = new THREE.Vector3();
+/** The light's texel in world units at a point, as three.js has set its camera; a SunLight's largest. */
+function texel_of({ light }, THREE) {
+    const { shadow } = light, { camera } = shadow, at = new THREE.Vector3(), to = new THREE.Vector3();
     if (light.isDirectionalLight) return () => (camera.right - camera.left) / map_size;
-    if (light.isSunLight) return () => 1 / fitted.texels_per_unit;
+    if (light.isSunLight) {
+        const texels = Array.from({ length: shadow.getViewportCount() }, (_, i) => {
+            const { left, right } = shadow.getCamera(i);
+            return (right - left) / (shadow.getViewport(i).z * map_size);
+        });
+        return () => Math.max(...texels);
+    }
     const from = at.setFromMatrixPosition(light.matrixWorld).toArray();
     const axis = light.isSpotLight ? unit(minus(to.setFromMatrixPosition(light.target.matrixWorld).toArray(), from)) : undefined;
     const half = light.isSpotLight ? Math.tan(light.angle * light.shadow.focus) : 1;
@@ -73,14 +79,16 @@ export async function try_all(THREE, fit_shadow, begin, cases) {
         const bare = await page.radiance();
         const count = judge({ width, height, scale, objects: triangles_of(yard, THREE).map(traced), ray: rays(yard.camera, THREE),
             visibility: (x, y) => (bare[y * width + x] > 1e-3 ? shadowed[y * width + x] / bare[y * width + x] : undefined),
-            to_light: to_light_of(yard, THREE), texel: texel_of(yard, THREE, fitted), reach: fitted?.reach ?? reach, detachment: fitted?.detachment,
+            to_light: to_light_of(yard, THREE), texel: texel_of(yard, THREE), reach: fitted?.reach ?? reach, detachment: fitted?.detachment,
             shift: shadow.normalBias });
         const share = (part, all) => `${part} of ${all} (${(100 * part / all).toFixed(2)} %)`;
         said[name] = `dark: ${share(count.falsely_dark, count.lit)}; lit: ${share(count.falsely_lit, count.dark)};`
-            + (fitted ? ` ${fitted.texels_per_unit.toFixed(2)} texels per unit, detachment ${fitted.detachment?.toFixed(4)}`
-                + ` or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
+            + ` up to ${count.detached.toFixed(2)} texels`
+            + (fitted ? `; ${fitted.texels_per_unit.toFixed(2)} texels per unit, reach ${fitted.reach.toFixed(2)},`
+                + ` detachment ${fitted.detachment.toFixed(4)} or ${(fitted.detachment * fitted.texels_per_unit).toFixed(2)} texels` : '');
         const few = count.lit < 1500 || count.dark < 100;
-        if (fitted && (count.falsely_dark || count.lost || few)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
+        const far = fitted && fitted.detachment * fitted.texels_per_unit > fitted.reach + 2;
+        if (fitted && (count.falsely_dark || count.lost || few || far)) wrong.push(`${name}, ${count.lost} lost: ${said[name]}`);
         if (setting === 'default' && count.falsely_dark > 0.01 * count.lit) striped.push(name);
         page.end();
     }

@@ -52,8 +52,9 @@ Object.assign(cases, {
 export const done = (async () => {
     if (Number(THREE.REVISION) >= 186) {  // the first that has this light
         const { SunLight } = await import('/modules/three/examples/jsm/lights/SunLight.js');
-        Object.assign(cases, { 'sun.fit': { light: 'sun', camera: true, yard: { SunLight } },
-            'sun.castano': { light: 'sun', camera: true, yard: { SunLight }, filter: 'castano_dyadic5' } });
+        const sun = { light: 'sun', camera: true, yard: { SunLight } };
+        for (const setting of ['fit', 'default', 'copied']) cases[`sun.${setting}`] = { ...sun, setting, reach: pcf_reach };
+        cases['sun.castano'] = { ...sun, filter: 'castano_dyadic5' };
     }
     const { pictures, floats, said } = await try_all(THREE, fit_shadow, begin, cases);
     return { pictures, floats, said: { ...said, ...await try_softness(THREE, set_light_size, begin) } };

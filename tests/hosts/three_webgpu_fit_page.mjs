@@ -48,6 +48,14 @@ Object.assign(cases, {
 });
 
 export const done = (async () => {
+    if (Number(THREE.REVISION) >= 187) {  // before, this light is registered in another way
+        const lights = '/modules/three/examples/jsm/lights';
+        const { SunLight } = await import(`${lights}/SunLight.js`), { SunLightNode } = await import(`${lights}/SunLightNode.js`);
+        SunLight.registerNode(SunLightNode);
+        const sun = { light: 'sun', camera: true, yard: { SunLight } };
+        for (const setting of ['fit', 'default', 'copied']) cases[`sun.${setting}`] = { ...sun, setting, reach: pcf_reach };
+        cases['sun.castano'] = { ...sun, filter: 'castano_dyadic5' };
+    }
     const { pictures, floats, said } = await try_all(THREE, fit_shadow, begin, cases);
     return { pictures, floats, said: { ...said, ...await try_softness(THREE, set_light_size, begin) } };
 })();
