@@ -33,7 +33,7 @@ const html = `<script type="importmap">${JSON.stringify({ imports })}</script>
 const { server, address } = await serve({ '/modules/': node_modules, '/package/': umbrage, '/': here }, html);
 
 const browser = await chromium.launch({ executablePath: process.env.UMBRAGE_CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu-watchdog', ...wants.flags], timeout: 0 });  // no limits: drivers in software may be slow
+    args: ['--no-sandbox', '--disable-gpu-watchdog', ...wants.flags], timeout: 0 });  // drivers in software may be slow
 const page = await browser.newPage({ viewport: { width: 800, height: 600 } });
 const complaints = [];
 page.on('console', m => { if (m.type() === 'error') complaints.push(m.text().slice(0, 2000)); });

@@ -32,17 +32,43 @@ function programs(name) {
 }
 
 const browser = await chromium.launch({ executablePath: process.env.UMBRAGE_CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'] });
+    args: ['--no-sandbox', '--disable-gpu-watchdog', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+        '--ignore-gpu-blocklist'], timeout: 0 });
 let failed = 0;
 const check = (good, what) => { if (!good) ++failed, console.log(`FAILED: ${what}`); };
 
-/** Gray of each pixel of a page's canvas, once it has drawn. */
+/** In a page before its own scripts: waits for each program, and counts frames in a row that draw as many meshes. */
+function watch() {
+    const { prototype } = WebGL2RenderingContext, { linkProgram } = prototype;
+    prototype.linkProgram = function (program) {
+        linkProgram.call(this, program);
+        this.getProgramParameter(program, this.LINK_STATUS);
+    };
+    let draws = 0, last = 0;
+    for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced']) {
+        const own = prototype[name];
+        prototype[name] = function (...given) {
+            ++draws;
+            return own.apply(this, given);
+        };
+    }
+    window.equal_frames = 0;
+    requestAnimationFrame(function next() {
+        window.equal_frames = draws > 0 && draws === last ? window.equal_frames + 1 : 0;
+        [last, draws] = [draws, 0];
+        requestAnimationFrame(next);
+    });
+}
+
+/** Gray of each pixel of a page's canvas, once it has drawn the same for ten frames. */
 async function drawn(file, picture) {
     const page = await browser.newPage({ viewport: { width: 500, height: 340 } });
     page.on('console', m => { if (m.type() === 'error' && !m.text().includes('404')) check(false, `${file}: ${m.text()}`); });
     page.on('pageerror', error => check(false, `${file}: ${error}`));
+    page.setDefaultTimeout(0);
+    await page.addInitScript(watch);
     await page.goto(`file://${file}`);
-    await page.waitForTimeout(5000);
+    await page.waitForFunction(() => window.equal_frames >= 10);
     const png = await page.screenshot({ path: picture });
     const pixels = await page.evaluate(async url => {
         const image = Object.assign(new Image(), { src: url });
