@@ -16,7 +16,8 @@ const required = createRequire(join(node_modules, 'x.js')), { chromium } = requi
 mkdirSync(folder, { recursive: true });
 const readme = readFileSync(join(umbrage, 'npm/README.md'), 'utf8');
 const run = (program, ...args) => execFileSync(program, args, { encoding: 'utf8', maxBuffer: 1 << 24 });
-const [{ filename, size }] = JSON.parse(run('npm', 'pack', umbrage, '--json', '--silent', '--pack-destination', folder));
+const [{ size }] = JSON.parse(run('npm', 'pack', umbrage, '--json', '--silent', '--pack-destination', folder));
+const [, options] = readme.match(/`umbrage` is not on npm yet[^]*?give `(.*)<copy of the repository>\/single_include`/);
 const titles = { three: 'three.js', '@babylonjs/core': 'Babylon.js', playcanvas: 'PlayCanvas' };
 
 /** The README's page for a host, and the same without shadows, or without the addon. */
@@ -86,7 +87,8 @@ for (const host of hosts) {
     const name = host.slice(0, host.lastIndexOf('@')), empty = join(folder, name.replace('/', '_')), weights = {}, grays = {};
     rmSync(empty, { recursive: true, force: true });
     mkdirSync(empty, { recursive: true });
-    run('npm', 'install', '--prefix', empty, '--silent', '--no-audit', '--no-fund', join(folder, filename), host);
+    run('npm', 'install', '--prefix', empty, '--silent', '--no-audit', '--no-fund',
+        ...options.split(' ').filter(Boolean), umbrage, host);
     for (const [what, program] of Object.entries(programs(name))) {
         const at = part => join(empty, `${what.replaceAll(' ', '_')}.${part}`);
         writeFileSync(at('mjs'), program);
