@@ -63,6 +63,7 @@ for (const name of new Set([...wants.filters, ...compared])) {
             ...(floats[`${name}.layers`] ? [layers] : [])], { encoding: 'utf8' }));
     } catch (error) { check(false, error.stdout || error.message); }
 }
+for (const [name, words] of Object.entries(said)) if (/^dark: /.test(words)) console.log(`${name}: ${words}`);
 for (const [name, part] of Object.entries(wants.said)) check(String(said[name]).includes(part), `${name}: ${said[name]}`);
 for (const complaint of complaints) check(false, complaint);
 process.exit(failed ? 1 : 0);
