@@ -95,6 +95,9 @@ async function begin(kind, setting, { filter, given, type = pc.SHADOW_PCF5_32F, 
 const settings = ['fit', 'default', 'copied'], cases = {};
 for (const light of ['directional', 'spot', 'point']) for (const setting of settings) cases[`${light}.${setting}`] = { light, setting };
 for (const setting of settings) cases[`cascades.${setting}`] = { light: 'directional', setting, cascades: true };
+for (const light of ['spot', 'point'])
+    for (const [end, setting] of [['', 'fit'], ['_default', 'default'], ['_copied', 'copied']])
+        cases[`${light}.clustered${end}`] = { light, setting, clustered: true };
 Object.assign(cases, {
     'directional.pcf1': { light: 'directional', type: pc.SHADOW_PCF1_32F },
     'directional.pcf3': { light: 'directional', type: pc.SHADOW_PCF3_32F },
@@ -105,12 +108,11 @@ Object.assign(cases, {
     'spot.castano': { light: 'spot', filter: 'castano_dyadic5' },
     'spot.pcf3': { light: 'spot', type: pc.SHADOW_PCF3_32F },
     'point.pcf1': { light: 'point', type: pc.SHADOW_PCF1_32F },
-    'spot.clustered': { light: 'spot', clustered: true },
     'spot.clustered_pcf3': { light: 'spot', type: pc.SHADOW_PCF3_32F, clustered: true },
-    'point.clustered': { light: 'point', clustered: true },
     'point.clustered_pcf1': { light: 'point', type: pc.SHADOW_PCF1_32F, clustered: true },
     'cascades.castano': { light: 'directional', filter: 'castano_dyadic5', cascades: true },
 });
 
-const chosen = name => ({ '': /^directional.fit$|[.]clustered$/, '#few': /[.](fit|hard)$/ }[location.hash] ?? /./).test(name);
+const of_webgpu = /^(directional|cascades)[.](fit|default|copied)$|[.]clustered(_default|_copied|)$/;
+const chosen = name => ({ '': of_webgpu, '#few': /[.](fit|hard)$/ }[location.hash] ?? /./).test(name);
 export const done = try_all(begin, Object.fromEntries(Object.entries(cases).filter(([name]) => chosen(name))));
