@@ -28,11 +28,12 @@ writeFileSync(join(folder, 'index.html'), html);
 writeFileSync(join(folder, 'unshaded.html'), html.replace('page.js', 'unshaded.js'));
 const { server, address } = await serve({ '/node_modules/umbrage/': umbrage, '/node_modules/': node_modules, '/': folder });
 const browser = await load('playwright-core').chromium.launch({ executablePath: chromium_path,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'], timeout: 0 });
 
 /** Green of each pixel of a page, once it has drawn. */
 async function drawn(name) {
     const page = await browser.newPage({ viewport: { width: 500, height: 340 } });
+    page.setDefaultTimeout(0);  // drivers in software may be slow
     page.on('console', m => check(m.type() !== 'error', `${name}: ${m.text()}`));
     page.on('pageerror', error => check(false, `${name}: ${error}`));
     await page.goto(`${address}/${name}`);
