@@ -2,9 +2,12 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include <umbrage/core/scalar.hpp>
 
@@ -12,7 +15,7 @@ namespace turned {
 
 namespace {
 
-constexpr int receivers_of_surfaces = 32, receivers_behind = 96;
+constexpr int receivers_of_surfaces = 32, receivers_behind = 96, receivers_at_seams = 48;
 
 std::string printed(glm::vec3 v) {
     char text[96];
@@ -35,7 +38,40 @@ private:
     std::mt19937 random_{57};
 };
 
+/// The map that a shadow reads first at a point; null: none.
+const proof::traced_map* first_map(const proof::shadow_facts& facts, glm::dvec3 p, glm::dvec3 normal) {
+    const proof::traced_map* first = nullptr;
+    static_cast<void>(facts.places(glm::vec3(p), glm::vec3(normal), [&](const umbrage::map_place& place) {
+        if (!first) first = &facts.map_of(place, glm::vec3(p));
+    }));
+    return first;
+}
+
+/// Two points of a surface, close together, on either side of a seam: the second is read in another map.
+std::optional<std::array<glm::dvec3, 2>> seam_of(const proof::shadow_facts& facts, const joints::surface& s,
+                                                 dice& random) {
+    glm::dvec3 here = random.point_of(s), there = random.point_of(s);
+    const auto* const map = first_map(facts, here, s.normal);
+    if (map == first_map(facts, there, s.normal)) return std::nullopt;
+    for (int halving = 0; halving < 24; ++halving) {
+        const glm::dvec3 middle = (here + there) / 2.0;
+        (first_map(facts, middle, s.normal) == map ? here : there) = middle;
+    }
+    return std::array{here, there};
+}
+
 }  // namespace
+
+std::vector<glm::vec3> tilted_around(glm::dvec3 light) {
+    const glm::dvec3 up = glm::normalize(glm::dvec3(0.5, 0.8, 0.15)), right = glm::normalize(glm::cross(up, {0, 0, 1}));
+    const auto corner = [&](double x, double height, double z) {
+        return glm::vec3(light + x * right + (height - 1) * up + z * glm::cross(up, right));
+    };
+    std::vector<glm::vec3> all;
+    for (const auto& [x, z] : {std::pair(-8, -8), {8, -8}, {8, 8}, {-8, 8}}) all.push_back(corner(x, 0, z));
+    for (const auto& [x, z] : {std::pair(-1, 0), {0, 0}, {0, 1}, {-1, 1}}) all.push_back(corner(x, 0.5, z));
+    return all;
+}
 
 void add_wrong(const std::string& what) {
     if (seen.wrong++ == 0) seen.first = what;
@@ -130,6 +166,15 @@ void drawn_shadow::judge_surfaces() const {
             is_inside = is_inside && glm::dot(glm::cross(s.corners[(k + 1) % 3] - corner, p - corner), s.normal) > 0;
         }
         if (is_inside) look(own, p), ++found;
+    }
+    for (int i = 0, found = 0; i < 400 && found < receivers_at_seams; ++i) {  // within a filter's reach of another map
+        const std::size_t own = random.below(surfaces.size());
+        const auto seam = seam_of(facts, surfaces[own], random);
+        if (!seam) continue;
+        for (const glm::dvec3& side : *seam) {
+            const glm::dvec3 away = random.point_of(surfaces[own]) - side;
+            look(own, side + away * std::pow(10.0, random.real(-4, -2))), ++found;
+        }
     }
 }
 

@@ -21,6 +21,7 @@ struct given_light {
     proof::ray_light rays;
     bool clips = false;                             ///< casters before the near plane are left out
     std::function<bool(glm::dvec3)> promises = {};  ///< true where the light's maps must hold a receiver; may be empty
+    bool surrounds = false;                         ///< it shines in all directions
 };
 
 /// What rays say of a run.
@@ -36,6 +37,8 @@ inline report seen;
 inline const std::vector<glm::vec3> own_vertices{{-4, 0, -4}, {4, 0, -4}, {4, 0, 4}, {-4, 0, 4},
                                                  {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
 inline const std::vector<glm::uvec3> own_triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+/// The same, tilted, around a light. Its depth grows towards some seams between maps, where a level floor's falls.
+[[nodiscard]] std::vector<glm::vec3> tilted_around(glm::dvec3 light);
 
 void add_wrong(const std::string& what);
 /// Counts a value that a program computes by hand, which must be a visibility.
@@ -51,7 +54,7 @@ struct drawn_shadow {
     std::vector<joints::surface> surfaces{};
 
     void add(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles);
-    /// Judges receivers of its own choice: on all triangles, and near the edges of their shadows.
+    /// Judges receivers of its own choice: on all triangles, near the edges of their shadows, and at seams of maps.
     void judge_surfaces() const;
     /// Judges a receiver of the program.
     void judge(glm::vec3 point, glm::vec3 normal, float visibility) const;

@@ -54,10 +54,13 @@ template <class T>
 template <class T>
 [[nodiscard]] given_light bulb_of(glm::vec<3, T> position, double z_near, double z_far) {
     const glm::dvec3 from(position);
-    return {{true, from}, true, [=](glm::dvec3 p) {
+    return {{true, from},
+            true,
+            [=](glm::dvec3 p) {
                 const double nearest = glm::length(p - from);
                 return nearest > 3.01 * z_near && nearest < 0.99 * z_far;
-            }};
+            },
+            true};
 }
 
 template <class T>

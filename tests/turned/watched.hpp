@@ -85,13 +85,11 @@ public:
 
     shadow(const shadow&) = default;
     shadow& operator=(const shadow&) = default;
-    /// One that a program only binds to shaders is judged over a scene of the judge's own.
+    /// One that a program only binds to shaders is judged over a scene of the judge's own, and so is each point light.
     ~shadow() {
-        if (drawn_.use_count() != 1 || !drawn_->surfaces.empty() || std::uncaught_exceptions() > 0) return;
-        try {
-            image<float> depths(this->size(), cleared_depth(this->setup().clip()));
-            draw(depths, {turned::own_vertices, turned::own_triangles});
-        } catch (const std::invalid_argument& e) { turned::add_wrong(e.what()); }
+        if (drawn_.use_count() != 1 || std::uncaught_exceptions() > 0) return;
+        if (drawn_->surfaces.empty()) judge_own(turned::own_vertices);
+        if (drawn_->light.surrounds) judge_own(turned::tilted_around(drawn_->light.rays.from));
     }
 
     template <class ParallelFor = serial>
@@ -124,6 +122,12 @@ public:
     }
 
 private:
+    void judge_own(const std::vector<glm::vec3>& vertices) const try {
+        drawn_->surfaces.clear();
+        image<float> depths(this->size(), cleared_depth(this->setup().clip()));
+        draw(depths, {vertices, turned::own_triangles});
+    } catch (const std::invalid_argument& e) { turned::add_wrong(e.what()); }
+
     [[nodiscard]] static glm::dvec3 planted_origin(glm::dvec3 origin) {
         return turned::is_planted(turned::fault::origin_dropped) ? glm::dvec3(0) : origin;
     }
