@@ -31,7 +31,7 @@ using glsl::bind;
 /// @return   false where a receiver differs, or with a fault where none does
 bool agree(version v, std::vector<tried> all, const receivers& of, bool fault) {
     if (fault)
-        for (tried& t : all) t.block[0] += 0.05f;
+        for (tried& t : all) t.block[0] += 0.01f;
     const auto wrong = compare(v, all, of.points, of.normals);
     std::printf("GLSL %s, %s: %d receivers, differing:", std::string(directive(v)).c_str(), glGetString(GL_RENDERER),
                 target_size.x * target_size.y);
