@@ -97,10 +97,9 @@ void drawn_shadow::add(const std::vector<glm::vec3>& positions, const std::vecto
 drawn_shadow::ruling drawn_shadow::rule(const joints::receiver& r) const {
     using joints::verdict;
     const double stated = double(facts.detaches(r.point, r.normal));
-    verdict all = verdict::none;
+    verdict all;
     bool is_first = true, is_in = true;
     const float beyond = facts.places(r.point, r.normal, [&](const umbrage::map_place& place) {
-        verdict here = verdict::none;
         const proof::traced_map& map = facts.map_of(place, r.point);
         const double reach = double(facts.terms.reach) + 1.0 / 16,
                      off = double(place.slack - facts.spare(place)) + 0x1p-22;
@@ -110,25 +109,24 @@ drawn_shadow::ruling drawn_shadow::rule(const joints::receiver& r) const {
             return h.w > 0 && h.z >= -spare * h.w && h.z <= h.w * (1 + spare) &&
                    within(h.x / h.w, facts.terms.map_size.x) && within(h.y / h.w, facts.terms.map_size.y);
         };
-        here = joints::verdict_of(map, light.rays, surfaces, r, reach, stated, light.clips);
+        verdict here = joints::verdict_of(map, light.rays, surfaces, r, reach, stated, light.clips);
         is_in = is_in && is_held(-1.0 / 16, off);
-        if (std::abs(map.depth(glm::dvec3(r.point)) - 1) <= off) here = verdict::none;  // on the far plane
-        if (here == verdict::dark && !is_held(facts.bordered ? reach + 1 : 0, 0)) here = verdict::none;
-        all = is_first || all == here ? here : verdict::none;
+        if (std::abs(map.depth(glm::dvec3(r.point)) - 1) <= off) here = {};  // on the far plane
+        if (here.is_dark() && !is_held(facts.bordered ? reach + 1 : 0, 0)) here = {};
+        all = is_first || all == here ? here : verdict{};
         is_first = false;
     });
     const bool is_unheld = !is_in && light.promises && light.promises(glm::dvec3(r.point) + origin);
-    if (beyond > 0 && all == verdict::dark) return {verdict::none, is_unheld};
+    if (beyond > 0 && all.is_dark()) return {{}, is_unheld};
     return {all, is_unheld};
 }
 
 void drawn_shadow::count(const joints::receiver& r, float v) const {
-    using joints::verdict;
     if (!(v >= 0 && v <= 1)) return add_wrong("visibility " + std::to_string(v) + " at " + printed(r.point));
     const ruling ruled = rule(r);
     if (ruled.is_unheld) return add_wrong("no map holds " + printed(r.point));
-    if (ruled.is == verdict::none) return void(++seen.undecided);
-    const bool is_lit = ruled.is == verdict::lit;
+    if (ruled.is.is_open()) return void(++seen.undecided);
+    const bool is_lit = ruled.is.is_lit();
     ++(is_lit ? seen.lit : seen.dark);
     const bool is_right = is_soft ? (v > 0.5f) == is_lit : v == (is_lit ? 1.0f : 0.0f);
     if (!is_right)
