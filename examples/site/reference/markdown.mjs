@@ -75,9 +75,11 @@ export function render(context, { text, file: source, path: from }, addresses, e
     return { path: from, title, description: plain(first).slice(0, 200), body, headings, text };
 }
 
-/// Code that may go on in another line behind an underscore, a slash, a point or a bracket, and before a capital of a long name.
+/// Code that may go on in another line behind an underscore, a slash, a point or a bracket.
+/// On narrow screens also before a capital of a long name, and behind a hyphen. On wide ones `--after` stays whole.
 export const breakable = code => escape(code).replace(/(?:[_/(]|(?<=[a-z)])\.|::)(?=\w)/g, '$&<wbr>')
-    .replace(/[A-Za-z]{12,}/g, name => name.replace(/(?<=[a-z])(?=[A-Z])/g, '<wbr>'));
+    .replace(/[A-Za-z]{12,}/g, name => name.replace(/(?<=[a-z])(?=[A-Z])/g, '<wbr class="narrow">'))
+    .replace(/(?<![\w-])(?:--?|[A-Za-z0-9]+-)[\w-]*\w/g, '<span class="whole">$&</span>');
 
 export const plain = text =>
     text
