@@ -101,7 +101,7 @@ std::string encodings() {
         append(rows.back().below, power_of_two(error.below));
         append(rows.back().above, power_of_two(error.above));
     });
-    std::string table = "| encoding | what it is | texel | decoded too near by | too far by |\n|---|---|---|--:|--:|\n";
+    std::string table = "| encoding | what it is | texel | too near by | too far by |\n|---|---|---|--:|--:|\n";
     for (const row& r : rows)
         table += "| " + span(r.first, r.last) + " | " + std::string(r.summary) + " | " + r.texel + " | " + r.below +
                  " | " + r.above + " |\n";
@@ -120,7 +120,7 @@ std::string filters() {
 
 std::string names(const std::filesystem::path& page, const std::filesystem::path& include,
                   const std::vector<std::string>& of) {
-    std::string table = "| names in C++ | what for |\n|---|---|\n";
+    std::string table = "| names | what for |\n|---|---|\n";
     const auto rows = table.size();
     for (const auto& [place, header] : headers(include)) {
         if (std::none_of(of.begin(), of.end(), [&](auto& each) { return each == place || each == folder_of(place); }))
