@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Places of a receiver in warped cascades (LiSPSM, TSM, PSM). Its distance along the camera's axis chooses the map.
-// Where two maps blend, it has a place in the next one too. The end of the last map fades to light.
+// Places of a receiver in warped cascades (LiSPSM, TSM, PSM). The receiver's distance along the camera's axis chooses
+// its map. A receiver in the band where two maps blend has a place in each of them. The end of the last map fades to
+// light.
 //
 // See also: warped_maps.hpp, the setup.
 #pragma once

@@ -87,8 +87,7 @@ std::string page() {
         "MUSEUM.md` writes it\n"
         "again.\n\n"
         "The table has the fraction of the old formula's results that are wrong, and its largest error. This library "
-        "has no wrong "
-        "result in any.\n"
+        "has no wrong result in any.\n"
         "Errors without a unit are depths or visibilities, in [0, 1].\n\n"
         "| exhibit | wrong | largest error |\n"
         "|---|--:|--:|\n";
