@@ -58,6 +58,14 @@ function picture(radiance) {
     return canvas.toDataURL();
 }
 
+/** Cases of a SunLight.
+ *  @param reach   texels, of three.js' own filter */
+export function sun_cases(SunLight, reach) {
+    const sun = { light: 'sun', camera: true, yard: { SunLight } };
+    return { ...Object.fromEntries(['fit', 'default', 'copied'].map(setting => [`sun.${setting}`, { ...sun, setting, reach }])),
+        'sun.castano': { ...sun, filter: 'castano_dyadic5' } };
+}
+
 /** Tries cases: {light, setting: fit, default or copied, options of fit_shadow, reach, yard, install, ...of the page}.
  *  @param begin   makes what draws a case: {radiance(): floats of red from above, renderer, end()} */
 export async function try_all(THREE, fit_shadow, begin, cases) {

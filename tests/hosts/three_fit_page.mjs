@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import * as glsl from '/package/umbrage.mjs';
 import { fit_shadow, install, set_light_size, uninstall } from '/package/npm/three.mjs';
-import { try_all } from '/fit_page.mjs';
+import { sun_cases, try_all } from '/fit_page.mjs';
 import { height, width } from '/fit_scene.mjs';
 import { try_softness } from '/soft_edge.mjs';
 
@@ -52,9 +52,7 @@ Object.assign(cases, {
 export const done = (async () => {
     if (Number(THREE.REVISION) >= 186) {  // the first that has this light
         const { SunLight } = await import('/modules/three/examples/jsm/lights/SunLight.js');
-        const sun = { light: 'sun', camera: true, yard: { SunLight } };
-        for (const setting of ['fit', 'default', 'copied']) cases[`sun.${setting}`] = { ...sun, setting, reach: pcf_reach };
-        cases['sun.castano'] = { ...sun, filter: 'castano_dyadic5' };
+        Object.assign(cases, sun_cases(SunLight, pcf_reach));
     }
     const { pictures, floats, said } = await try_all(THREE, fit_shadow, begin, cases);
     return { pictures, floats, said: { ...said, ...await try_softness(THREE, set_light_size, begin) } };

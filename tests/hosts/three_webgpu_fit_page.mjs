@@ -5,7 +5,7 @@ import * as THREE from 'three/webgpu';
 import * as glsl from '/package/umbrage.mjs';
 import * as wgsl from '/package/wgsl.mjs';
 import { fit_shadow, set_light_size, shadow_filter } from '/package/npm/three_webgpu.mjs';
-import { try_all } from '/fit_page.mjs';
+import { sun_cases, try_all } from '/fit_page.mjs';
 import { height, width } from '/fit_scene.mjs';
 import { try_softness } from '/soft_edge.mjs';
 
@@ -52,9 +52,7 @@ export const done = (async () => {
         const lights = '/modules/three/examples/jsm/lights';
         const { SunLight } = await import(`${lights}/SunLight.js`), { SunLightNode } = await import(`${lights}/SunLightNode.js`);
         SunLight.registerNode(SunLightNode);
-        const sun = { light: 'sun', camera: true, yard: { SunLight } };
-        for (const setting of ['fit', 'default', 'copied']) cases[`sun.${setting}`] = { ...sun, setting, reach: pcf_reach };
-        cases['sun.castano'] = { ...sun, filter: 'castano_dyadic5' };
+        Object.assign(cases, sun_cases(SunLight, pcf_reach));
     }
     const { pictures, floats, said } = await try_all(THREE, fit_shadow, begin, cases);
     return { pictures, floats, said: { ...said, ...await try_softness(THREE, set_light_size, begin) } };
