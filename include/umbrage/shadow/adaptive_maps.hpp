@@ -95,13 +95,13 @@ struct adaptive_maps {
         const light_space<double> here = detail::relative_to(origin, root);
         const glm::ivec2 texels(size.texels << deepest_level);
         const glm::dmat4 in_texels = texture_matrix(here, texels);
-        const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
-        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
-        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
+        const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(in_texels, texels));
+        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, anchor); };
+        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, anchor);
         uniforms u{};
         u.to_root = glm::mat4(moved(page_matrix(here)));
         u.planes = glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels)));
-        u.anchor = glm::vec4(anchor, 0.0f);
+        u.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
         const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
         u.pages = glm::vec4(float(size.texels), float(size.gutter), 0.0f, 0.0f);
         u.slack = glm::vec4(glm::dvec4(detail::texels_beside_plane(root.clip, map_size),

@@ -45,23 +45,23 @@ struct anchored_map {
 namespace detail {
 
 /// Uniforms of a map for a given anchor.
-/// @param here   texture matrix of positions as they are given
-[[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
+/// @param anchor   as in_binary32 gives it
+/// @param here     texture matrix of positions as they are given
+[[nodiscard]] inline anchored_map anchored_at(const glm::dvec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
                                               const clip_space& clip) {
-    const glm::dvec3 exact(anchor);
-    glm::dmat4 m = moved_to(here, exact);
+    glm::dmat4 m = moved_to(here, anchor);
     const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
     if (lens) m /= glm::length(row_of(m, 3));
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
-    glm::dvec4 rounding = rounding_of(m, map_size, exact);
+    glm::dvec4 rounding = rounding_of(m, map_size, anchor);
     const double width = width_in_depth(m, map_size), depth = take_depth(m);
     glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
     if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
     else slack.z += width;
     if (parallel) slack.x += rounding.z, slack.z += rounding.w, rounding = glm::dvec4(0);
     out.to_texels = glm::mat4(m);
-    out.anchor = glm::vec4(anchor, 0.0f);
+    out.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
     out.rounding = glm::vec4(rounding);
     out.slack = glm::vec4(slack);
     return out;
@@ -75,7 +75,7 @@ namespace detail {
     const glm::dmat4 back = glm::inverse(m);
     require_digits(glm::length(light), (glm::max)(glm::length(corner_of(back, map_size, 0, 0.0)),
                                                   glm::length(corner_of(back, map_size, 0, 1.0))));
-    anchored_map out = anchored_at(glm::vec3(0), m, map_size, clip);
+    anchored_map out = anchored_at(glm::dvec3(0), m, map_size, clip);
     out.anchor = glm::vec4(glm::vec3(light), 0.0f);
     out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));
     return out;
@@ -92,7 +92,8 @@ namespace detail {
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    return detail::anchored_at(glm::vec3(detail::anchor_of(here, map_size)), here, map_size, light.clip);
+    const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(here, map_size));
+    return detail::anchored_at(anchor, here, map_size, light.clip);
 }
 
 /// Place of a point of the world in one map, with the slack of its plane.
@@ -132,12 +133,13 @@ struct depth_view {
 namespace detail {
 
 /// View of a depth pass for a given anchor.
-/// @param here   light for positions as they are given
-[[nodiscard]] inline depth_view depth_view_at(const glm::vec3& anchor, const light_space<double>& here) {
-    glm::dmat4 m = moved_to(here.projection * here.view, glm::dvec3(anchor));
+/// @param anchor   as in_binary32 gives it
+/// @param here     light for positions as they are given
+[[nodiscard]] inline depth_view depth_view_at(const glm::dvec3& anchor, const light_space<double>& here) {
+    glm::dmat4 m = moved_to(here.projection * here.view, anchor);
     const bool parallel = row_of(m, 3) == glm::dvec3(0);
     const double share = parallel ? 0.0 : take_depth(m);
-    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+    return {glm::mat4(m), glm::vec4(glm::dvec4(anchor, share))};
 }
 
 }  // namespace detail
@@ -148,7 +150,7 @@ namespace detail {
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
     const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(glm::vec3(detail::anchor_of(m, glm::ivec2(1))), here);
+    return detail::depth_view_at(detail::in_binary32(detail::anchor_of(m, glm::ivec2(1))), here);
 }
 
 namespace detail {

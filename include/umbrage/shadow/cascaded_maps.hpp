@@ -113,9 +113,10 @@ struct cascaded_maps {
         };
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
-        u.anchor = glm::vec4(glm::vec3(detail::anchor_of(in_texels(cascades.back()), map_size)), 0.0f);
+        const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(in_texels(cascades.back()), map_size));
+        u.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
         u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
-        const glm::dvec3 anchor(u.anchor), start(rotation * glm::dvec4(origin + anchor, 1.0));
+        const glm::dvec3 start(rotation * glm::dvec4(origin + anchor, 1.0));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
             u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;

@@ -134,6 +134,16 @@ consteval bool has_fields() {
     return light;
 }
 
+/// A position as binary32 holds it.
+/// GCC 12 at -O2 drops both conversions of a pair of numbers, so each goes through memory.
+[[nodiscard]] inline glm::dvec3 in_binary32(const glm::dvec3& position) {
+    const auto rounded = [](double v) {
+        const volatile float stored = static_cast<float>(v);
+        return double(stored);
+    };
+    return {rounded(position.x), rounded(position.y), rounded(position.z)};
+}
+
 template <real T>
 [[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
     return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};

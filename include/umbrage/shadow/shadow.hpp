@@ -90,7 +90,7 @@ template <shadow_setup Setup>
     for (const light_space<double>& light : setup.lights())
         if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
         else if constexpr (requires { setup.anchor(); })
-            all.push_back(depth_view_at(glm::vec3(setup.anchor() - origin), relative_to(origin, light)));
+            all.push_back(depth_view_at(in_binary32(setup.anchor() - origin), relative_to(origin, light)));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }

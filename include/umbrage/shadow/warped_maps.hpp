@@ -80,13 +80,14 @@ struct warped_maps {
         require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
-        u.anchor = glm::vec4(glm::vec3(anchor() - origin), 0.0f);
-        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, glm::dvec3(u.anchor) + origin - position)));
+        const glm::dvec3 own_anchor = detail::in_binary32(anchor() - origin);
+        u.anchor = glm::vec4(glm::vec3(own_anchor), 0.0f);
+        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, own_anchor + origin - position)));
         for (std::size_t i = 0; i < 4; ++i) {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
             const glm::dmat4 here = texture_matrix(detail::relative_to(origin, c.light), map_size);
-            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size, c.light.clip);
+            const anchored_map map = detail::anchored_at(own_anchor, here, map_size, c.light.clip);
             u.to_texels[i] = map.to_texels, u.planes[i] = map.planes;
             u.rounding[column] = map.rounding, u.slack[column] = map.slack;
             u.fades[column] = glm::vec4(glm::dvec4(detail::fade_of(c.begin, c.end, fade), 0.0, 0.0));
