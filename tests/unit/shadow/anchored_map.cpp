@@ -201,13 +201,6 @@ TEST_CASE("anchored_map: a warp that hardly bends has nearly the bound of parall
     }
 }
 
-TEST_CASE("anchored_map: at a distance the bound is a few times what is needed") {
-    for (const char* kind : {"spot", "directional"}) {
-        const seen_tiles seen = try_tiles(kind, cpu_clip_space, 0.05, 600, rounds(1600));
-        CHECK(seen.bound < 5 * seen.need);
-    }
-}
-
 TEST_CASE("anchored_map: where no digits are left, the light is refused by name") {
     const auto spot_at = [](float away) {
         return shadow(
