@@ -21,7 +21,7 @@ auto paraboloids(const lit_view& v, int side) {
     const glm::vec3 position(v.light.position);
     const float range = glm::length(glm::max(glm::abs(v.scene.low - position), glm::abs(v.scene.high - position)));
     return [light = umbrage::make_dual_paraboloid_light<float>(
-                {.position = position, .range = range, .map_size = side, .clip = picture_clip}),
+                {.position = position, .range = range, .map_size = side, .border = 0, .clip = picture_clip}),
             mesh = umbrage::tessellate(
                 view_of(v.scene.geometry),
                 {.position = position, .angle = umbrage::paraboloid_edge_angle<float>(side, 0), .range = range})](

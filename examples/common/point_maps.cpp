@@ -31,13 +31,13 @@ placed_maps faces(const lit_view& v, const std::array<umbrage::light_space<doubl
 placed_maps cube(const lit_view& v) {
     const int size = static_cast<int>(v.map_size / std::sqrt(6.0));
     const auto lights = umbrage::make_point_light<double>(
-        {.position = v.light.position, .map_size = size, .clip = umbrage::cpu_clip_space});
+        {.position = v.light.position, .map_size = size, .border = 0, .clip = umbrage::cpu_clip_space});
     return faces(v, lights, size, 6, [](glm::dvec3 d) { return umbrage::cube_face(d); });
 }
 
 placed_maps tetrahedron(const lit_view& v) {
     const auto lights = umbrage::make_tetrahedron_light<double>(
-        {.position = v.light.position, .map_size = v.map_size, .clip = umbrage::cpu_clip_space});
+        {.position = v.light.position, .map_size = v.map_size, .border = 0, .clip = umbrage::cpu_clip_space});
     return faces(v, lights, v.map_size, 1, [](glm::dvec3 d) { return umbrage::tetrahedron_face(d); });
 }
 

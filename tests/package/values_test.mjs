@@ -66,7 +66,9 @@ const with_filter = filter => shadow('c', { kind: umbrage.spot_light, filter, ma
 const size = 136, of = { pages: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.tent3, map_size: size }), spot,
     cascades: shadow('b', { kind: umbrage.cascades, filter: umbrage.tent3, map_size: size }),
     sun: shadow('b', { kind: umbrage.directional_light, filter: umbrage.tent3, map_size: size }),
-    lamp: shadow('b', { kind: umbrage.point_light, filter: umbrage.tent3, map_size: size }),
+    ...Object.fromEntries(['point_light', 'tetrahedron_light', 'dual_paraboloid_light'].map(kind =>
+        [kind, shadow('b', { kind: umbrage[kind], filter: umbrage.tent3, map_size: size })])),
+    soft: shadow('b', { kind: umbrage.point_light, filter: umbrage.pcss16, map_size: size }),
     wide: shadow('b', { kind: umbrage.adaptive_pages, filter: umbrage.disc8, map_size: size }),
     disc: with_filter(umbrage.disc8), whole: with_filter(umbrage.box), evsm: with_filter(umbrage.evsm4) };
 const ordinary = { pages: seen, wide: seen, cascades: { scene: box, camera }, sun: { receivers: box } };
@@ -75,7 +77,7 @@ for (const [kind, part, message] of [
     ['pages', { gutter: 5 }, 'umbrage::page_light: texels must be a power of two'], ['pages', { gutter: 60 }, 'umbrage::page_light: gutter must be'],
     ['pages', { target: 0 }, 'umbrage::page_cache: target must be'], ['pages', { points: undefined }, `${must}points must be given`],
     ['pages', { points: null }, `${must}points must be an array of floats; got null`], ['pages', { normals: 'none' }, `${must}normals must be an array of floats; got none`],
-    ['wide', { filter: { radius: 8 } }, "umbrage::shadow: light.size.gutter must be the filter's reach or more, 7.0"],
+    ['wide', { filter: { radius: 8 } }, 'umbrage::shadow: light.size.gutter must be 8 or more; got 4. The filter reaches 7.0'],
     ['pages', { gutter: 4.5 }, `${must}gutter must be a whole number below 2^31; got 4.5`],
     ['pages', { picture: [64.5, 64] }, `${must}picture must be 2 whole numbers below 2^31; got [64.5, 64]`],
     ['spot', { clip: { ...clip, hand: 'LEFT' } }, `${must}clip.hand must be left or right; got LEFT`],
@@ -96,7 +98,10 @@ for (const [kind, part, message] of [
     ['cascades', { splits: [1] }, `${must}splits must be 2 to 9 distances, or none; got [1]`], ['cascades', { splits: null }, `${must}splits must be 2 to 9 distances`],
     ['cascades', { splits: [1, '2'] }, `${must}splits must be 2 numbers; got [1, 2]`],
     ['sun', { snap: 1 }, `${must}snap must be true or false; got 1`], ['sun', { casters: undefined }, `${must}casters must be given`],
-    ['lamp', { border: 2.7 }, `${must}border must be a whole number below 2^31; got 2.7`],
+    ...['point_light', 'tetrahedron_light', 'dual_paraboloid_light'].map(kind => [kind, { border: 1 },
+        'umbrage::shadow: light.border must be 2 or more; got 1. The filter reaches 2 texels to each side.']),
+    ['soft', { border: 5, filter: { light_size: 0.1, max_radius: 6 } }, 'umbrage::shadow: light.border must be 6 or more; got 5. The filter reaches'],
+    ['point_light', { border: 2.7 }, `${must}border must be a whole number below 2^31; got 2.7`],
     ['disc', { filter: { radius: [] } }, `${must}filter.radius must be a finite number; got []`],
     ['disc', { filter: { radius: [3, 4] } }, `${must}filter.radius must be a finite number; got [3, 4]`],
     ['disc', { filter: { radius: Infinity } }, `${must}filter.radius must be a finite number; got Infinity`],
@@ -109,6 +114,11 @@ for (const [kind, part, message] of [
 }
 values(of.cascades, { clip, ...ordinary.cascades, cascades: 2, splits: new Float32Array([1, 1.5, 2]) });
 values(of.sun, { clip, ...ordinary.sun, casters: null });
+values(of.soft, { clip, border: 6, filter: { light_size: 0.1, max_radius: 6 } });
+for (const kind of ['point_light', 'tetrahedron_light', 'dual_paraboloid_light']) {
+    const [left_out, two] = [{}, { border: 2 }].map(given => values(of[kind], { clip, ...given }).block.join());
+    if (left_out !== two) ++failed, console.log(`FAILED: ${kind}: another border than 2 by default`);
+}
 for (const [what, got] of [[undefined, 'undefined'], [umbrage.bind(umbrage.hard, 'a'), 'hard'], [umbrage.hard, 'hard']]) {
     let said = 'no error';
     try { values(what, { clip }); } catch (error) { said = error.message; }

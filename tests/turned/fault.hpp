@@ -18,7 +18,7 @@ enum class fault {
     cone_narrowed,
     far_plane_nearer,
     receivers_shrunk,
-    border_default,
+    border_dropped,
     bulb_far_plane_nearer,
     triangle_dropped,
     index_off_by_one,
@@ -34,7 +34,7 @@ inline constexpr std::array<std::string_view, 15> fault_names{"none",
                                                               "a spot's cone: a sixth of it",
                                                               "a spot's far plane: a third of it",
                                                               "a fit's receivers: the half of them",
-                                                              "a point light: the default as its border",
+                                                              "a point light's border is dropped",
                                                               "a point light's far plane: a tenth of it",
                                                               "a mesh: its last triangle is dropped",
                                                               "a mesh: each index is one more",
@@ -84,7 +84,7 @@ template <class T>
 template <class T>
 [[nodiscard]] umbrage::point_light<T> planted(umbrage::point_light<T> light) {
     if (is_planted(fault::position_dropped)) light.position.y = 0;
-    if (is_planted(fault::border_default)) light.border = 0;
+    if (is_planted(fault::border_dropped)) light.border = 0;
     if (is_planted(fault::bulb_far_plane_nearer)) light.z_far /= 10;
     return light;
 }

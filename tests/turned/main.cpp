@@ -119,7 +119,8 @@ bool prove_unchanged() {
     return all_right && lit > 500 && dark > 500;
 }
 
-/// A fault is seen in the programs as they are, or where a number is twice what it was and no exception allows for it.
+/// A fault is seen where a program as it is comes out wrong or is refused, or where a number is twice what it was and
+/// no exception allows for it.
 /// @param only   a fault's number; 0: all
 bool plant_faults(const exceptions& listed, std::size_t only) {
     bool all_seen = true;

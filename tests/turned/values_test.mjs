@@ -21,7 +21,7 @@ const values = await load_values(), { shadow } = package_of;
 const scene = { low: [-20, -1, -20], high: [20, 5, 20] };
 const camera = { view: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, -8, 1], z_near: 0.5, z_far: 60,
     projection: [1, 0, 0, 0, 0, 1.5, 0, 0, 0, 0, -1.01, -1, 0, 0, -0.5, 0] };
-const sun = { direction: [-2, -6, -3] }, bulb = { position: [0.3, 3, 0.2], z_near: 0.1, z_far: 40, border: 3 };
+const sun = { direction: [-2, -6, -3] }, bulb = { position: [0.3, 3, 0.2], z_near: 0.1, z_far: 40, border: 4 };
 /** A program for each kind of light: its numbers are those of `light`, and the map's size. */
 const programs = {
     spot_light: { position: [2, 6, 3], direction: [-2, -6, -3], up: [0, 1, 0], outer_angle_radians: 0.5, aspect: 1, z_near: 1, z_far: 20 },
@@ -29,7 +29,7 @@ const programs = {
     cascades: { ...sun, up: [0, 1, 0], scene, camera, cascades: 4, lambda: 0.9, overlap: 0.1, blend_texels: 16 },
     cascades_8: { ...sun, up: [0, 1, 0], scene, camera, cascades: 6, lambda: 0.9, overlap: 0.1, blend_texels: 16 },
     warped_cascades: { ...sun, scene, camera, cascades: 3, lambda: 0.9, overlap: 0.1 },
-    point_light: bulb, tetrahedron_light: { ...bulb, border: 4 }, dual_paraboloid_light: { position: [0.3, 3, 0.2], range: 40, border: 3 },
+    point_light: bulb, tetrahedron_light: bulb, dual_paraboloid_light: { position: [0.3, 3, 0.2], range: 40, border: 4 },
 };
 /** Where twice or half may be refused, and the page that says so. */
 const limits = [
@@ -38,7 +38,6 @@ const limits = [
     [/^cascades_8 cascades half/, 'five to eight cascades are this setup, and fewer the other (include/umbrage/shadow/README.md)'],
     [/^(point|tetrahedron|dual_paraboloid)_light map_size/, 'all maps around a point are square'],
     [/lambda twice/, 'practical_splits: lambda is from 0 to 1 (include/umbrage/light/cascades/README.md)'],
-    [/border half/, "the border is the filter's reach and a texel (include/umbrage/shadow/README.md)"],
     [/camera.(view|projection)/, "the matrix of no camera, or of another one than its distances say (single_include/README.md)"],
 ];
 

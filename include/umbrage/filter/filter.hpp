@@ -10,11 +10,14 @@
 // See also: filters.hpp, the list of this library's filters.
 #pragma once
 
+#include <cmath>
 #include <concepts>
+#include <string>
 #include <string_view>
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/core/check.hpp>
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/filter/numbers.hpp>
@@ -67,6 +70,15 @@ consteval bool is_filter() {
 template <class Filter>
 void require_filter(std::string_view function, const Filter& filter) {
     if constexpr (requires { filter.check(function); }) filter.check(function);
+}
+
+/// Refuses a border that a filter reads beyond. Where maps meet, shadows would end in a line.
+/// @param border   texels around the part of a map that holds receivers
+/// @param reach    the filter's, texels. A border of the reach is enough, as texels whose centers are farther away do
+///                 not count
+inline void require_reach(std::string_view function, std::string_view argument, int border, float reach) {
+    require(static_cast<float>(border) >= reach, function, argument, printed(std::ceil(reach)) + " or more", border,
+            "The filter reaches " + printed(reach) + " texels to each side.");
 }
 
 }  // namespace detail

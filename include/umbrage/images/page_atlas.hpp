@@ -114,9 +114,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     require_filter(function, filter);
     require_page_size(map.size, function);
     const int pitch = map.size.pitch();
-    if constexpr (requires { filter.reach(); })
-        require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
-                std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
+    if constexpr (requires { filter.reach(); }) require_reach(function, "size.gutter", map.size.gutter, filter.reach());
     for (int y = 0; y < side; ++y)
         for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
             require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",

@@ -15,11 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
 #include <umbrage/light/adaptive/root.hpp>
@@ -38,7 +38,7 @@ struct adaptive_maps {
 
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
-    /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
+    /// @param of      size of a page, with a gutter of the filter's reach or more
     /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page size that
     ///                                page_light refuses
     template <real T>
@@ -82,13 +82,8 @@ struct adaptive_maps {
         }
         return all;
     }
-    /// Refuses a filter that reads beyond the gutter: each page would end in a line.
-    /// @param reach   distance from a receiver to the farthest texel that counts, texels
-    /// @throws std::invalid_argument  a reach above the gutter
-    void require_reach(float reach) const {
-        detail::require(float(size.gutter) >= reach, "shadow", "light.size.gutter",
-                        std::string("the filter's reach or more, ").append(detail::printed(reach)), size.gutter);
-    }
+    /// @throws std::invalid_argument  a filter's reach above the gutter
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.size.gutter", size.gutter, reach); }
     /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");

@@ -2,7 +2,7 @@
 //
 // Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
 //
-//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
+//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
 //
 #pragma once
@@ -12,6 +12,7 @@
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/point_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
@@ -93,6 +94,8 @@ struct cube_maps {
         const auto faces = make_point_light(light);
         return {faces.begin(), faces.end()};
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");

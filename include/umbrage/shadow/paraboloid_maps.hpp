@@ -3,7 +3,7 @@
 // Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
 // They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
 //
-//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
+//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
 //
 #pragma once
@@ -18,6 +18,7 @@
 #include <umbrage/depth/conversions.hpp>
 #include <umbrage/draw/dual_paraboloid_pass.hpp>
 #include <umbrage/draw/tessellate.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/light/point/dual_paraboloid.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/setup.hpp>
@@ -168,6 +169,8 @@ struct paraboloid_maps {
         if (!(tilt + angle < 1.5)) return 1.0f;
         return float(depth * (facing / std::cos(tilt + angle) - 1.0 - angle * std::tan(tilt)));
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");

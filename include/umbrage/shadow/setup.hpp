@@ -60,8 +60,8 @@ struct map_grid {
 ///
 /// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
-/// parallel). A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which
-/// refuses filters that read farther. A setup that bends straight lines specializes bends_of, and has bend() for
+/// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
+/// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&

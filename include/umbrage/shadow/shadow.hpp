@@ -131,8 +131,9 @@ public:
     ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
     ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
-    ///                                the setup. A filter's number out of range. A light so far from the origin that
-    ///                                floats have no digits left; uniforms that would be infinite or NaN in float
+    ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
+    ///                                filter's number out of range. A light so far from the origin that floats have no
+    ///                                digits left; uniforms that would be infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))

@@ -3,7 +3,7 @@
 // Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
 // vary less in size.
 //
-//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
+//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
 //
 #pragma once
@@ -16,6 +16,7 @@
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/draw/tetrahedron_pass.hpp>
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
@@ -114,6 +115,8 @@ struct tetrahedron_map {
         here.position -= origin;
         rasterize_tetrahedron(depths, mesh, instances, make_tetrahedron_light(here), cull_mode::none, parallel);
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");

@@ -104,7 +104,7 @@ TEST_CASE("tessellate: a paraboloid map of 1024 texels has no edge more than hal
             corners.push_back(3.0f * glm::vec3(x, y, z));
         }
         const std::vector<glm::uvec3> triangle{{0, 1, 2}};
-        const tessellated_mesh cut = tessellate({corners, triangle}, {.angle = paraboloid_edge_angle(1024)});
+        const tessellated_mesh cut = tessellate({corners, triangle}, {.angle = paraboloid_edge_angle(1024, 0)});
         const auto both_seen = [](glm::dvec3 p, glm::dvec3 q) { return p.z >= 0 && q.z >= 0; };
         for (const glm::uvec3& t : cut.triangles)
             for (glm::length_t i = 0; i < 3; ++i)

@@ -55,7 +55,8 @@ TEST_CASE("adaptive_maps: a page has a gutter, as wide as the filter reaches, an
         static_cast<void>(shadow(adaptive_maps(root, cache, {64, gutter}), glm::ivec2(64 + 2 * gutter), filter));
     };
     CHECK_THROWS_WITH_AS(made(8, filters::box{.radius = 8}),
-                         "umbrage::shadow: light.size.gutter must be the filter's reach or more, 8.5; got 8",
+                         "umbrage::shadow: light.size.gutter must be 9 or more; got 8. The filter reaches 8.5 texels "
+                         "to each side.",
                          std::invalid_argument);
     CHECK_NOTHROW(made(9, filters::box{.radius = 8}));
     CHECK_THROWS_AS(made(0, filters::hard{}), std::invalid_argument);

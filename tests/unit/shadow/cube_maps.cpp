@@ -6,6 +6,7 @@
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/frame.hpp>
 
+#include "borders.hpp"
 #include "scene.hpp"
 
 using namespace umbrage;
@@ -35,4 +36,13 @@ TEST_CASE("cube_maps: maps have the light's size") {
     CHECK_THROWS_WITH_AS(static_cast<void>(of.make_uniforms({256, 128}, glm::dvec3(0))),
                          "umbrage::shadow: map_size must be the point light's, 256 x 256; got 256 x 128",
                          std::invalid_argument);
+}
+
+TEST_CASE("cube_maps: a border as wide as the filter reaches, and no narrower one") {
+    const auto in_face = [](glm::vec3, glm::ivec2 texel) {
+        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < 64;
+    };
+    const point_light<float> bulb{.map_size = 64, .clip = cpu_clip_space};
+    shadow_borders::check_need(bulb, in_face);
+    shadow_borders::check_refusal(bulb);
 }

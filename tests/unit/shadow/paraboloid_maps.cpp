@@ -6,6 +6,7 @@
 #include <umbrage/shadow/frame.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
 
+#include "borders.hpp"
 #include "scene.hpp"
 
 using namespace umbrage;
@@ -39,4 +40,13 @@ TEST_CASE("paraboloid_maps: maps have the light's size") {
     CHECK_THROWS_WITH_AS(static_cast<void>(of.make_uniforms({512, 128}, glm::dvec3(0))),
                          "umbrage::shadow: map_size must be the paraboloid light's, 512 x 512; got 512 x 128",
                          std::invalid_argument);
+}
+
+TEST_CASE("paraboloid_maps: a border as wide as the filter reaches, and no narrower one") {
+    const auto in_map = [](glm::vec3, glm::ivec2 texel) {
+        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < 64;
+    };
+    const dual_paraboloid_light<float> bulb{.map_size = 64, .clip = cpu_clip_space};
+    shadow_borders::check_need(bulb, in_map);
+    shadow_borders::check_refusal(bulb);
 }

@@ -5,6 +5,7 @@
 
 #include <umbrage/shadow/tetrahedron_map.hpp>
 
+#include "borders.hpp"
 #include "scene.hpp"
 
 using namespace umbrage;
@@ -36,4 +37,14 @@ TEST_CASE("tetrahedron_map: the map has the light's size") {
     CHECK_THROWS_WITH_AS(static_cast<void>(of.make_uniforms({512, 128}, glm::dvec3(0))),
                          "umbrage::shadow: map_size must be the tetrahedron light's, 512 x 512; got 512 x 128",
                          std::invalid_argument);
+}
+
+TEST_CASE("tetrahedron_map: a border as wide as the filter reaches, and no narrower one") {
+    const auto in_triangle = [](glm::vec3 way, glm::ivec2 texel) {
+        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < 128 &&
+               tetrahedron_face_of(glm::vec2(texel), 128.0f) == tetrahedron_face(way);
+    };
+    const tetrahedron_light<float> bulb{.map_size = 128, .clip = cpu_clip_space};
+    shadow_borders::check_need(bulb, in_triangle);
+    shadow_borders::check_refusal(bulb);
 }

@@ -40,7 +40,7 @@ struct page_root {
 /// Size of the pages in an atlas.
 struct page_size {
     int texels = 128;  ///< side of a page, a power of two up to 16384
-    int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach and half a texel, or more
+    int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach or more
 
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
 };

@@ -41,7 +41,8 @@ struct dual_paraboloid_light {
     glm::vec<3, T> position{T(0)};
     T range = T(100);    ///< largest distance from the light with a depth, world units, > 0
     int map_size = 512;  ///< size of each map, in texels, >= 16
-    int border = 0;      ///< texels around the half's circle, inside map_size, at most 1/8 of it
+    int border = 2;      ///< texels around the half's circle, inside map_size, at most 1/8 of it: the filter's reach or
+                         ///< more. 2 is enough for tent<3>
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
@@ -118,7 +119,7 @@ template <real T = float>
 /// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
 ///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
 template <real T = float>
-[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = 0) {
+[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = dual_paraboloid_light<T>{}.border) {
     const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
     return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
 }

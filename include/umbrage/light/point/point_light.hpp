@@ -6,8 +6,8 @@
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
-// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
-// are enough. Between faces the edge of a shadow moves by at most one texel.
+// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach()) texels are
+// enough. Between faces the edge of a shadow moves by at most one texel. A cube texture has no border: set it to 0.
 // Depth is that of a perspective projection per face, at `cube_view_z`. The depth pass must write distances
 // (`distance_depth`) itself.
 // Also called: omnidirectional shadows, point light shadows (make_point_light).
@@ -31,7 +31,8 @@ struct point_light {
                          ///< 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
     int map_size = 512;  ///< size of a face, in texels, > 2 border
-    int border = 0;      ///< texels beyond each edge of the face, inside map_size
+    int border = 2;      ///< texels beyond each edge of the face, inside map_size: the filter's reach or more. 2 is
+                         ///< enough for tent<3>. For a cube texture 0
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 

@@ -43,7 +43,8 @@ struct tetrahedron_light {
                           ///< With forward depth at least 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);     ///< far plane, > z_near; infinite: no far plane
     int map_size = 1024;  ///< size of the square, in texels, > 6 border
-    int border = 0;       ///< texels along each side of a triangle, inside it
+    int border = 2;       ///< texels along each side of a triangle, inside it: the filter's reach or more. 2 is enough
+                          ///< for tent<3>
     clip_space clip{};    ///< required: clip space of your API or engine, see clip_space.hpp
 };
 

@@ -105,9 +105,10 @@ TEST_CASE(
 
 TEST_CASE("paraboloid_edge_angle: edges at the rim are half a texel off, untessellated ones 17, 69 and 150 texels") {
     constexpr double degree = std::numbers::pi / 180;
-    CHECK(paraboloid_edge_angle<double>(512) == doctest::Approx(7.2 * degree).epsilon(0.01));
-    CHECK(paraboloid_edge_angle<double>(1024) == doctest::Approx(5.1 * degree).epsilon(0.01));
-    CHECK(paraboloid_edge_angle<double>(2048) == doctest::Approx(3.6 * degree).epsilon(0.01));
+    CHECK(paraboloid_edge_angle<double>(512, 0) == doctest::Approx(7.2 * degree).epsilon(0.01));
+    CHECK(paraboloid_edge_angle<double>(1024, 0) == doctest::Approx(5.1 * degree).epsilon(0.01));
+    CHECK(paraboloid_edge_angle<double>(2048, 0) == doctest::Approx(3.6 * degree).epsilon(0.01));
+    CHECK(paraboloid_edge_angle(512) == paraboloid_edge_angle(512, dual_paraboloid_light<float>{}.border));
     for (const glm::ivec2 none : {glm::ivec2(4, 2), {2, 8}}) CHECK(is_nan(paraboloid_edge_angle(none.x, none.y)));
     const auto off = [](double angle, int size) {  // of an edge along the rim
         const auto texel = [&](double turn) {
@@ -116,7 +117,7 @@ TEST_CASE("paraboloid_edge_angle: edges at the rim are half a texel off, untesse
         return glm::distance(texel(angle / 2), (texel(0) + texel(angle)) / 2.0);
     };
     for (const int size : {256, 512, 1024, 2048})
-        CHECK(off(paraboloid_edge_angle<double>(size), size) == doctest::Approx(0.5).epsilon(0.002));
+        CHECK(off(paraboloid_edge_angle<double>(size, 0), size) == doctest::Approx(0.5).epsilon(0.002));
     CHECK(off(30 * degree, 1024) == doctest::Approx(17).epsilon(0.03));
     CHECK(off(60 * degree, 1024) == doctest::Approx(69).epsilon(0.01));
     CHECK(off(90 * degree, 1024) == doctest::Approx(150).epsilon(0.002));

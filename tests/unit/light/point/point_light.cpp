@@ -58,7 +58,7 @@ struct two_faces {
     std::array<image<float>, 6> maps;
 
     two_faces(float reach, const std::vector<glm::vec3>& quad, glm::ivec2 faces)
-        : border(static_cast<int>(std::ceil(reach + 1.0f))),
+        : border(static_cast<int>(std::ceil(reach))),
           lights(make_point_light<double>(
               {.z_near = 0.5, .z_far = 200, .map_size = size, .border = border, .clip = cpu_clip_space})) {
         const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
