@@ -82,16 +82,12 @@ public:
             make_warped_cascades<3>(fit, splits, [](const auto& part) { return fit_light_space_perspective(part); });
         use("warped cascades", warped_maps(warped, camera_, fit.overlap), size, sun, ground);
         use("pages", pages(), glm::ivec2(72), sun, ground);
-        use("cube",
-            point_light<float>{
-                .position = bulb_, .z_near = 0.05f, .z_far = 30, .map_size = 256, .border = 4, .clip = clip_},
+        use("cube", point_light<float>{.position = bulb_, .z_near = 0.05f, .z_far = 30, .map_size = 256, .clip = clip_},
             size, bulb, surrounding);
         use("tetrahedron",
-            tetrahedron_light<float>{
-                .position = bulb_, .z_near = 0.05f, .z_far = 30, .map_size = 512, .border = 4, .clip = clip_},
+            tetrahedron_light<float>{.position = bulb_, .z_near = 0.05f, .z_far = 30, .map_size = 512, .clip = clip_},
             glm::ivec2(512), bulb, surrounding);
-        use("paraboloids",
-            dual_paraboloid_light<float>{.position = bulb_, .range = 25, .map_size = 256, .border = 4, .clip = clip_},
+        use("paraboloids", dual_paraboloid_light<float>{.position = bulb_, .range = 25, .map_size = 256, .clip = clip_},
             size, bulb, surrounding);
     }
 
