@@ -188,12 +188,12 @@ private:
         }
         page_cache cache({.slots = {8, 8}, .deepest_level = 4});
         static_cast<void>(cache.update(seen));
-        const page_size size{.texels = 16 << (c_.size.x % 3), .gutter = int(std::ceil(reach_ + 1))};
+        const page_size size{.texels = 16 << (c_.size.x % 3), .gutter = int(std::ceil(reach_))};
         return {adaptive_maps(root, cache, size), glm::ivec2(size.pitch()), sun_rays(), false};
     }
     [[nodiscard]] lit_scene around() const {
         using namespace umbrage;
-        const int border = int(std::ceil(reach_ + 1)), side = std::max(c_.size.x, 64);
+        const int border = int(std::ceil(reach_)), side = std::max(c_.size.x, 64);
         const vec at = position(s_.lamp);
         const T z_near = length(s_.z_near), z_far = length(c_.mirrored ? 30 : 100);
         if (c_.setup == setup_kind::cube)
