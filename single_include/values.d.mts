@@ -97,7 +97,7 @@ export interface AdaptivePages extends OfAll {
     points: ArrayLike<number>;
     /** Normal of the surface at each point, on the camera's side and of length one. Four floats each; the last does not count. */
     normals: ArrayLike<number>;
-    /** Texels around each page, a whole number: the filter's reach and one, rounded up. The others of `map_size` are a power of two. */
+    /** Texels around each page, a whole number: the filter's reach or more, 4 by default. The others of `map_size` are a power of two. */
     gutter?: number;
     /** Pixels that a texel may cover. */
     target?: number;
@@ -106,7 +106,7 @@ export interface PointLight extends OfAll {
     position?: Vector;
     z_near?: number;
     z_far?: number;
-    /** Texels around each map, a whole number: the filter's reach and one, rounded up. */
+    /** Texels around each map, a whole number: the filter's reach or more. 2 by default, which is enough for `tent3`. */
     border?: number;
 }
 export interface DualParaboloidLight extends OfAll { position?: Vector; range?: number; border?: number }

@@ -10,7 +10,7 @@ import { encodings, filters, kinds } from './module/names.mjs';
 
 const must = must_in('values');
 
-const point = { position: [0, 0, 0], z_near: 0.1, z_far: 100, border: 0 };
+const point = { position: [0, 0, 0], z_near: 0.1, z_far: 100, border: 2 };
 const cascaded = { direction: [0, -1, 0], up: [0, 1, 0], scene: undefined, camera: undefined, cascades: undefined, lambda: 0.9, splits: [],
     overlap: 0, blend_texels: 16 };
 /** What each kind of light is told of, with defaults; undefined is required. */
@@ -25,7 +25,7 @@ const of_kinds = {
         normals: undefined, gutter: 4, target: 1 },
     point_light: point,
     tetrahedron_light: point,
-    dual_paraboloid_light: { position: [0, 0, 0], range: 100, border: 0 },
+    dual_paraboloid_light: { position: [0, 0, 0], range: 100, border: 2 },
 };
 const of_all = { clip: undefined, origin: [0, 0, 0], filter: {} };
 

@@ -1454,6 +1454,15 @@ void require_filter(std::string_view function, const Filter& filter) {
     if constexpr (requires { filter.check(function); }) filter.check(function);
 }
 
+/// Refuses a border that a filter reads beyond. Where maps meet, shadows would end in a line.
+/// @param border   texels around the part of a map that holds receivers
+/// @param reach    the filter's, texels. A border of the reach is enough, as texels whose centers are farther away do
+///                 not count
+inline void require_reach(std::string_view function, std::string_view argument, int border, float reach) {
+    require(static_cast<float>(border) >= reach, function, argument, printed(std::ceil(reach)) + " or more", border,
+            "The filter reaches " + printed(reach) + " texels to each side.");
+}
+
 }  // namespace detail
 }  // namespace umbrage
 
@@ -2499,8 +2508,8 @@ inline constexpr const snippet* cube_map_snippets[]{&cube_face,      &cube_view_
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
-// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach() + 1) texels
-// are enough. Between faces the edge of a shadow moves by at most one texel.
+// A border extends each map beyond its face, so that filters need no other face. std::ceil(filter.reach()) texels are
+// enough. Between faces the edge of a shadow moves by at most one texel. A cube texture has no border: set it to 0.
 // Depth is that of a perspective projection per face, at `cube_view_z`. The depth pass must write distances
 // (`distance_depth`) itself.
 // Also called: omnidirectional shadows, point light shadows (make_point_light).
@@ -2516,7 +2525,8 @@ struct point_light {
                          ///< 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);    ///< far plane, > z_near; infinite: no far plane
     int map_size = 512;  ///< size of a face, in texels, > 2 border
-    int border = 0;      ///< texels beyond each edge of the face, inside map_size
+    int border = 2;      ///< texels beyond each edge of the face, inside map_size: the filter's reach or more. 2 is
+                         ///< enough for tent<3>. For a cube texture 0
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
@@ -11437,7 +11447,8 @@ struct dual_paraboloid_light {
     glm::vec<3, T> position{T(0)};
     T range = T(100);    ///< largest distance from the light with a depth, world units, > 0
     int map_size = 512;  ///< size of each map, in texels, >= 16
-    int border = 0;      ///< texels around the half's circle, inside map_size, at most 1/8 of it
+    int border = 2;      ///< texels around the half's circle, inside map_size, at most 1/8 of it: the filter's reach or
+                         ///< more. 2 is enough for tent<3>
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
@@ -11514,7 +11525,7 @@ template <real T = float>
 /// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
 ///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
 template <real T = float>
-[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = 0) {
+[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = dual_paraboloid_light<T>{}.border) {
     const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
     return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
 }
@@ -11852,7 +11863,8 @@ struct tetrahedron_light {
                           ///< With forward depth at least 56 2^-24 z_far (3.4e-6)
     T z_far = T(100);     ///< far plane, > z_near; infinite: no far plane
     int map_size = 1024;  ///< size of the square, in texels, > 6 border
-    int border = 0;       ///< texels along each side of a triangle, inside it
+    int border = 2;       ///< texels along each side of a triangle, inside it: the filter's reach or more. 2 is enough
+                          ///< for tent<3>
     clip_space clip{};    ///< required: clip space of your API or engine, see clip_space.hpp
 };
 
@@ -19589,7 +19601,7 @@ struct page_root {
 /// Size of the pages in an atlas.
 struct page_size {
     int texels = 128;  ///< side of a page, a power of two up to 16384
-    int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach and half a texel, or more
+    int gutter = 4;    ///< border around a page, 0 to texels / 2: the filter's reach or more
 
     [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
 };
@@ -19756,9 +19768,7 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     require_filter(function, filter);
     require_page_size(map.size, function);
     const int pitch = map.size.pitch();
-    if constexpr (requires { filter.reach(); })
-        require(float(map.size.gutter) >= filter.reach(), function, "size.gutter",
-                std::string("the filter's reach or more, ").append(printed(filter.reach())), map.size.gutter);
+    if constexpr (requires { filter.reach(); }) require_reach(function, "size.gutter", map.size.gutter, filter.reach());
     for (int y = 0; y < side; ++y)
         for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
             require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",
@@ -23357,8 +23367,8 @@ struct map_grid {
 ///
 /// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
-/// parallel). A setup whose maps continue beyond their border by a number of texels has require_reach(reach), which
-/// refuses filters that read farther. A setup that bends straight lines specializes bends_of, and has bend() for
+/// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
+/// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
@@ -23429,6 +23439,16 @@ consteval bool has_fields() {
 [[nodiscard]] inline light_space<double> relative_to(glm::dvec3 origin, light_space<double> light) {
     light.view[3] += light.view[0] * origin.x + light.view[1] * origin.y + light.view[2] * origin.z;
     return light;
+}
+
+/// A position as binary32 holds it.
+/// GCC 12 at -O2 drops both conversions of a pair of numbers, so each goes through memory.
+[[nodiscard]] inline glm::dvec3 in_binary32(const glm::dvec3& position) {
+    const auto rounded = [](double v) {
+        const volatile float stored = static_cast<float>(v);
+        return double(stored);
+    };
+    return {rounded(position.x), rounded(position.y), rounded(position.z)};
 }
 
 template <real T>
@@ -23646,23 +23666,23 @@ struct anchored_map {
 namespace detail {
 
 /// Uniforms of a map for a given anchor.
-/// @param here   texture matrix of positions as they are given
-[[nodiscard]] inline anchored_map anchored_at(const glm::vec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
+/// @param anchor   as in_binary32 gives it
+/// @param here     texture matrix of positions as they are given
+[[nodiscard]] inline anchored_map anchored_at(const glm::dvec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
                                               const clip_space& clip) {
-    const glm::dvec3 exact(anchor);
-    glm::dmat4 m = moved_to(here, exact);
+    glm::dmat4 m = moved_to(here, anchor);
     const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
     if (lens) m /= glm::length(row_of(m, 3));
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
-    glm::dvec4 rounding = rounding_of(m, map_size, exact);
+    glm::dvec4 rounding = rounding_of(m, map_size, anchor);
     const double width = width_in_depth(m, map_size), depth = take_depth(m);
     glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
     if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
     else slack.z += width;
     if (parallel) slack.x += rounding.z, slack.z += rounding.w, rounding = glm::dvec4(0);
     out.to_texels = glm::mat4(m);
-    out.anchor = glm::vec4(anchor, 0.0f);
+    out.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
     out.rounding = glm::vec4(rounding);
     out.slack = glm::vec4(slack);
     return out;
@@ -23676,7 +23696,7 @@ namespace detail {
     const glm::dmat4 back = glm::inverse(m);
     require_digits(glm::length(light), (glm::max)(glm::length(corner_of(back, map_size, 0, 0.0)),
                                                   glm::length(corner_of(back, map_size, 0, 1.0))));
-    anchored_map out = anchored_at(glm::vec3(0), m, map_size, clip);
+    anchored_map out = anchored_at(glm::dvec3(0), m, map_size, clip);
     out.anchor = glm::vec4(glm::vec3(light), 0.0f);
     out.rounding.y = static_cast<float>(one_rounding * 3.0 * glm::length(light));
     return out;
@@ -23693,7 +23713,8 @@ namespace detail {
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    return detail::anchored_at(glm::vec3(detail::anchor_of(here, map_size)), here, map_size, light.clip);
+    const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(here, map_size));
+    return detail::anchored_at(anchor, here, map_size, light.clip);
 }
 
 /// Place of a point of the world in one map, with the slack of its plane.
@@ -23733,12 +23754,13 @@ struct depth_view {
 namespace detail {
 
 /// View of a depth pass for a given anchor.
-/// @param here   light for positions as they are given
-[[nodiscard]] inline depth_view depth_view_at(const glm::vec3& anchor, const light_space<double>& here) {
-    glm::dmat4 m = moved_to(here.projection * here.view, glm::dvec3(anchor));
+/// @param anchor   as in_binary32 gives it
+/// @param here     light for positions as they are given
+[[nodiscard]] inline depth_view depth_view_at(const glm::dvec3& anchor, const light_space<double>& here) {
+    glm::dmat4 m = moved_to(here.projection * here.view, anchor);
     const bool parallel = row_of(m, 3) == glm::dvec3(0);
     const double share = parallel ? 0.0 : take_depth(m);
-    return {glm::mat4(m), glm::vec4(anchor, static_cast<float>(share))};
+    return {glm::mat4(m), glm::vec4(glm::dvec4(anchor, share))};
 }
 
 }  // namespace detail
@@ -23749,7 +23771,7 @@ namespace detail {
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
     const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(glm::vec3(detail::anchor_of(m, glm::ivec2(1))), here);
+    return detail::depth_view_at(detail::in_binary32(detail::anchor_of(m, glm::ivec2(1))), here);
 }
 
 namespace detail {
@@ -24189,7 +24211,7 @@ struct setup_for<light_space<T>> {
 // ---- umbrage/shadow/cube_maps.hpp
 // Cube shadow map of a point light: six maps, one per face. A border lets filters stay within a face.
 //
-//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 3, .clip = clip};
+//     const umbrage::point_light<float> bulb{.position = p, .map_size = 512, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
 //
 
@@ -24268,6 +24290,8 @@ struct cube_maps {
         const auto faces = make_point_light(light);
         return {faces.begin(), faces.end()};
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
@@ -24457,7 +24481,7 @@ inline constexpr const snippet* page_places_snippets[]{&adaptive_maps_places};
 // Dual paraboloid shadow maps of a point light: two maps, each with a paraboloid's image of half of all directions.
 // They need two passes where a cube map needs six, and a mesh of short edges. They store distances, not depths.
 //
-//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 3, .clip = clip};
+//     const umbrage::dual_paraboloid_light<float> bulb{.position = p, .range = 30, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {512, 512}, umbrage::filters::tent<3>);
 //
 
@@ -24607,6 +24631,8 @@ struct paraboloid_maps {
         if (!(tilt + angle < 1.5)) return 1.0f;
         return float(depth * (facing / std::cos(tilt + angle) - 1.0 - angle * std::tan(tilt)));
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  a map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
@@ -25983,7 +26009,7 @@ struct softness_words {
 // Tetrahedron shadow map of a point light: four views in one square map. A cube map needs six views, and its texels
 // vary less in size.
 //
-//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 3, .clip = clip};
+//     const umbrage::tetrahedron_light<float> bulb{.position = p, .map_size = 1024, .border = 2, .clip = clip};
 //     umbrage::shadow lamp(bulb, {1024, 1024}, umbrage::filters::tent<3>);
 //
 
@@ -26080,6 +26106,8 @@ struct tetrahedron_map {
         here.position -= origin;
         rasterize_tetrahedron(depths, mesh, instances, make_tetrahedron_light(here), cull_mode::none, parallel);
     }
+    /// @throws std::invalid_argument  a filter's reach above the border
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
     /// @throws std::invalid_argument  map_size other than the light's
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the tetrahedron light's");
@@ -28323,7 +28351,7 @@ struct adaptive_maps {
 
     /// @param space   light from make_page_root
     /// @param cache   cache after its update. Make the shadow again for each frame; its shader stays the same
-    /// @param of      size of a page, with a gutter of the filter's radius + 1/2 texels or more
+    /// @param of      size of a page, with a gutter of the filter's reach or more
     /// @throws std::invalid_argument  more than 8 columns or rows of slots; a deepest level above 4; a page size that
     ///                                page_light refuses
     template <real T>
@@ -28367,26 +28395,21 @@ struct adaptive_maps {
         }
         return all;
     }
-    /// Refuses a filter that reads beyond the gutter: each page would end in a line.
-    /// @param reach   distance from a receiver to the farthest texel that counts, texels
-    /// @throws std::invalid_argument  a reach above the gutter
-    void require_reach(float reach) const {
-        detail::require(float(size.gutter) >= reach, "shadow", "light.size.gutter",
-                        std::string("the filter's reach or more, ").append(detail::printed(reach)), size.gutter);
-    }
+    /// @throws std::invalid_argument  a filter's reach above the gutter
+    void require_reach(float reach) const { detail::require_reach("shadow", "light.size.gutter", size.gutter, reach); }
     /// @throws std::invalid_argument  a map_size other than a page's with its gutter
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(size.pitch()), "shadow", "map_size", "the pages' pitch()");
         const light_space<double> here = detail::relative_to(origin, root);
         const glm::ivec2 texels(size.texels << deepest_level);
         const glm::dmat4 in_texels = texture_matrix(here, texels);
-        const glm::vec3 anchor(detail::anchor_of(in_texels, texels));
-        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, glm::dvec3(anchor)); };
-        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, glm::dvec3(anchor));
+        const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(in_texels, texels));
+        const auto moved = [&](const glm::dmat4& m) { return detail::moved_to(m, anchor); };
+        const glm::dvec4 error = detail::rounding_of(moved(in_texels), texels, anchor);
         uniforms u{};
         u.to_root = glm::mat4(moved(page_matrix(here)));
         u.planes = glm::mat4(detail::plane_matrix_of_shadow(moved(in_texels)));
-        u.anchor = glm::vec4(anchor, 0.0f);
+        u.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
         const double coordinate = 8.0 * detail::one_rounding;  // of 1 to 2 across the root, on both sides
         u.pages = glm::vec4(float(size.texels), float(size.gutter), 0.0f, 0.0f);
         u.slack = glm::vec4(glm::dvec4(detail::texels_beside_plane(root.clip, map_size),
@@ -28520,9 +28543,10 @@ struct cascaded_maps {
         };
         uniforms u{};
         u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
-        u.anchor = glm::vec4(glm::vec3(detail::anchor_of(in_texels(cascades.back()), map_size)), 0.0f);
+        const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(in_texels(cascades.back()), map_size));
+        u.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
         u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
-        const glm::dvec3 anchor(u.anchor), start(rotation * glm::dvec4(origin + anchor, 1.0));
+        const glm::dvec3 start(rotation * glm::dvec4(origin + anchor, 1.0));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
             u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
@@ -29051,7 +29075,7 @@ template <shadow_setup Setup>
     for (const light_space<double>& light : setup.lights())
         if constexpr (has_bent_lines<Setup>) all.push_back(make_bent_view(light, origin));
         else if constexpr (requires { setup.anchor(); })
-            all.push_back(depth_view_at(glm::vec3(setup.anchor() - origin), relative_to(origin, light)));
+            all.push_back(depth_view_at(in_binary32(setup.anchor() - origin), relative_to(origin, light)));
         else all.push_back(make_depth_view(light, origin));
     return all;
 }
@@ -29092,8 +29116,9 @@ public:
     ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
     ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
-    ///                                the setup. A filter's number out of range. A light so far from the origin that
-    ///                                floats have no digits left; uniforms that would be infinite or NaN in float
+    ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
+    ///                                filter's number out of range. A light so far from the origin that floats have no
+    ///                                digits left; uniforms that would be infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
@@ -29967,13 +29992,14 @@ struct warped_maps {
         require_cascades();
         uniforms u{};
         u.ends = glm::vec4(glm::vec3(detail::highest<float>), float(cascades.size() - 1));
-        u.anchor = glm::vec4(glm::vec3(anchor() - origin), 0.0f);
-        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, glm::dvec3(u.anchor) + origin - position)));
+        const glm::dvec3 own_anchor = detail::in_binary32(anchor() - origin);
+        u.anchor = glm::vec4(glm::vec3(own_anchor), 0.0f);
+        u.ahead = glm::vec4(glm::dvec4(axis, glm::dot(axis, own_anchor + origin - position)));
         for (std::size_t i = 0; i < 4; ++i) {
             const warped_cascade<double>& c = cascades[i < cascades.size() ? i : cascades.size() - 1];
             const auto column = static_cast<glm::length_t>(i);
             const glm::dmat4 here = texture_matrix(detail::relative_to(origin, c.light), map_size);
-            const anchored_map map = detail::anchored_at(glm::vec3(u.anchor), here, map_size, c.light.clip);
+            const anchored_map map = detail::anchored_at(own_anchor, here, map_size, c.light.clip);
             u.to_texels[i] = map.to_texels, u.planes[i] = map.planes;
             u.rounding[column] = map.rounding, u.slack[column] = map.slack;
             u.fades[column] = glm::vec4(glm::dvec4(detail::fade_of(c.begin, c.end, fade), 0.0, 0.0));
