@@ -1113,6 +1113,7 @@ concept render_target = requires {
     typename Target::texel;                                       // layout in memory
     { Target::channels } -> std::convertible_to<int>;             // number of channels that a shader writes and reads
     { Target::format } -> std::convertible_to<std::string_view>;  // OpenGL's name
+    { Target::depth_format } -> std::convertible_to<std::string_view>;  // of a depth texture; empty: none holds it
     {
         Target::to_unorm
         } -> std::convertible_to<const glsl::snippet*>;  // turns integer channels into values; null: floats
@@ -1123,7 +1124,7 @@ concept render_target = requires {
 struct float_target {
     using texel = float;
     static constexpr int channels = 1;
-    static constexpr std::string_view format = "R32F";
+    static constexpr std::string_view format = "R32F", depth_format = "DEPTH_COMPONENT32F";
     static constexpr const glsl::snippet* to_unorm = nullptr;
 
     [[nodiscard]] static glm::vec4 load(texel t) { return {t, 0, 0, 0}; }
@@ -1139,6 +1140,7 @@ struct depth_texture {
     using texel = std::conditional_t<Bits == 16, std::uint16_t, std::uint32_t>;
     static constexpr int bits = Bits, channels = 1;
     static constexpr std::string_view format = Bits == 16 ? "DEPTH_COMPONENT16" : "DEPTH_COMPONENT24";
+    static constexpr std::string_view depth_format = format;
     static constexpr const glsl::snippet* to_unorm = nullptr;
     static constexpr std::uint32_t most = (std::uint32_t(1) << Bits) - 1;
 
@@ -1178,6 +1180,7 @@ struct unorm_target {
     static constexpr int bits = Bits, channels = Channels;
     static constexpr std::string_view formats[2][4]{{"R8", "RG8", "RGB8", "RGBA8"}, {"R16", "RG16", "RGB16", "RGBA16"}};
     static constexpr std::string_view format = formats[Bits == 16][Channels - 1];
+    static constexpr std::string_view depth_format = Bits == 16 && Channels == 1 ? "DEPTH_COMPONENT16" : "";
     static constexpr const glsl::snippet* to_unorm = Bits == 16 ? &glsl::to_unorm16 : &glsl::to_unorm;
 
     /// Texel that a UNORM store makes of the values.
@@ -1201,7 +1204,7 @@ template <>
 struct unorm_target<10, 3> {
     using texel = std::uint32_t;
     static constexpr int bits = 10, channels = 3;
-    static constexpr std::string_view format = "RGB10_A2";
+    static constexpr std::string_view format = "RGB10_A2", depth_format = "";
     static constexpr const glsl::snippet* to_unorm = &glsl::to_unorm10;
 
     [[nodiscard]] static constexpr texel packed(glm::u16vec3 k) {

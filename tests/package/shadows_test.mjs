@@ -52,8 +52,8 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
         const { cleared, depth_pass, target, bytes } = shadow_in(language, test), pass = { glsl: texts.pass, wgsl: texts.pass_wgsl }[language];
         if (pass) same(made(() => all([depth_pass])), pass, `${what} in ${language}, depth pass`);
         const size = target.layers > 1 ? test.size : target.grid.map((n, axis) => n * target.map_size[axis]);
-        same(`${cleared} ${bytes} ${size} ${target.size}`,
-            `${test.cleared} ${test.bytes} ${test.size} ${target.layers > 1 ? [256, 256] : test.size}`, `${what}, target`);
+        same(`${cleared} ${bytes} ${size} ${target.size} ${target.format}`,
+            `${test.cleared} ${test.bytes} ${test.size} ${target.layers > 1 ? [256, 256] : test.size} ${test.format}`, `${what}, target`);
     }
 }
 function four({ cascades, depth_array, disc16, pcf_2x2, point_light, rg11, shadow, source, spot_light, tent3, text }, language) {

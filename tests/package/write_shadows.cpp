@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Expected shadows of the npm package, one case in JSON per line:  write_shadows FILE
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -48,6 +50,17 @@ std::string cleared(const auto& of) {
     else return numbers({of.cleared().x, of.cleared().y, of.cleared().z, of.cleared().w});
 }
 
+/// OpenGL's name of the format of a shadow's texture.
+std::string format(const auto& of, const glsl::shadow_slots& slots) {
+    using encoding = std::decay_t<decltype(of.encoding())>;
+    if constexpr (umbrage::known_encoding<encoding>) {
+        constexpr std::array depths{glsl::texture::depth, glsl::texture::depth_array, glsl::texture::shadow,
+                                    glsl::texture::shadow_array};
+        const bool is_depth = slots.map && std::ranges::find(depths, *slots.map) != depths.end();
+        return std::string(is_depth ? encoding::target::depth_format : encoding::target::format);
+    } else return format_of_moments<std::decay_t<decltype(of.filter())>>();
+}
+
 class writer {
 public:
     explicit writer(std::ostream& out) : out_(out) {}
@@ -68,7 +81,8 @@ public:
         if (slots.linear) out_ << ",\"linear\":" << literal(glsl::linear_form_of(of.filter()).what->name);
         out_ << ",\"slots\":[" << slots.block << ',' << slots.texture << ',' << slots.sampler << ',' << slots.set
              << "],\"size\":[" << of.size().x << ',' << of.size().y << "],\"cleared\":" << cleared(of)
-             << ",\"bytes\":" << sizeof(of.uniforms()) << ",\"version\":" << literal(directive(v))
+             << ",\"format\":" << literal(format(of, slots)) << ",\"bytes\":" << sizeof(of.uniforms())
+             << ",\"version\":" << literal(directive(v))
              << ",\"texts\":{\"glsl\":" << tried([&] { return glsl::source(v, {glsl::bind(of, "sun", slots)}); })
              << ",\"pass\":" << tried([&] { return glsl::source(v, {glsl::bind_depth_pass(of, "sun")}); });
         for (const shader_language& l : languages)
@@ -117,11 +131,15 @@ void of_filters(writer& out, const umbrage::clip_space& clip) {
     });
 }
 
-/// Spot lights and cascades in every encoding.
+/// Spot lights and cascades in every encoding. One map lies in depth textures, too.
 void of_encodings(writer& out, const umbrage::clip_space& clip) {
     for_each_light(clip, [&](std::string_view kind, const auto& light) {
         const auto add = [&](const auto& encoding) {
-            out.add(kind, umbrage::shadow(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding), {});
+            const umbrage::shadow tent(light, glm::ivec2(shadow_size), umbrage::filters::tent<3>, encoding);
+            out.add(kind, tent, {});
+            if constexpr (has_one_map<decltype(light)>)
+                for (const glsl::texture map : {glsl::texture::depth, glsl::texture::shadow})
+                    out.add(kind, tent, {.map = map});
         };
         if constexpr (!bends<std::decay_t<decltype(light)>>)
             if (kind != "spot_light" && kind != "cascades") return;

@@ -55,8 +55,7 @@ ${old ? '#define color gl_FragColor' : 'out vec4 color;'}\nvoid main() { ${fragm
         for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(kind, wrap, gl.CLAMP_TO_EDGE);
         const store = format => (layered ? gl.texStorage3D(kind, 1, format, width, height, target.layers)
             : gl.texStorage2D(kind, 1, format, width, height));
-        if (is_depth) store(gl[settings.encoding.replace('depth', 'DEPTH_COMPONENT').toUpperCase()]);
-        else if (this.old) gl.texImage2D(kind, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+        if (this.old) gl.texImage2D(kind, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
         else store(gl[stored[target.format] ?? target.format]);
         if (map.startsWith('shadow')) {
             gl.texParameteri(kind, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);

@@ -6,8 +6,8 @@ import { webgpu_clip_space } from '/package/values.mjs';
 import { light_from, light_values, shadow_options } from './light.mjs';
 import { camera, picture, vertices } from './scene.mjs';
 
-const formats = { R32F: 'r32float', RG8: 'rg8unorm', RGB8: 'rgba8unorm', RGBA8: 'rgba8unorm', RGB10_A2: 'rgb10a2unorm' };
-const depth_formats = { depth32f: 'depth32float', depth24: 'depth24plus', depth16: 'depth16unorm' };
+const formats = { R32F: 'r32float', RG8: 'rg8unorm', RGB8: 'rgba8unorm', RGBA8: 'rgba8unorm', RGB10_A2: 'rgb10a2unorm',
+    DEPTH_COMPONENT32F: 'depth32float', DEPTH_COMPONENT24: 'depth24plus', DEPTH_COMPONENT16: 'depth16unorm' };
 const usage = { target: 0x10, texture: 0x4, copied: 0x1 };
 
 /** One device, over as many frames as a path has. */
@@ -49,7 +49,7 @@ export class page {
         const { grid: [columns], map_size: [tile_width, tile_height], layers, size, format } = sun.target;
         const is_depth = map.startsWith('depth') || map.startsWith('shadow'), compares = map.startsWith('shadow');
         const bends = setup === 'dual_paraboloid_light', four = setup === 'tetrahedron_light';
-        const depth_format = is_depth ? depth_formats[sun.settings.encoding] : 'depth32float';
+        const depth_format = is_depth ? formats[format] : 'depth32float';
         const color_format = is_depth ? undefined : formats[format];
         const far = direction === 'reversed' ? 0 : 1, [red, green, blue, alpha] = sun.cleared;
 

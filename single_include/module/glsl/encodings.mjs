@@ -11,9 +11,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const depth32f = { name: "depth32f", direction: "forward", depth: "", channels: 1, needs: [],
-    cleared: [1, 0, 0, 0], format: "R32F", write: write_depth32f,
+    cleared: [1, 0, 0, 0], format: "R32F", depth_format: "DEPTH_COMPONENT32F", write: write_depth32f,
     reversed: { name: "depth32f", direction: "reversed", depth: "", channels: 1, needs: [],
-    cleared: [0, 0, 0, 0], format: "R32F", write: write_depth32f } };
+    cleared: [0, 0, 0, 0], format: "R32F", depth_format: "DEPTH_COMPONENT32F", write: write_depth32f } };
 
 const write_depth24 = { language, name: "write", summary: "color of a depth, for a target of depth24",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -25,9 +25,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const depth24 = { name: "depth24", direction: "forward", depth: "", channels: 1, needs: [],
-    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT24", write: write_depth24,
+    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT24", depth_format: "DEPTH_COMPONENT24", write: write_depth24,
     reversed: { name: "depth24", direction: "reversed", depth: "", channels: 1, needs: [],
-    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT24", write: write_depth24 } };
+    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT24", depth_format: "DEPTH_COMPONENT24", write: write_depth24 } };
 
 const write_depth16 = { language, name: "write", summary: "color of a depth, for a target of depth16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -39,9 +39,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const depth16 = { name: "depth16", direction: "forward", depth: "", channels: 1, needs: [],
-    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT16", write: write_depth16,
+    cleared: [1, 0, 0, 0], format: "DEPTH_COMPONENT16", depth_format: "DEPTH_COMPONENT16", write: write_depth16,
     reversed: { name: "depth16", direction: "reversed", depth: "", channels: 1, needs: [],
-    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT16", write: write_depth16 } };
+    cleared: [0, 0, 0, 0], format: "DEPTH_COMPONENT16", depth_format: "DEPTH_COMPONENT16", write: write_depth16 } };
 
 const write_rg9 = { language, name: "write", summary: "color of a depth, for a target of rg9",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -53,9 +53,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg9 = { name: "rg9", direction: "forward", depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9],
-    cleared: [1, 0.50196078431372548, 0, 0], format: "RG8", write: write_rg9,
+    cleared: [1, 0.50196078431372548, 0, 0], format: "RG8", depth_format: "", write: write_rg9,
     reversed: { name: "rg9", direction: "reversed", depth: "umbrage_decode_rg9(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg9],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg9 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg9 } };
 
 const write_rg10 = { language, name: "write", summary: "color of a depth, for a target of rg10",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -67,9 +67,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg10 = { name: "rg10", direction: "forward", depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10],
-    cleared: [1, 0.75294117647058822, 0, 0], format: "RG8", write: write_rg10,
+    cleared: [1, 0.75294117647058822, 0, 0], format: "RG8", depth_format: "", write: write_rg10,
     reversed: { name: "rg10", direction: "reversed", depth: "umbrage_decode_rg10(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg10],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg10 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg10 } };
 
 const write_rg11 = { language, name: "write", summary: "color of a depth, for a target of rg11",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -81,9 +81,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg11 = { name: "rg11", direction: "forward", depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11],
-    cleared: [1, 0.8784313725490196, 0, 0], format: "RG8", write: write_rg11,
+    cleared: [1, 0.8784313725490196, 0, 0], format: "RG8", depth_format: "", write: write_rg11,
     reversed: { name: "rg11", direction: "reversed", depth: "umbrage_decode_rg11(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg11],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg11 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg11 } };
 
 const write_rg12 = { language, name: "write", summary: "color of a depth, for a target of rg12",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -95,9 +95,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg12 = { name: "rg12", direction: "forward", depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12],
-    cleared: [1, 0.94117647058823528, 0, 0], format: "RG8", write: write_rg12,
+    cleared: [1, 0.94117647058823528, 0, 0], format: "RG8", depth_format: "", write: write_rg12,
     reversed: { name: "rg12", direction: "reversed", depth: "umbrage_decode_rg12(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg12],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg12 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg12 } };
 
 const write_rg13 = { language, name: "write", summary: "color of a depth, for a target of rg13",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -109,9 +109,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg13 = { name: "rg13", direction: "forward", depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13],
-    cleared: [1, 0.97254901960784312, 0, 0], format: "RG8", write: write_rg13,
+    cleared: [1, 0.97254901960784312, 0, 0], format: "RG8", depth_format: "", write: write_rg13,
     reversed: { name: "rg13", direction: "reversed", depth: "umbrage_decode_rg13(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg13],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg13 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg13 } };
 
 const write_rg14 = { language, name: "write", summary: "color of a depth, for a target of rg14",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -123,9 +123,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg14 = { name: "rg14", direction: "forward", depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14],
-    cleared: [1, 0.9882352941176471, 0, 0], format: "RG8", write: write_rg14,
+    cleared: [1, 0.9882352941176471, 0, 0], format: "RG8", depth_format: "", write: write_rg14,
     reversed: { name: "rg14", direction: "reversed", depth: "umbrage_decode_rg14(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg14],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg14 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg14 } };
 
 const write_rg15 = { language, name: "write", summary: "color of a depth, for a target of rg15",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -137,9 +137,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg15 = { name: "rg15", direction: "forward", depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15],
-    cleared: [1, 0.99607843137254903, 0, 0], format: "RG8", write: write_rg15,
+    cleared: [1, 0.99607843137254903, 0, 0], format: "RG8", depth_format: "", write: write_rg15,
     reversed: { name: "rg15", direction: "reversed", depth: "umbrage_decode_rg15(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg15],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg15 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg15 } };
 
 const write_rg16 = { language, name: "write", summary: "color of a depth, for a target of rg16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -151,9 +151,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rg16 = { name: "rg16", direction: "forward", depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16],
-    cleared: [1, 1, 0, 0], format: "RG8", write: write_rg16,
+    cleared: [1, 1, 0, 0], format: "RG8", depth_format: "", write: write_rg16,
     reversed: { name: "rg16", direction: "reversed", depth: "umbrage_decode_rg16(value.xy, 0.0)", channels: 2, needs: [snippets.decode_rg16],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_rg16 } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_rg16 } };
 
 const write_rgb24 = { language, name: "write", summary: "color of a depth, for a target of rgb24",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -165,9 +165,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rgb24 = { name: "rgb24", direction: "forward", depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24],
-    cleared: [1, 1, 1, 0], format: "RGB8", write: write_rgb24,
+    cleared: [1, 1, 1, 0], format: "RGB8", depth_format: "", write: write_rgb24,
     reversed: { name: "rgb24", direction: "reversed", depth: "umbrage_decode_rgb24(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb24],
-    cleared: [0, 0, 0, 0], format: "RGB8", write: write_rgb24 } };
+    cleared: [0, 0, 0, 0], format: "RGB8", depth_format: "", write: write_rgb24 } };
 
 const write_rgb10 = { language, name: "write", summary: "color of a depth, for a target of rgb10",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -179,9 +179,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const rgb10 = { name: "rgb10", direction: "forward", depth: "umbrage_decode_rgb10(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb10],
-    cleared: [1, 1, 0.93841642228739008, 0], format: "RGB10_A2", write: write_rgb10,
+    cleared: [1, 1, 0.93841642228739008, 0], format: "RGB10_A2", depth_format: "", write: write_rgb10,
     reversed: { name: "rgb10", direction: "reversed", depth: "umbrage_decode_rgb10(value.xyz, 0.0)", channels: 3, needs: [snippets.decode_rgb10],
-    cleared: [0, 0, 0, 0], format: "RGB10_A2", write: write_rgb10 } };
+    cleared: [0, 0, 0, 0], format: "RGB10_A2", depth_format: "", write: write_rgb10 } };
 
 const write_r16 = { language, name: "write", summary: "color of a depth, for a target of r16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -193,9 +193,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const r16 = { name: "r16", direction: "forward", depth: "umbrage_decode_r16(value.x, 1.0)", channels: 1, needs: [snippets.decode_r16],
-    cleared: [1, 0, 0, 0], format: "R16", write: write_r16,
+    cleared: [1, 0, 0, 0], format: "R16", depth_format: "DEPTH_COMPONENT16", write: write_r16,
     reversed: { name: "r16", direction: "reversed", depth: "umbrage_decode_r16(value.x, 0.0)", channels: 1, needs: [snippets.decode_r16],
-    cleared: [0, 0, 0, 0], format: "R16", write: write_r16 } };
+    cleared: [0, 0, 0, 0], format: "R16", depth_format: "DEPTH_COMPONENT16", write: write_r16 } };
 
 const write_float_bits = { language, name: "write", summary: "color of a depth, for a target of float_bits",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "300 es", role: "none", scaled: false,
@@ -207,9 +207,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const float_bits = { name: "float_bits", direction: "forward", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-    cleared: [0, 0, 0.50196078431372548, 0.24705882352941178], format: "RGBA8", write: write_float_bits,
+    cleared: [0, 0, 0.50196078431372548, 0.24705882352941178], format: "RGBA8", depth_format: "", write: write_float_bits,
     reversed: { name: "float_bits", direction: "reversed", depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_float_bits } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_float_bits } };
 
 const write_threejs_rgba = { language, name: "write", summary: "color of a depth, for a target of threejs_rgba",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -221,9 +221,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const threejs_rgba = { name: "threejs_rgba", direction: "forward", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_rgba,
+    cleared: [1, 1, 1, 1], format: "RGBA8", depth_format: "", write: write_threejs_rgba,
     reversed: { name: "threejs_rgba", direction: "reversed", depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_rgba } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_threejs_rgba } };
 
 const write_threejs_rgb = { language, name: "write", summary: "color of a depth, for a target of threejs_rgb",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -235,9 +235,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const threejs_rgb = { name: "threejs_rgb", direction: "forward", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-    cleared: [1, 1, 1, 0], format: "RGB8", write: write_threejs_rgb,
+    cleared: [1, 1, 1, 0], format: "RGB8", depth_format: "", write: write_threejs_rgb,
     reversed: { name: "threejs_rgb", direction: "reversed", depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb],
-    cleared: [0, 0, 0, 0], format: "RGB8", write: write_threejs_rgb } };
+    cleared: [0, 0, 0, 0], format: "RGB8", depth_format: "", write: write_threejs_rgb } };
 
 const write_threejs_rg = { language, name: "write", summary: "color of a depth, for a target of threejs_rg",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -249,9 +249,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const threejs_rg = { name: "threejs_rg", direction: "forward", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-    cleared: [1, 1, 0, 0], format: "RG8", write: write_threejs_rg,
+    cleared: [1, 1, 0, 0], format: "RG8", depth_format: "", write: write_threejs_rg,
     reversed: { name: "threejs_rg", direction: "reversed", depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg],
-    cleared: [0, 0, 0, 0], format: "RG8", write: write_threejs_rg } };
+    cleared: [0, 0, 0, 0], format: "RG8", depth_format: "", write: write_threejs_rg } };
 
 const write_threejs_legacy = { language, name: "write", summary: "color of a depth, for a target of threejs_legacy",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -263,9 +263,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const threejs_legacy = { name: "threejs_legacy", direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_legacy,
+    cleared: [1, 1, 1, 1], format: "RGBA8", depth_format: "", write: write_threejs_legacy,
     reversed: { name: "threejs_legacy", direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_legacy } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_threejs_legacy } };
 
 const write_threejs_legacy_repaired = { language, name: "write", summary: "color of a depth, for a target of threejs_legacy_repaired",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -277,9 +277,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const threejs_legacy_repaired = { name: "threejs_legacy_repaired", direction: "forward", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    cleared: [1, 1, 1, 1], format: "RGBA8", write: write_threejs_legacy_repaired,
+    cleared: [1, 1, 1, 1], format: "RGBA8", depth_format: "", write: write_threejs_legacy_repaired,
     reversed: { name: "threejs_legacy_repaired", direction: "reversed", depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_threejs_legacy_repaired } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_threejs_legacy_repaired } };
 
 const write_base255 = { language, name: "write", summary: "color of a depth, for a target of base255",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -291,9 +291,9 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const base255 = { name: "base255", direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    cleared: [1, 0, 0, 0], format: "RGBA8", write: write_base255,
+    cleared: [1, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_base255,
     reversed: { name: "base255", direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_base255 } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_base255 } };
 
 const write_base255_repaired = { language, name: "write", summary: "color of a depth, for a target of base255_repaired",
     exactness: "b", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
@@ -305,6 +305,6 @@ UMBRAGE_HIGHP vec4 umbrage_write(UMBRAGE_HIGHP float depth) {
 }
 ` };
 export const base255_repaired = { name: "base255_repaired", direction: "forward", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    cleared: [1, 0, 0, 0], format: "RGBA8", write: write_base255_repaired,
+    cleared: [1, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_base255_repaired,
     reversed: { name: "base255_repaired", direction: "reversed", depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255],
-    cleared: [0, 0, 0, 0], format: "RGBA8", write: write_base255_repaired } };
+    cleared: [0, 0, 0, 0], format: "RGBA8", depth_format: "", write: write_base255_repaired } };

@@ -84,7 +84,7 @@ const choices = {
     outside: ['bordered', 'clamped'],
 };
 
-const of_encodings = ['name', 'format', 'cleared', 'write', 'reversed'];  // what they have beside a map's properties
+const of_encodings = ['name', 'format', 'depth_format', 'cleared', 'write', 'reversed'];  // what they have beside a map's properties
 
 /** A map's properties, those that are left out by default. */
 export function complete(hooks, map) {

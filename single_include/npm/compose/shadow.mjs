@@ -43,7 +43,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     const lies_in = rest.map === undefined ? (several ? 'atlas' : 'texture_2d') : rest.map;
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
-    const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow');
+    const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow'), of_depth = compares || lies_in.startsWith('depth');
     for (const [key, value] of Object.entries({ gather, derivatives })) must(typeof value === 'boolean', `${key} must be true or false`, value);
     must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
     must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);
@@ -84,7 +84,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
                 complete(hooks, { direction }));
         },
         cleared: is_moments ? filter.filter[reversed ? 'cleared_reversed' : 'cleared'] : stored.cleared,
-        target: { format: texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
+        target: { format: of_depth && !is_moments ? encoding.depth_format : texel.format, size: layers ? size : whole, layers: layers ? columns * rows : 1,
             grid: layers ? [1, 1] : [columns, rows], map_size: size },
         settings: { kind: kind.name, filter, encoding: is_moments ? '' : encoding.name, direction, map_size: size },
         bytes: fields.reduce((sum, field) => sum + (field.matrix ? 64 : 16), 0),

@@ -127,6 +127,7 @@ inline std::string hooks_in_module(const shader_language& l) {
 }
 
 inline std::string encoding_of_module(const auto& encoding) {
+    using target = typename std::decay_t<decltype(encoding)>::target;
     const glsl::binding map = glsl::stored_as(encoding);
     std::string cleared;
     for (const cleared_channel& c : cleared_channels(encoding))
@@ -135,7 +136,7 @@ inline std::string encoding_of_module(const auto& encoding) {
            ", direction: " + literal(map.direction == umbrage::depth_direction::forward ? "forward" : "reversed") +
            ", depth: " + literal(map.depth) + ", channels: " + std::to_string(map.channels) + ", needs: [" +
            (map.needs.empty() ? "" : "snippets." + std::string(map.needs.front().name)) + "],\n    cleared: [" +
-           cleared + "], format: " + literal(std::decay_t<decltype(encoding)>::target::format);
+           cleared + "], format: " + literal(target::format) + ", depth_format: " + literal(target::depth_format);
 }
 
 /// Functions that the depth pass of an encoding calls.

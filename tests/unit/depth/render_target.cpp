@@ -16,6 +16,16 @@ TEST_CASE("unorm_target: names as OpenGL has them") {
     CHECK(unorm_target<10, 3>::format == "RGB10_A2");
 }
 
+TEST_CASE("render_target: depth textures hold floats, and integers of one channel of 16 or 24 bits") {
+    CHECK(float_target::depth_format == "DEPTH_COMPONENT32F");
+    CHECK(depth_texture<24>::depth_format == "DEPTH_COMPONENT24");
+    CHECK(depth_texture<16>::depth_format == "DEPTH_COMPONENT16");
+    CHECK(unorm_target<16, 1>::depth_format == "DEPTH_COMPONENT16");
+    CHECK(unorm_target<8, 1>::depth_format.empty());
+    CHECK(unorm_target<16, 2>::depth_format.empty());
+    CHECK(unorm_target<10, 3>::depth_format.empty());
+}
+
 TEST_CASE("unorm_target: absent channels are sampled as 0, in memory R is the lowest") {
     CHECK(unorm_target<8, 2>::load({255, 0}) == glm::vec4(1, 0, 0, 0));
     CHECK(unorm_target<16, 1>::load(65535) == glm::vec4(1, 0, 0, 0));

@@ -89,6 +89,8 @@ export interface EncodingOf<L extends Language> extends Readonly<BindingOf<L>> {
     readonly name: string;
     /** The target's format, as OpenGL calls it: RG8, R16, RGB10_A2, ... */
     readonly format: string;
+    /** Format of a depth texture that holds the encoding: DEPTH_COMPONENT32F, ... Empty: none does. */
+    readonly depth_format: string;
     /** What the target is cleared to: where nothing is drawn all is lit. Channels that the texel lacks are 0. */
     readonly cleared: readonly [number, number, number, number];
     /** What the depth pass writes: umbrage_write(depth) is a color for the target. Where depth is reversed, or several passes
@@ -158,6 +160,7 @@ export interface ShadowOf<L extends Language> extends BoundOf<L> {
     readonly cleared: readonly number[];
     /** Of the texture: its size and layers, and how many maps lie beside each other and in rows in each layer. */
     readonly target: {
+        /** OpenGL's name: the encoding's `format`, or its `depth_format` where `map` is depth, shadow, or an array of them. */
         readonly format: string;
         readonly size: readonly [number, number];
         readonly layers: number;
