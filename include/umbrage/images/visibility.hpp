@@ -13,6 +13,8 @@
 // Also called: shadow factor, ShadowCalculation, shadow mask, screen-space shadows (visibility).
 #pragma once
 
+#include <concepts>
+
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/image.hpp>
 #include <umbrage/core/parallel.hpp>
@@ -22,7 +24,26 @@
 
 namespace umbrage {
 
+template <class Texel>
+struct page_map;
+struct moment_table;
+struct variance_table;
+
 namespace detail {
+
+template <class T>
+concept has_texel = requires {
+    typename T::texel;
+};
+
+/// Second argument of visibility that is no encoding, and no table.
+template <class T>
+concept no_encoding = !has_texel<T> && !std::same_as<T, moment_table> && !std::same_as<T, variance_table>;
+
+/// Map of other texels than the encoding's.
+template <class Map, class Encoding>
+concept has_other_texels = has_texel<Encoding> && !std::same_as<Map, page_map<typename Encoding::texel>> &&
+                           !std::convertible_to<const Map&, image_view<const typename Encoding::texel>>;
 
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
@@ -56,5 +77,12 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
                 outside_map outside = outside_map::bordered) {
     detail::filter_image(map, encoding, detail::viewed(receivers), filter, out, parallel, outside);
 }
+
+// Deleted, so that compilers show these lines and not all overloads.
+template <class Map, detail::no_encoding Encoding>
+void visibility(const Map&, const Encoding&, const auto&...) = delete;  ///< the second argument must be an encoding
+template <class Map, class Encoding>
+requires detail::has_other_texels<Map, Encoding>
+void visibility(const Map&, const Encoding&, const auto&...) = delete;  ///< map must hold texels of the encoding
 
 }  // namespace umbrage

@@ -60,6 +60,8 @@ TEST_CASE("visibility: each kind of map has one overload; calls that mix two kin
     CHECK_FALSE(takes<moments, prefilters::vsm, sloped_receivers, out>);
     CHECK_FALSE(takes<moments, moment_table, receivers, int, out>);
     CHECK_FALSE(takes<moments, prefilters::evsm4, receivers, out>);
+    CHECK_FALSE(takes<out, receivers, filters::hard, out>);  // no encoding
+    CHECK_FALSE(takes<out, rg<11>, receivers, filters::hard, out>);
     prefilters::all::for_each([](auto filter) {
         CHECK(prefilter<decltype(filter)>);
         CHECK_FALSE(encoding<decltype(filter)>);
