@@ -177,6 +177,30 @@ void print_arithmetic(const report& r) {
     std::cout << std::endl;
 }
 
+/// How far a run is, on stderr: in a terminal one line that changes. Elsewhere a run that writes pages has a line each
+/// quarter.
+class progress {
+public:
+    explicit progress(bool has_pages) : has_pages_(has_pages) {}
+    progress(const progress&) = delete;
+    progress& operator=(const progress&) = delete;
+    ~progress() {
+        if (is_terminal_) std::cerr << "\r\33[K";
+    }
+    void at(const entry& e) {
+        const auto percent = 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size());
+        if (is_terminal_) std::cerr << "\r\33[K" << percent << " % " << e.name() << std::flush;
+        else if (has_pages_ && percent / 25 > quarter_) {
+            quarter_ = percent / 25;
+            std::cerr << quarter_ * 25 << " %" << std::endl;
+        }
+    }
+
+private:
+    bool has_pages_, is_terminal_ = isatty(STDERR_FILENO) != 0;
+    std::ptrdiff_t quarter_ = 0;
+};
+
 /// A page for each API, of the rows in its dialects.
 void write(const std::vector<report>& reports, const std::vector<row>& rows, const options& o) {
     for (report r : reports) {
@@ -207,17 +231,15 @@ int run_all(int argc, char** argv) {
         if (o.driver == "hardware" || !o.report.empty()) reports = probe_all(*b);
         for (const report& r : reports) print_arithmetic(r);
         const std::size_t first = rows.size();
+        progress told(!o.report.empty());
         for (const entry& e : entries()) {
             if (e.name().find(o.filter) == std::string::npos) continue;
-            if (isatty(STDERR_FILENO))
-                std::cerr << "\r\33[K" << 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size())
-                          << " % " << e.name() << std::flush;
+            told.at(e);
             const auto some = run(e, *b, o);
             rows.insert(rows.end(), some.begin(), some.end());
         }
         if (!o.report.empty()) write(reports, {rows.begin() + first, rows.end()}, o);
     }
-    if (isatty(STDERR_FILENO)) std::cerr << "\r\33[K";
     print(std::cout, rows);
     print(std::cout, by_tier(rows));
     if (o.tables()) write(rows, o.out + "/parity-" + o.driver + ".tsv");
