@@ -3,6 +3,7 @@
 // What a draw is of: setup, filter, encoding, conventions, size, scale, place and scene, each drawn by itself.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -57,12 +58,13 @@ inline constexpr std::array<std::string_view, 17> setup_names{"spot",
                                                               "tetrahedron",
                                                               "paraboloids"};
 
-inline constexpr std::array<std::string_view, 6> filter_names{"hard", "pcf_2x2", "box", "window", "disc", "pcss"};
+inline constexpr std::array<std::string_view, 7> filter_names{"hard", "pcf_2x2", "box", "window",
+                                                              "disc", "pcss",    "dpcf"};
 /// The fourth is each filter's own (host_of_filter.hpp): compiling all with all takes minutes.
 inline constexpr std::array<std::string_view, 4> encoding_names{"depth32f", "depth16", "rg<11>", "another"};
 
-inline constexpr std::array<std::string_view, 6> own_encoding_names{"float_bits", "r16",   "rgb24",
-                                                                    "depth24",    "rgb10", "threejs_rgba"};
+inline constexpr std::array<std::string_view, 7> own_encoding_names{
+    "float_bits", "r16", "rgb24", "depth24", "rgb10", "threejs_rgba", "threejs_rgb"};
 
 enum class scene_kind { room, outdoors, huge_ground };
 inline constexpr std::array<std::string_view, 3> scene_names{"room", "outdoors", "huge ground"};
@@ -71,11 +73,13 @@ inline constexpr std::array<std::string_view, 3> scene_names{"room", "outdoors",
 struct filter_choice {
     int number = 0, points = 16;
     double radius = 0;
-    double light_size = 0;  ///< of a filter that hardens contacts: the light's in the world, or a tangent
+    double light_size = 0;   ///< of a filter that hardens contacts: the light's in the world, or a tangent
+    double most_radius = 0;  ///< of its penumbras, texels
 
     [[nodiscard]] double least_radius() const { return 0.5 + radius; }
-    [[nodiscard]] double most_radius() const { return 1.5 + 6 * radius; }
-    [[nodiscard]] bool hardens() const { return number == 5; }
+    [[nodiscard]] bool is_pcss() const { return number == 5; }
+    [[nodiscard]] bool is_dpcf() const { return number == 6; }
+    [[nodiscard]] bool hardens() const { return is_pcss() || is_dpcf(); }
 };
 
 struct choices {
@@ -132,6 +136,8 @@ struct choices {
     c.setup = setup_kind(d.whole(0, int(setup_names.size()) - 1));
     c.filter = {d.whole(0, int(filter_names.size()) - 1), 8 << d.whole(0, 2), d.real(0, 1)};
     if (c.setup == setup_kind::paraboloids && c.filter.hardens()) c.filter.number = 4;  // which does not compile
+    // Contact hardening refuses casters that are clamped to the near plane, which a fit has that knows no casters.
+    if (c.setup == setup_kind::sun_alone && c.filter.hardens()) c.setup = setup_kind::sun_with_casters;
     c.encoding = d.whole(0, int(encoding_names.size()) - 1);
     c.clip = draw_clip_space(d);
     c.in_double = d.one_in(2);
@@ -153,6 +159,8 @@ struct choices {
     c.cascades = d.whole(1, 4);
     c.image.x = d.whole(5, 90);
     c.image.y = (360 + c.image.x - 1) / c.image.x;
+    // At most a quarter of the map, as the reach is a margin on each side.
+    c.filter.most_radius = d.real(1.5, std::clamp(0.2 * std::min(c.size.x, c.size.y), 7.5, 24.0));
     return c;
 }
 
@@ -166,8 +174,8 @@ struct choices {
     using namespace umbrage;
     return "--seed " + std::to_string(c.seed) + ": " + std::string(c.setup_name()) + ", " +
            std::string(filter_names[std::size_t(c.filter.number)]) + " (" + number(c.filter.radius) + ", " +
-           std::to_string(c.filter.points) + "), " + std::string(c.encoding_name()) + ", " +
-           (c.is_reversed() ? "reversed" : "forward") +
+           std::to_string(c.filter.points) + (c.filter.hardens() ? ", " + number(c.filter.most_radius) : "") + "), " +
+           std::string(c.encoding_name()) + ", " + (c.is_reversed() ? "reversed" : "forward") +
            (c.clip.range == depth_range::zero_to_one ? " [0, 1]" : " [-1, 1]") +
            (c.clip.hand == handedness::left ? " left" : " right") +
            (c.clip.origin == texture_origin::top ? " top " : " bottom ") + std::to_string(c.clip.subpixel_bits) +

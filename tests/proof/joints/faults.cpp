@@ -40,6 +40,7 @@ bool has_cascades(const choices& c) {
            (c.cascades > 1 && (c.setup == setup_kind::stable_cascades || c.setup == setup_kind::tight_cascades));
 }
 bool hardens(const choices& c) { return c.filter.hardens(); }
+bool is_pcss(const choices& c) { return c.filter.is_pcss(); }
 bool has_softnesses(const choices& c) {
     return hardens(c) && (has_cascades(c) || c.setup == setup_kind::pages ||
                           (c.cascades > 1 && c.setup == setup_kind::warped_cascades));
@@ -105,9 +106,9 @@ const std::vector<fault> faults{
     {"softness: a light 1.3 times too small", [](tweaks& t) { t.softness = 1 / 1.3f; }, hardens},
     {"softness: the default, not of the light's size", [](tweaks& t) { t.default_softness = true; }, hardens},
     {"softness: of the next map", [](tweaks& t) { t.other_softness = 1; }, has_softnesses},
-    {"blockers: searched within the smallest radius", [](tweaks& t) { t.searches_least = true; }, hardens},
-    {"blockers: a mean over all points", [](tweaks& t) { t.counts_all_points = true; }, hardens},
-    {"blockers: penumbra of the receiver's depth alone", [](tweaks& t) { t.drops_blockers = true; }, hardens},
+    {"blockers: searched within the smallest radius", [](tweaks& t) { t.searches_least = true; }, is_pcss},
+    {"blockers: a mean over all points", [](tweaks& t) { t.counts_all_points = true; }, is_pcss},
+    {"blockers: penumbra of the receiver's depth alone", [](tweaks& t) { t.drops_blockers = true; }, is_pcss},
 };
 
 /// How a fault shows, over draws.

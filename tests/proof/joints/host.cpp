@@ -18,11 +18,10 @@ auto with_filter(const filter_choice& f, const Use& use) {
         case 2: return use(box{.radius = int(f.radius * 4)});
         case 3: return use(window::values[std::size_t(f.radius * 9)]);
         case 4: return use(disc{.points = f.points, .radius_texels = float(0.5 + 3.5 * f.radius)});
-        default: {
-            const auto least = float(f.least_radius()), most = float(f.most_radius());
-            return use(pcss{.points = f.points, .softness = make_penumbra_params(float(f.light_size), least, most)});
-        }
     }
+    const auto softness = make_penumbra_params(float(f.light_size), float(f.least_radius()), float(f.most_radius));
+    return f.is_pcss() ? use(pcss{.points = f.points, .softness = softness})
+                       : use(dpcf{.points = f.points, .softness = softness});
 }
 
 }  // namespace

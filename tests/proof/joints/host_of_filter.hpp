@@ -6,6 +6,7 @@
 #include <memory>
 
 #include <umbrage/depth/encodings.hpp>
+#include <umbrage/filter/blocker/dpcf.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
@@ -44,6 +45,10 @@ template <>
 struct fourth_of<umbrage::filters::pcss> {
     using type = umbrage::threejs_rgba;
 };
+template <>
+struct fourth_of<umbrage::filters::dpcf> {
+    using type = umbrage::threejs_rgb;
+};
 template <class Filter>
 using fourth_encoding = typename fourth_of<Filter>::type;
 
@@ -59,5 +64,7 @@ using fourth_encoding = typename fourth_of<Filter>::type;
                                                        const umbrage::filters::disc&);
 [[nodiscard]] std::unique_ptr<any_host> host_of_filter(const choices&, const lit_scene&, glm::dvec3 origin,
                                                        const umbrage::filters::pcss&);
+[[nodiscard]] std::unique_ptr<any_host> host_of_filter(const choices&, const lit_scene&, glm::dvec3 origin,
+                                                       const umbrage::filters::dpcf&);
 
 }  // namespace joints

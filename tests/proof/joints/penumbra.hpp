@@ -2,7 +2,8 @@
 //
 // What rays say of a receiver whose light is partly hidden. A filter over a disc counts points of it that are lit. Rays
 // decide most points, so the visibility lies between the share that they find lit and the share that they do not find
-// dark. The disc of a filter that hardens contacts is as wide as rays to the light's rim pass its blockers.
+// dark. The disc of PCSS is as wide as rays to the light's rim pass its blockers. DPCF has the disc of the search, and
+// steepens the share of hidden points to that width.
 #pragma once
 
 #include <algorithm>
@@ -101,7 +102,16 @@ public:
         }
         if (points_.empty()) return {};
         if (apart.low > apart.high) return fully_lit;
-        return count(radii(of_depth, apart), finds);
+        const range wide = radii(of_depth, apart);
+        const std::optional<range> dark = dark_share(look_.filter.is_dpcf() ? search : wide);
+        if (!dark) return {};
+        if (look_.filter.is_dpcf()) {
+            // No bound is stated for widths in a warped map, whose softness is that of its middle.
+            const range ratio{wide.low / search.high, wide.high / search.low};
+            return steepened(*dark, look_.middle ? range{0, 1} : ratio);
+        }
+        // The search may have found no blocker: then all counts as lit.
+        return {least_of(1 - dark->high), finds ? most_of(1 - dark->low) : 1.0f};
     }
 
 private:
@@ -111,7 +121,7 @@ private:
         const double low = 16 * of_depth * (apart.low - look_.hidden) * (1 - 1.0 / 256) - 1 - code;
         const double high = 16 * of_depth * (apart.high + look_.hidden) * (1 + 1.0 / 256) + 2 * code;
         const double least = std::floor(16 * float(look_.filter.least_radius())),
-                     most = std::floor(16 * float(look_.filter.most_radius()));
+                     most = std::floor(16 * float(look_.filter.most_radius));
         return {std::clamp(low, least, most) / 16, std::clamp(high, least, most) / 16};
     }
     /// Rays of the texel under a point of the disc, for all radii of a range.
@@ -120,13 +130,12 @@ private:
         return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y),
                           point * (0.5 * (radius.low + radius.high)));
     }
-    /// @param finds   false where the search may have found no blocker: then all counts as lit
-    [[nodiscard]] verdict count(const range& radius, bool finds) const {
-        if (points_.empty()) return {};
+    /// Share of the disc's points that blockers hide; none where rays say nothing.
+    [[nodiscard]] std::optional<range> dark_share(const range& radius) const {
         double lit = 0, dark = 0;
         for (const glm::dvec2 point : points_) {
             const std::optional<beam> b = beam_of(point, radius);
-            if (!b) return {};
+            if (!b) return std::nullopt;
             bool meets = false, stops = false;
             for (const surface* s : blockers_)
                 if (const std::optional<blocking> here = b->blocks(*s, map_, clips_)) {
@@ -135,10 +144,23 @@ private:
                 }
             lit += !meets, dark += stops;
         }
-        const double all = double(points_.size()), blending = 0x1p-20;  // of two maps, which rounds shares
-        const float least = lit == all ? 1.0f : float(lit / all - blending);
-        if (!finds) return {least, 1};
-        return {least, dark == all ? 0.0f : float(1 - dark / all + blending)};
+        const auto all = double(points_.size());
+        return range{dark / all, 1 - lit / all};
+    }
+    /// Bounds of a visibility, with what blending two maps rounds.
+    [[nodiscard]] static float least_of(double v) { return v >= 1 ? 1.0f : float(v - 0x1p-20); }
+    [[nodiscard]] static float most_of(double v) { return v <= 0 ? 0.0f : float(v + 0x1p-20); }
+
+    /// Visibility of DPCF, by the formula of hardened_kernel. More hidden points never give a lighter result, and the
+    /// ratio of widths blends two values: the extremes are at the ends of both ranges.
+    [[nodiscard]] static verdict steepened(const range& share, const range& ratio) {
+        const auto kernel = [](double x, double blend) {
+            const double u = 2 * x - 1, steep = 1 - std::pow(1 - std::abs(u), 3);
+            return (0.5 + std::copysign(0.5 * steep, u)) * (1 - blend) + x * blend;
+        };
+        const double low = std::max(ratio.low - 1.0 / 256, 0.0), high = std::min(ratio.high, 1.0);  // floor to 1/256
+        return {least_of(1 - std::max(kernel(share.high, low), kernel(share.high, high))),
+                most_of(1 - std::min(kernel(share.low, low), kernel(share.low, high)))};
     }
 
     const proof::traced_map& map_;

@@ -3,7 +3,9 @@
 // The light's setup of a draw, as a program makes it of a scene: in float, or in double.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -126,7 +128,7 @@ private:
                          .receivers = intersection(s_.camera<T>(), received),
                          .margin = T(0.02),
                          .clip = c_.clip};
-        if (c_.mirrored) warp.casters = all;
+        if (c_.mirrored || c_.filter.hardens()) warp.casters = all;
         if (c_.setup == trapezoidal) return fit_trapezoidal(warp, length(2)).light;
         if (c_.setup == setup_kind::perspective) return fit_perspective(warp).light;
         return fit_light_space_perspective(warp).light;
@@ -188,7 +190,9 @@ private:
         }
         page_cache cache({.slots = {8, 8}, .deepest_level = 4});
         static_cast<void>(cache.update(seen));
-        const page_size size{.texels = 16 << (c_.size.x % 3), .gutter = int(std::ceil(reach_))};
+        const auto gutter = static_cast<unsigned>(std::ceil(reach_));
+        const auto texels = std::max(16u << (c_.size.x % 3), std::bit_ceil(2 * gutter));
+        const page_size size{.texels = int(texels), .gutter = int(gutter)};
         return {adaptive_maps(root, cache, size), glm::ivec2(size.pitch()), sun_rays(), false};
     }
     [[nodiscard]] lit_scene around() const {

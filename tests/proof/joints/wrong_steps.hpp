@@ -98,7 +98,8 @@ private:
             filter_type own = umbrage::detail::filter_of_map<setup>(filter_, uniforms_, number);
             if (t_.default_softness) own.softness.per_code = umbrage::penumbra_params{}.per_code;
             own.softness.per_code *= t_.softness;
-            return {own, t_};
+            if constexpr (std::is_same_v<filter_type, umbrage::filters::pcss>) return {own, t_};
+            else return own;
         }
     }
     [[nodiscard]] umbrage::clip_space clip() const { return shadow_.setup().clip(); }
