@@ -122,12 +122,16 @@ private:
         const float beyond = host_->facts.places(r.point, r.normal, [&](const umbrage::map_place& place) {
             const bool is_before = glm::abs(place.at.x) < 65000.0f;
             is_in = is_in && is_before && is_held(map_of(place, r), r.point, 0, rounding_of(place));
-            const verdict here = is_before ? verdict_in(place, i) : verdict{};
+            const verdict here = has_no_page(place) ? fully_lit : is_before ? verdict_in(place, i) : verdict{};
             all = {std::min(all.least, here.least), std::max(all.most, here.most)};
         });
         unheld_ += !is_in && promises_(glm::dvec3(r.point));
         if (all.least > all.most) return {};  // in no map
         return beyond > 0 ? verdict{all.least, 1} : all;
+    }
+    /// True for a receiver outside all pages, as page_coordinate says it: all filters take it as lit.
+    [[nodiscard]] static bool has_no_page(const umbrage::map_place& place) {
+        return glm::vec2(place.at) == glm::vec2(32768);
     }
     [[nodiscard]] verdict verdict_in(const umbrage::map_place& place, std::size_t i) const {
         const receiver& r = receivers_[i];
