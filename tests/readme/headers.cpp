@@ -93,7 +93,8 @@ std::string opening_sentence(const std::string& header) {
 }
 
 std::vector<std::string> names_in(const std::string& header) {
-    static const std::regex type("\n(?:struct|class|enum class|concept|using) (?:\\[\\[\\w+\\]\\] )?(\\w+)[^\\w]"),
+    // A type that is declared without its members is another header's.
+    static const std::regex type("\n(?:struct|class|enum class|concept|using) (?:\\[\\[\\w+\\]\\] )?(\\w+)[^\\w;]"),
         constant("\ninline constexpr [\\w:<>, *]+?[ *](\\w+)(?:\\{| =|;)");
     std::vector<std::string> names = functions_in(header);
     const std::string users = without_detail(header);

@@ -115,7 +115,8 @@ private:
         cut(part, [&](glm::dvec3 x) { return glm::dot(normal_, x) - offset_ - spare; });
         for (std::size_t i = 0; i < 4; ++i)
             cut(part, [&](glm::dvec3 x) { return glm::dot(sides_[i], x - corners_[i]); });
-        if (light_.is_point) cut(part, [&](glm::dvec3 x) { return glm::dot(normal_, way(x)); });  // not behind the light
+        // What lies behind the light is cut off along the plane: a beam may see farther aside than a right angle.
+        if (light_.is_point) cut(part, [&](glm::dvec3 x) { return glm::dot(normal_, way(x)); });
         if (clips) cut(part, [&](glm::dvec3 x) { return map.placed(x + from_).z + 1e-4 * map.placed(x + from_).w; });
         return part;
     }
