@@ -25,6 +25,7 @@ int main() {
     // The light is as wide as 1 unit at a distance of 10; its penumbras are that wide in texels.
     const auto light = umbrage::make_directional_light({.direction = {0.15f, -0.5f, 1},
                                                         .target = {0, 0, 1},
+                                                        .offset = 30,
                                                         .map_size = {1024, 1024},
                                                         .texels_per_unit = 128,
                                                         .clip = umbrage::cpu_clip_space});
