@@ -3,9 +3,9 @@
 // Visibility of an image of receivers, from their places. Receivers of one map go through the filter's fast form
 // together.
 //
-// One map: an image of its places, filtered at once. Several maps: tiles of 64 x 64 receivers. A tile whose receivers
-// all have one place in one map is filtered straight into the result. Others are filtered once per map and place, where
-// receivers of other maps lie outside and cost nothing, and then blended as `blended` does.
+// It goes by tiles of 64 x 64 receivers, whose places stay in the cache. A tile whose receivers all have one place in
+// one map is filtered straight into the result. Others are filtered once per map and place, where receivers of other
+// maps lie outside and cost nothing, and then blended as `blended` does.
 #pragma once
 
 #include <array>
@@ -170,43 +170,29 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
                           const FilterOf& filter_of, const Encoding& encoding, const Places& places,
                           image_view<float> out, ParallelFor&& parallel) {
     using Filter = decltype(filter_of(0));
-    constexpr bool sloped = along_plane<Setup, Filter>;
-    const auto ready = [&](image_view<const typename Encoding::texel> own, int number, double count) {
-        return make_place_filter<Setup>(own, filter_of(number), encoding, count, parallel);
-    };
-    if constexpr (Setup::grid.columns * Setup::grid.rows == 1 && most_places<Setup> == 1) {
-        place_planes<sloped> planes(out.size);
-        const auto rows = ready(map, 0, area_of(out.size));
-        parallel(out.size.y, [&](int first, int last) {
-            for (glm::ivec2 p{0, first}; p.y < last; ++p.y)
-                for (p.x = 0; p.x < out.size.x; ++p.x) planes.set(p, places(p)[0]);
-            rows(receivers_of<sloped>(planes, planes.x, out.size), out, first, last);
-        });
-    } else {
-        constexpr int maps = Setup::grid.columns * Setup::grid.rows;
-        std::vector<row_filter<place_receivers<sloped>>> filters;
-        for (int number = 0; number < maps; ++number) {
-            const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
-            filters.push_back(ready(own, number, area_of(out.size) / maps));
-        }
-        using tile_type = place_tile<Setup, Filter>;
-        parallel(out.size.y, [&](int first, int last) {
-            tile_type tile;
-            for (int y = first, end = 0; y < last; y = end) {
-                // Rotations of discs repeat every 16 rows, so tiles begin at multiples of 16.
-                const int before = y % 16;
-                end = (glm::min)(last, y - before + tile_type::side);
-                for (int x = 0; x < out.size.x; x += tile_type::side) {
-                    const glm::ivec2 from(x, y - before),
-                        size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
-                    tile.clear();
-                    for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
-                        for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
-                    tile.filter(filters, before, out.region(from, size));
-                }
-            }
-        });
+    constexpr int maps = Setup::grid.columns * Setup::grid.rows;
+    std::vector<row_filter<place_receivers<along_plane<Setup, Filter>>>> filters;
+    for (int number = 0; number < maps; ++number) {
+        const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
+        filters.push_back(
+            make_place_filter<Setup>(own, filter_of(number), encoding, area_of(out.size) / maps, parallel));
     }
+    using tile_type = place_tile<Setup, Filter>;
+    parallel(out.size.y, [&](int first, int last) {
+        tile_type tile;
+        for (int y = first, end = 0; y < last; y = end) {
+            // Rotations of discs repeat every 16 rows, so tiles begin at multiples of 16.
+            const int before = y % 16;
+            end = (glm::min)(last, y - before + tile_type::side);
+            for (int x = 0; x < out.size.x; x += tile_type::side) {
+                const glm::ivec2 from(x, y - before), size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
+                tile.clear();
+                for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
+                    for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
+                tile.filter(filters, before, out.region(from, size));
+            }
+        }
+    });
 }
 
 }  // namespace umbrage::detail
