@@ -36,7 +36,8 @@ int main() {
     sun.draw(map, {vertices, triangles});
 
     const glm::vec3 eye(0, 3, 6.2f);
-    const auto ray = [](int x, int y) {  // 4 x 4 a pixel, as the filter has 16 rotations
+    const int samples = 4;  // along a pixel's side, as the filter has 16 rotations
+    const auto ray = [](int x, int y) {
         const float u = (float(x) + 0.5f) / 1024 - 1, v = 1 - (float(y) + 0.5f) / 1024;
         return glm::vec3(u * 0.5f, v * 0.45f - 0.48f, v * -0.2f - 1);
     };
@@ -46,7 +47,7 @@ int main() {
             const glm::vec3 way = ray(p.x, p.y);
             points[p] = eye - way * (eye.y / way.y);  // on the floor
         }
-    umbrage::image<float> visibility(size), picture(size / 4);
+    umbrage::image<float> visibility(size), picture(size / samples);
     sun.visibility(map, points, normals, visibility);
 
     int dark = 0;
@@ -61,7 +62,7 @@ int main() {
                 if (std::abs(z - (i ? 2.0f : 0.15f)) < 0.1f)
                     ++floor_at[i], soft_at[i] += visibility[p] > 0.1f && visibility[p] < 0.9f;
             dark += visibility[p] < 0.5f;
-            picture[p / 4] += (board ? 0.015f : 0.06f + 0.6f * visibility[p]) / 16;
+            picture[p / samples] += (board ? 0.015f : 0.06f + 0.6f * visibility[p]) / (samples * samples);
         }
     write_picture("soft_shadow.png", picture);
     const glm::vec2 soft = 100.0f * soft_at / floor_at;
