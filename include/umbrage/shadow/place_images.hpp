@@ -74,7 +74,7 @@ template <class Setup, class Filter, class Encoding, class ParallelFor>
                                                                             Setup::outside);
 }
 
-/// Tile of receivers with places in several maps.
+/// Tile of receivers, by their places in one map or several.
 template <class Setup, class Filter>
 class place_tile {
 public:

@@ -17,6 +17,13 @@ namespace shadow_borders {
 
 using namespace umbrage;
 
+/// Maps that are square, each an image of its own: whether a texel lies in one.
+[[nodiscard]] inline auto in_square(int side) {
+    return [side](glm::vec3, glm::ivec2 texel) {
+        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < side;
+    };
+}
+
 /// Directions from the light in which a filter's visibility depends on texels beyond a map's own.
 /// @param is_own   whether a texel belongs to the map that a direction has: bool(glm::vec3, glm::ivec2)
 template <class Light, class Filter, class IsOwn>

@@ -39,10 +39,7 @@ TEST_CASE("cube_maps: maps have the light's size") {
 }
 
 TEST_CASE("cube_maps: a border as wide as the filter reaches, and no narrower one") {
-    const auto in_face = [](glm::vec3, glm::ivec2 texel) {
-        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < 64;
-    };
     const point_light<float> bulb{.map_size = 64, .clip = cpu_clip_space};
-    shadow_borders::check_need(bulb, in_face);
+    shadow_borders::check_need(bulb, shadow_borders::in_square(64));
     shadow_borders::check_refusal(bulb);
 }

@@ -41,7 +41,7 @@ TEST_CASE("tetrahedron_map: the map has the light's size") {
 
 TEST_CASE("tetrahedron_map: a border as wide as the filter reaches, and no narrower one") {
     const auto in_triangle = [](glm::vec3 way, glm::ivec2 texel) {
-        return glm::min(texel.x, texel.y) >= 0 && glm::max(texel.x, texel.y) < 128 &&
+        return shadow_borders::in_square(128)(way, texel) &&
                tetrahedron_face_of(glm::vec2(texel), 128.0f) == tetrahedron_face(way);
     };
     const tetrahedron_light<float> bulb{.map_size = 128, .clip = cpu_clip_space};
