@@ -23635,14 +23635,16 @@ inline void require_digits(double away, double extent) {
         return {one_rounding * (7.0 * wide + 3.0), one_rounding * 2.0 * away,
                 (glm::max)(glm::length(rows[0]), glm::length(rows[1])), 0.0};
     }
-    double sums[3]{}, way = 0.0, farthest = 0.0;  // largest over the box: of rows, of positions in w, of corners
-    double nearest_w = highest<double>, farthest_w = 0.0;
+    double sums[3]{}, way = 0.0, farthest = 0.0;     // largest over the box: of rows, of positions in w, of corners
+    double least_i = highest<double>, most_i = 0.0;  // of 1 / w
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 p = corner_of(back, map_size, i, i / 4);
         const double w = glm::dot(rows[3], p) + m[3][3];
-        nearest_w = (glm::min)(nearest_w, w), farthest_w = (glm::max)(farthest_w, w);
         for (glm::length_t r = 0; r < 3; ++r) sums[r] = (glm::max)(sums[r], magnitudes(rows[r], p));
-        way = (glm::max)(way, glm::length(p) / w), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
+        // A warped box may reach beyond its horizon, where w is below 0. Still 1 / w and p / w are linear over the box,
+        // so corners have the extremes.
+        least_i = (glm::min)(least_i, 1.0 / w), most_i = (glm::max)(most_i, 1.0 / w);
+        way = (glm::max)(way, glm::length(p) / std::abs(w)), farthest = (glm::max)(farthest, 2.0 * glm::length(p));
     }
     require_digits(away, farthest);
     if (rows[3] == glm::dvec3(0)) {
@@ -23656,7 +23658,8 @@ inline void require_digits(double away, double extent) {
     // over k + d i: term by term, which a w that hardly varies makes infinite, and by the ends of the box.
     const auto share = [&](double length, double offset) {
         const double at_unit = 10.0 * length * way, with_i = 2.0 * length * away + 6.0 * std::abs(offset);
-        return (glm::min)((glm::max)(at_unit / k, with_i / d), (at_unit + with_i / nearest_w) / (k + d / farthest_w));
+        return (glm::min)((glm::max)(at_unit / k, with_i / d),
+                          (at_unit + with_i * most_i) / (k + d * (glm::max)(least_i, 0.0)));
     };
     const double x = map_size.x + share(glm::length(rows[0]), m[3][0]),
                  y = map_size.y + share(glm::length(rows[1]), m[3][1]);

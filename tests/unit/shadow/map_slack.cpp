@@ -32,6 +32,27 @@ TEST_CASE("map_slack: units of a map are those of its light, also relative to an
     }
 }
 
+TEST_CASE(
+    "map_slack: the rounding of a warped map whose box reaches beyond its horizon counts all that lies before it") {
+    // a perspective warp, 2000 times its size from the origin: one corner's w is -7
+    const glm::dmat4 m = glm::transpose(glm::dmat4(-0.00429404, 0.00121989, -0.0136082, 183.237,       //
+                                                   -0.0500929, 0.0190806, -0.0252019, 466.166,         //
+                                                   -9.32834e-05, 9.83861e-05, -3.78751e-05, 0.959001,  //
+                                                   -0.000113062, 4.35397e-05, -4.38245e-05, 1.91808));
+    const glm::ivec2 size(191, 486);
+    const glm::dvec4 error = detail::rounding_of(m, size, {5.42468e+06, -3.35232e+08, -2.57935e+08});
+    for (glm::length_t i = 0; i < 4; ++i) CHECK(error[i] > 0);
+    const glm::dmat4 back = glm::inverse(m);
+    int before = 0, beyond = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec4 h = back * glm::dvec4(i % 10 / 9.0 * size.x, i / 10 % 10 / 9.0 * size.y, i / 100 / 9.0, 1);
+        ++(h.w > 0 ? before : beyond);
+        if (h.w > 0) CHECK(error.x > 9.99 * 0x1p-24 * glm::length(detail::row_of(m, 3)) * glm::length(glm::dvec3(h)));
+    }
+    CHECK(before > 500);
+    CHECK(beyond > 10);
+}
+
 TEST_CASE("map_slack: a texel's width along the light is in a place's slack, at any distance from the light") {
     const light_space<double> light = detail::in_double(shadow_scene::spot(cpu_clip_space));
     const glm::ivec2 size(256);
