@@ -28567,28 +28567,30 @@ struct cascaded_maps {
     /// @throws std::invalid_argument  as clip(); a map_size other than that of the cascades' fit; a light too far from
     ///                                the origin
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        const glm::dmat4 rotation = nearest().light.view;
-        for (const cascade<double>& c : cascades)  // scale and offset are in texels of the fit
+        const glm::dmat3 rotation(nearest().light.view);
+        for (const cascade<double>& c : cascades)
             detail::require_size(map_size, c.map_size, "shadow", "map_size", "cascade_fit.map_size");
         const auto in_texels = [&](const cascade<double>& c) {
             return texture_matrix(detail::relative_to(origin, c.light), map_size);
         };
         uniforms u{};
-        u.rotation = glm::mat4(glm::dmat4(glm::dmat3(rotation)));
+        u.rotation = glm::mat4(glm::dmat4(rotation));
         const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(in_texels(cascades.back()), map_size));
         u.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
         u.blending = {blend_texels > 0.0f ? 1.0f / blend_texels : 0.0f, static_cast<float>(cascades.size() - 1), 0, 0};
-        const glm::dvec3 start(rotation * glm::dvec4(origin + anchor, 1.0));
         for (glm::length_t i = 0; i < 4 * Groups; ++i) {
             u.set(i, glm::vec4(0), {65536.0f, 65536.0f, 0.0f, 0.0f});  // a missing cascade holds no receiver
             if (i >= static_cast<glm::length_t>(cascades.size())) continue;
             const cascade<double>& c = cascades[static_cast<std::size_t>(i)];
-            const glm::dvec3 offset = glm::dvec3(c.offset) + start * glm::dvec3(c.scale);
+            // Scale and offset by the light's matrices, which draw the map. In float they round away from the
+            // cascade's own.
             const glm::dmat4 m = detail::moved_to(in_texels(c), anchor);
+            const glm::dmat3 scale = glm::dmat3(m) * glm::transpose(rotation);
             const glm::dvec4 error = detail::rounding_of(m, map_size, anchor);
             const double texels = detail::texels_beside_plane(c.light.clip, map_size) + error.z,
                          depth = 6.0 * detail::one_rounding + error.w + detail::width_in_depth(m, map_size);
-            u.set(i, glm::vec4(glm::dvec4(glm::dvec3(c.scale), texels)), glm::vec4(glm::dvec4(offset, depth)));
+            u.set(i, glm::vec4(glm::dvec4(scale[0][0], scale[1][1], scale[2][2], texels)),
+                  glm::vec4(glm::dvec4(glm::dvec3(m[3]), depth)));
         }
         return u;
     }

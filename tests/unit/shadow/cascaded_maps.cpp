@@ -27,6 +27,27 @@ TEST_CASE("cascaded_maps: uniforms are those of make_cascade_uniforms, moved to 
     CHECK(glm::length(glm::vec3(u.offsets[2]) - glm::vec3(128, 128, 0.5f)) < 1e-3f);
 }
 
+TEST_CASE("cascaded_maps: places are those of the lights' matrices, also where a fit in float has rounded them") {
+    auto fit = shadow_scene::range(cpu_clip_space);
+    const glm::vec3 away(40000, -30000, 50000);
+    fit.map_size = {240, 200};  // where the projection of an integer offset is no float
+    fit.camera.position += away, fit.scene.low += away, fit.scene.high += away;
+    const auto all = make_stable_cascades<3>(fit, practical_splits<3>(0.5f, 60.0f, 0.9f));
+    const cascaded_maps of(all);
+    const auto u = of.make_uniforms(fit.map_size, glm::dvec3(0));
+    std::array<int, 3> met{};
+    for (int i = 0; i < 2000; ++i) {
+        const glm::vec3 world = away + glm::vec3(float(i % 40) - 20.0f, 0, float(i / 40) - 25.0f);
+        const map_place place = cascaded_maps<>::places(u, {.map_size = fit.map_size}, world, shadow_scene::up)[0];
+        if (place.at.x == 65536.0f) continue;
+        const auto map = static_cast<std::size_t>(place.number);
+        const glm::dvec4 exact = texture_matrix(of.lights()[map], fit.map_size) * glm::dvec4(world, 1);
+        CHECK(glm::length(glm::dvec3(place.at) - glm::dvec3(exact)) < 1e-3);
+        ++met[map];
+    }
+    for (const int count : met) CHECK(count > 10);
+}
+
 TEST_CASE("cascaded_maps: a shadow of another size than the fit's is refused, in both kinds of up to eight cascades") {
     auto fit = shadow_scene::range(cpu_clip_space);
     const auto refused = [](const auto& cascades, glm::ivec2 size) -> std::string {
