@@ -195,6 +195,7 @@
 // texels_to_world, tier B: within 2 x 2^-23 x S of the exact result.
 // world_to_depth, tier C: within 5 x 2^-23 x S of the exact result.
 // biased, tier B: within 1 x 2^-23 x S of the exact result.
+// plane_in_map, tier B: within 12 x 2^-23 x S of the exact result.
 // plane_slope, tier C: within 27 x 2^-23 x S of the exact result.
 // receiver_slope, tier C: within 27 x 2^-23 x S of the exact result.
 // cascade_slope, tier C: within 6 x 2^-23 x S of the exact result.
@@ -215,6 +216,7 @@
 // anchored_vertex, tier B: within 20 x 2^-23 x S of the exact result.
 // anchored_place, tier C: within 121 x 2^-23 x S of the exact result.
 // single_map_places, tier C: within 121 x 2^-23 x S of the exact result.
+// parallel_map_places, tier C: within 121 x 2^-23 x S of the exact result.
 // cascade_edge, tier B: within 11 x 2^-23 x S of the exact result.
 // cascade_pair, tier C: within 14 x 2^-23 x S of the exact result.
 // cascaded_maps_places, tier C: within 38 x 2^-23 x S of the exact result.
@@ -1654,27 +1656,37 @@ float umbrage_clamp_slope(float slope) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_PLANE_SLOPE
-#define UMBRAGE_HAS_PLANE_SLOPE
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+#ifndef UMBRAGE_HAS_PLANE_IN_MAP
+#define UMBRAGE_HAS_PLANE_IN_MAP
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+float3 umbrage_plane_in_map(float4x4 plane_matrix, float3 normal, float3 world) {
     float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     float4 q = transpose(plane_matrix)[3] * d + transpose(plane_matrix)[0] * normal.x + transpose(plane_matrix)[1] *
         normal.y + transpose(plane_matrix)[2] * normal.z;
+    return float3(q.x, q.y, q.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PLANE_SLOPE
+#define UMBRAGE_HAS_PLANE_SLOPE
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
+float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+    float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 #endif
 
 #ifndef UMBRAGE_HAS_RECEIVER_SLOPE
 #define UMBRAGE_HAS_RECEIVER_SLOPE
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 float2 umbrage_receiver_slope(float4x4 plane_matrix, float3 normal, float3 world) {
-    float2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : slope;
+    return none ? float2(0.0, 0.0) : float2(-q.x / q.z, -q.y / q.z);
 }
 #endif
 
@@ -1687,8 +1699,7 @@ float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
     float2 across = float2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    float2 slope = float2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? float2(0.0, 0.0) : slope;
+    return none ? float2(0.0, 0.0) : float2(up.x / across.x, up.y / across.y);
 }
 #endif
 
@@ -1935,6 +1946,25 @@ float4x4 umbrage_single_map_places(float4x4 to_texels, float4x4 planes, float4 a
                                    float4 terms, float3 world, float3 normal) {
     precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PARALLEL_MAP_PLACES
+#define UMBRAGE_HAS_PARALLEL_MAP_PLACES
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+float4x4 umbrage_parallel_map_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 slack,
+                                     float4 terms, float3 world, float3 normal) {
+    float4 none = float4(0.0, 0.0, 0.0, 0.0);
+    float4 one = float4(1.0, 1.0, 1.0, 1.0);
+    precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
+    float4 c = transpose(to_texels)[3] + transpose(to_texels)[0] * way.x + transpose(to_texels)[1] * way.y +
+        transpose(to_texels)[2] * way.z;
+    float4 q = transpose(planes)[0] * normal.x + transpose(planes)[1] * normal.y + transpose(planes)[2] * normal.z;
+    float2 slope = umbrage_cascade_slope(float3(q.x, q.y, q.z), one);
+    float steep = abs(slope.x) + abs(slope.y);
+    float off = abs(c.z) * slack.y + slack.z;
+    return transpose(float4x4(float4(c.x, c.y, c.z + slack.w, 0.0), float4(slope, 1.0, slack.x * steep + off), none,
+                              none));
 }
 #endif
 
@@ -2228,11 +2258,9 @@ float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x
     float2 at = inside ? within : float2(32768.0, 32768.0);
     float2 deepest = umbrage_receiver_slope(planes, normal, way);
     float larger = 16.0 / across;
-    float2 slope = deepest * larger;
     float steep = abs(deepest.x) + abs(deepest.y);
     float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return transpose(float4x4(float4(at, in_root.z, code - before * 64.0),
-                              float4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none,
+    return transpose(float4x4(float4(at, in_root.z, code - before * 64.0), float4(deepest * larger, 1.0, off), none,
                               none));
 }
 #endif

@@ -1648,6 +1648,7 @@ struct light_space {
     glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)
     glm::mat<4, 4, T> projection{T(1)};  ///< view space to clip space
     clip_space clip;
+    bool parallel = false;  ///< true promises a projection without perspective: the shadow then costs less in a shader
 };
 
 namespace detail {
@@ -1904,6 +1905,24 @@ template <real T>
     return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
 }
 
+/// Normal, in a map, of the plane through a world position.
+/// @param plane_matrix   plane_matrix of the texture matrix
+/// @param normal         normal of the plane, world, any length
+/// @param world          world position of a point on the plane
+/// @return               normal in texels, texels and depth, of any length; its z is 0 for a plane seen edge-on
+/// @formula              xyz of plane_matrix (normal, -normal . world)
+/// @exactness            B, n = 12
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> plane_in_map(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                    glm::vec<3, T> world) {
+    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    glm::vec<3, T> q(0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
+               plane_matrix[2][i] * normal.z;
+    return q;
+}
+
 /// Change of depth per texel of the plane through a world position.
 ///
 /// @param plane_matrix   plane_matrix of the texture matrix
@@ -1911,45 +1930,41 @@ template <real T>
 /// @param world          world position of a point on the plane
 /// @return               slope in x and y, each -2 to 2
 /// @edge                 plane seen edge-on by the light, or NaN: 2
-/// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
+/// @formula              -(q.x, q.y) / q.z, where q = plane_in_map
 /// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
-    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    glm::vec<3, T> q(0);
-    for (glm::length_t i = 0; i < 3; ++i)
-        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
-               plane_matrix[2][i] * normal.z;
+    const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
     return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
 }
 
-/// Change of a receiver's depth per texel.
+/// Change of a receiver's depth per texel, in a place of a shadow: plane_slope without its clamps.
 /// @param plane_matrix   from plane_matrix
 /// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
-/// @return               slope as from plane_slope
-/// @edge                 zero normal: (0, 0)
+/// @return               slope of any size
+/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
 /// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {
     const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
-    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
+    const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
+    return none ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(-q.x / q.z, -q.y / q.z);
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
 /// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
-/// @return         slope in x and y, each -2 to 2
-/// @edge           plane seen edge-on by the light, or NaN: 2. Zero normal: (0, 0)
+/// @return         slope of any size
+/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
 /// @formula        -normal.xy scale.z / (normal.z scale.xy)
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
-    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
-            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
+    return {normal.x * -scale.z / (normal.z * scale.x), normal.y * -scale.z / (normal.z * scale.y)};
 }
 
 /// Slope-scaled bias of rasterizers, computed in a shader.
@@ -1983,22 +1998,38 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 )GLSL",
 };
 
+inline constexpr snippet plane_in_map{
+    .name = "plane_in_map",
+    .summary = "normal of a plane in a map",
+    .exactness = tier::b,
+    .operations = 12,
+    .source = R"GLSL(
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
+UMBRAGE_HIGHP vec3 umbrage_plane_in_map(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                        UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
+    return vec3(q.x, q.y, q.z);
+}
+)GLSL",
+};
+
 inline constexpr snippet plane_slope{
     .name = "plane_slope",
     .summary = "change of a plane's depth per texel",
     .exactness = tier::c,
     .operations = 27,
-    .needs = list<&clamp_slope>,
+    .needs = list<&clamp_slope, &plane_in_map>,
     .source = R"GLSL(
 // umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse
-//   normal        normal of the plane, any length
-//   world         point on the plane
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
-                           plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 )GLSL",
@@ -2009,14 +2040,14 @@ inline constexpr snippet receiver_slope{
     .summary = "change of a receiver's depth per texel",
     .exactness = tier::c,
     .operations = 27,
-    .needs = list<&plane_slope>,
+    .needs = list<&plane_in_map>,
     .source = R"GLSL(
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
 }
 )GLSL",
 };
@@ -2026,7 +2057,6 @@ inline constexpr snippet cascade_slope{
     .summary = "change of a plane's depth per texel in a cascade",
     .exactness = tier::c,
     .operations = 6,
-    .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
@@ -2035,8 +2065,7 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
     UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
 }
 )GLSL",
 };
@@ -2062,8 +2091,8 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
-                                                 &slope_bias};
+inline constexpr const snippet* slope_snippets[]{&clamp_slope,    &plane_in_map,  &plane_slope,
+                                                 &receiver_slope, &cascade_slope, &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2637,7 +2666,7 @@ template <real T>
     glm::dmat4 view = light.view, projection = light.projection;
     const bool rotates = glm::dvec3(view[3]) == glm::dvec3(0);
     (rotates ? projection : view)[3] = rotates ? projection * at : at;
-    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip}, "relative_to",
+    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip, light.parallel}, "relative_to",
                                   "light and origin");
 }
 
@@ -10970,7 +10999,8 @@ template <real T = float>
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
         {},
-        light.clip};
+        light.clip,
+        true};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
@@ -20732,7 +20762,7 @@ template <real T>
     if (fit.casters) require_box(*fit.casters, function, "casters");
 
     light_space<T> space{
-        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip, true};
     const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
     const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
     const hull& receivers = lit.points.empty() ? box_of_casters : lit;
@@ -23409,7 +23439,7 @@ concept shadow_setup = std::copyable<Setup> &&
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename Setup::uniforms>;
     {std::span<const uniform_field>(Setup::fields)};
     {std::span<const map_place>(Setup::places(u, terms, v, v))};  // an array of one or two
-    { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
+    { s.placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
 /// Depth pass function for maps that bend lines. The snippet takes (mat4 to_clip, vec3 world, arguments...) and returns
@@ -23482,7 +23512,7 @@ consteval bool has_fields() {
 
 template <real T>
 [[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
-    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};
+    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip, light.parallel};
 }
 
 }  // namespace detail
@@ -24180,6 +24210,26 @@ namespace umbrage {
     return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
 }
 
+/// single_map_places under parallel rays, where w is 1, with the same result.
+/// @param to_texels                             make_anchored_map of a light with parallel rays
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param slack                                 likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @formula     place = to_texels way + (0, 0, a); slack = t steep + p |z| + q, as anchored_place
+/// @exactness   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> parallel_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4&,
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4 c = shadow_coordinate(to_texels, world - glm::vec3(anchor));
+    const glm::vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    const glm::vec2 slope = cascade_slope(glm::vec3(q), glm::vec4(1));
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y), off = glm::abs(c.z) * slack.y + slack.z;
+    return {map_place{.at = {c.x, c.y, c.z + slack.w}, .slope = slope, .slack = slack.x * steep + off}};
+}
+
 namespace glsl {
 
 inline constexpr snippet single_map_places{
@@ -24202,16 +24252,49 @@ UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRA
 )GLSL",
 };
 
-inline constexpr const snippet* single_map_snippets[]{&single_map_places};
+inline constexpr snippet parallel_map_places{
+    .name = "parallel_map_places",
+    .summary = "place of a point of the world in the one map of a light with parallel rays",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&cascade_slope>,
+    .source = R"GLSL(
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+UMBRAGE_HIGHP mat4 umbrage_parallel_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                               UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 one = vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(vec3(q.x, q.y, q.z), one);
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float off = abs(c.z) * slack.y + slack.z;
+    return mat4(vec4(c.x, c.y, c.z + slack.w, 0.0), vec4(slope, 1.0, slack.x * steep + off), none, none);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* single_map_snippets[]{&single_map_places, &parallel_map_places};
 
 }  // namespace glsl
 
 /// Setup of one map.
 struct single_map {
     light_space<double> light;
+    const glsl::snippet* placing;
 
+    /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
-    explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
+    explicit single_map(const light_space<T>& space)
+        : light(detail::in_double(space)),
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
+        const glm::dmat4 m = light.projection * light.view;
+        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
+                        "light.parallel", "false for a projection with perspective", light.parallel);
+    }
 
     using uniforms = anchored_map;
     static constexpr uniform_field fields[]{
@@ -24229,7 +24312,6 @@ struct single_map {
                                                                         glm::vec3 world, glm::vec3 normal) {
         return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
-    static constexpr const glsl::snippet* placing = &glsl::single_map_places;
 };
 
 /// Setup of a light with one map.
@@ -24434,10 +24516,10 @@ namespace umbrage {
     const glm::vec2 place = coord * across;
     const glm::vec2 at = inside ? (place - glm::floor(place)) * pages.x + pages.y : glm::vec2(32768);
     const float larger = 16.0f / across;  // than texels of the deepest level
-    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * larger;
+    const glm::vec2 deepest = receiver_slope(planes, normal, way);
     const float steep = glm::abs(deepest.x) + glm::abs(deepest.y);
     const float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return {map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, off}};
+    return {map_place{code % 64, glm::vec3(at, in_root.z), deepest * larger, 1.0f, off}};
 }
 
 namespace glsl {
@@ -24447,7 +24529,7 @@ inline constexpr snippet adaptive_maps_places{
     .summary = "place of a point of the world in the pages of an adaptive map",
     .exactness = tier::c,
     .operations = 68,
-    .needs = list<&shadow_coordinate, &cascade_column_8, &receiver_slope, &clamp_slope>,
+    .needs = list<&shadow_coordinate, &cascade_column_8, &receiver_slope>,
     .source = R"GLSL(
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
 //   to_root              matrix from the world to 1.0 to 2.0 across the root page
@@ -24495,11 +24577,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
     UMBRAGE_HIGHP float larger = 16.0 / across;
-    UMBRAGE_HIGHP vec2 slope = deepest * larger;
     UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
     UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
-                vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+                vec4(deepest * larger, 1.0, off), none, none);
 }
 )GLSL",
 };
@@ -25787,25 +25868,34 @@ template <class Filter>
     else return acne_free_bias(place.slope, terms.reach, error);
 }
 
-/// Slope from which on a plane counts as seen edge-on by the light: clamp_slope's limit.
-inline constexpr float edge_on = 2.0f;
+/// True for a plane that filters compare along. False where the light sees it edge-on: there the slopes in x and y add
+/// up to 2 or more, or are NaN.
+[[nodiscard]] inline bool is_seen(const map_place& place) {
+    const float steep = glm::abs(place.slope.x) + glm::abs(place.slope.y);
+    return !is_nan(steep) && steep < 2.0f;
+}
 
-/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on, so that nothing is in shadow there.
+/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on.
 template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
     if constexpr (along_plane<Setup, Filter>) {
-        const bool is_seen = glm::abs(place.slope.x) < edge_on && glm::abs(place.slope.y) < edge_on;
-        return is_seen ? clamp_bias(terms.error + place.slack) : 1.0f;
+        return is_seen(place) ? glm::clamp(terms.error + place.slack, 0.0f, 1.0f) : 1.0f;
     } else return kernel_bias_of<Filter>(terms, place);
 }
 
-/// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
-/// plane, where all is lit.
+/// True for a receiver that filters compare. Others are lit: beyond the far plane, from where no bias brings them back,
+/// and on planes that the light sees edge-on.
+template <class Setup, class Filter>
+[[nodiscard]] bool is_compared(const map_place& place, depth_direction direction) {
+    const bool beyond = comparison{direction}.beyond_far_plane(place.at.z);
+    return !beyond && (!along_plane<Setup, Filter> || is_seen(place));
+}
+
+/// Coordinate of a place, in texels, and its depth with the bias applied. What is not compared lies outside all maps.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
-    const float z = place.at.z;
-    const bool beyond = comparison{direction}.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), direction)};
+    const float x = is_compared<Setup, Filter>(place, direction) ? place.at.x : 65536.0f;
+    return {x, place.at.y, biased(place.at.z, bias_of<Setup, Filter>(terms, place), direction)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
@@ -25856,24 +25946,24 @@ template <class Filter>
     return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
 }
 
-/// Snippet that computes bias_of.
-template <class Setup, class Filter>
-[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    if constexpr (along_plane<Setup, Filter>) return glsl::clamp_bias;
-    else return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+/// Snippet that computes the bias for a filter's whole reach.
+template <class Filter>
+[[nodiscard]] constexpr const glsl::snippet& kernel_bias_snippet() {
+    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack.
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack. Along
+/// planes `bias` counts where `is_seen` is true.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
     const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
     if constexpr (along_plane<Setup, Filter>)
         return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
-               "    bool is_seen = max(abs(slope.x), abs(slope.y)) < 2.0;  // not edge-on by the light\n"
-               "    UMBRAGE_HIGHP float bias = is_seen ? umbrage_clamp_bias(error) : 1.0;\n";
+               "    bool is_seen = abs(slope.x) + abs(slope.y) < 2.0;  // not edge-on by the light\n"
+               "    UMBRAGE_HIGHP float bias = clamp(error, 0.0, 1.0);\n";
     std::string reach = "terms.z";
     if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(bias_snippet<Setup, Filter>().name) +
+    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(kernel_bias_snippet<Filter>().name) +
            "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
@@ -25890,17 +25980,21 @@ template <class Setup, class Filter>
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
     text.append(bias_text<Setup, Filter>(linear.what != nullptr));
+    text.append("    bool is_compared = umbrage_beyond_far_plane(at.z) ? false : ");
+    text.append(along_plane<Setup, Filter> ? "is_seen;\n" : "true;\n");
     text.append(
-        "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
+        "    UMBRAGE_HIGHP vec2 coord = vec2(is_compared ? at.x : 65536.0, at.y);  // outside all maps, where all is "
+        "lit\n"
+        "    UMBRAGE_HIGHP float receiver = umbrage_cleared_depth() > 0.5 ? at.z - bias : at.z + bias;\n");
     if (along_plane<Setup, Filter>)
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
     text.append("    return umbrage_").append(called.name);
-    text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
+    text.append("(map, vec2(terms.x, terms.y), coord, receiver").append(linear.weights);
     text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{
-        "look", std::move(text), {&bias_snippet<Setup, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
+    glsl::own_text look{"look", std::move(text), {&glsl::beyond_far_plane, &glsl::cleared_depth, &called}};
+    if (!along_plane<Setup, Filter>) look.needs.push_back(&kernel_bias_snippet<Filter>());
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
 }
@@ -28705,12 +28799,13 @@ struct frame_words {
 };
 
 /// Words of a setup.
+/// @param setup    the setup, of a light whose text is printed
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map
 template <class Setup>
-[[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = Setup::placing, .most_places = most_places<Setup>};
+[[nodiscard]] frame_words frame_words_of(const Setup& setup, bool layers, bool turns, const softness_words& soft = {}) {
+    frame_words w{.placing = setup.placing, .most_places = most_places<Setup>};
     for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
         w.of_setup.append(f.name).append(", ");
@@ -29331,7 +29426,7 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     const auto places = [&](glm::ivec2 p) {
         auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
         for (map_place& place : all)
-            if (place.weight > 0.0f) place.at.z = receiver(place).z;
+            if (place.weight > 0.0f) place.at = receiver(place);
         return all;
     };
     const auto filter_of_map = [&](int number) { return filter_of(number); };
@@ -29743,12 +29838,16 @@ template <class Setup, class Filter>
                                  "vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), "
                                  "umbrage_blend_cascades(sum.y, next.y, slope.z), "
                                  "umbrage_blend_cascades(sum.z, next.z, slope.z))"};
+    std::vector<const glsl::snippet*> calls{&glsl::probe_color};
+    if (!along_plane<Setup, Filter>) calls.push_back(&kernel_bias_snippet<Filter>());
     return {{"place_color",
              "\n// umbrage_place_color: a receiver's debug color in one map\n"
              "UMBRAGE_HIGHP vec3 umbrage_place_color(" +
                  terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<Setup, Filter>() +
-                 "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);\n}\n",
-             {&bias_snippet<Setup, Filter>(), &glsl::probe_color}},
+                 (along_plane<Setup, Filter> ? "    UMBRAGE_HIGHP float taken = is_seen ? bias : 1.0;\n" : "") +
+                 "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), " +
+                 (along_plane<Setup, Filter> ? "taken" : "bias") + ", at.w);\n}\n",
+             calls},
             {"blended_color", frame_text(color, w, {}), w.needs()},
             {"point_color",
              "\n// umbrage_point_color: debug color of a point of the world, or what is wrong with it\n"
@@ -29825,14 +29924,15 @@ void require_texture(const binding& map, const Filter& filter) {
 }
 
 /// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
+/// @param setup    the shadow's
 /// @param layers   true for maps in an array, false for an atlas
 /// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
 template <class Setup, class Filter, class Encoding>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
-                                                 bool debug, const linear_form& linear = {}) {
+[[nodiscard]] std::vector<own_text> shadow_texts(const Setup& setup, const Filter& filter, const Encoding& encoding,
+                                                 bool layers, bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
     const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
-    const auto words = umbrage::detail::frame_words_of<Setup>(layers, umbrage::detail::turning<Filter>, soft);
+    const auto words = umbrage::detail::frame_words_of(setup, layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
             "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
@@ -29909,7 +30009,7 @@ template <class Setup, class Filter, class Encoding>
                                  "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
                                  of.filter().name);
     }
-    item.texts = detail::shadow_texts<Setup>(of.filter(), of.encoding(), layers, slots.debug, linear);
+    item.texts = detail::shadow_texts(of.setup(), of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};

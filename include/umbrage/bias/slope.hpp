@@ -66,6 +66,24 @@ template <real T>
     return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
 }
 
+/// Normal, in a map, of the plane through a world position.
+/// @param plane_matrix   plane_matrix of the texture matrix
+/// @param normal         normal of the plane, world, any length
+/// @param world          world position of a point on the plane
+/// @return               normal in texels, texels and depth, of any length; its z is 0 for a plane seen edge-on
+/// @formula              xyz of plane_matrix (normal, -normal . world)
+/// @exactness            B, n = 12
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> plane_in_map(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                    glm::vec<3, T> world) {
+    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    glm::vec<3, T> q(0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
+               plane_matrix[2][i] * normal.z;
+    return q;
+}
+
 /// Change of depth per texel of the plane through a world position.
 ///
 /// @param plane_matrix   plane_matrix of the texture matrix
@@ -73,45 +91,41 @@ template <real T>
 /// @param world          world position of a point on the plane
 /// @return               slope in x and y, each -2 to 2
 /// @edge                 plane seen edge-on by the light, or NaN: 2
-/// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
+/// @formula              -(q.x, q.y) / q.z, where q = plane_in_map
 /// @exactness            C, n = 27: two divisions. S = S(q.xy) S(q.z) / q.z^2, S(q) of the product's magnitudes
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                    glm::vec<3, T> world) {
-    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    glm::vec<3, T> q(0);
-    for (glm::length_t i = 0; i < 3; ++i)
-        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
-               plane_matrix[2][i] * normal.z;
+    const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
     return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
 }
 
-/// Change of a receiver's depth per texel.
+/// Change of a receiver's depth per texel, in a place of a shadow: plane_slope without its clamps.
 /// @param plane_matrix   from plane_matrix
 /// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
-/// @return               slope as from plane_slope
-/// @edge                 zero normal: (0, 0)
+/// @return               slope of any size
+/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
 /// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {
     const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
-    return none ? glm::vec<2, T>(T(0), T(0)) : plane_slope(plane_matrix, normal, world);
+    const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
+    return none ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(-q.x / q.z, -q.y / q.z);
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
 /// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
-/// @return         slope in x and y, each -2 to 2
-/// @edge           plane seen edge-on by the light, or NaN: 2. Zero normal: (0, 0)
+/// @return         slope of any size
+/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
 /// @formula        -normal.xy scale.z / (normal.z scale.xy)
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
     if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
-    return {clamp_slope(normal.x * -scale.z / (normal.z * scale.x)),
-            clamp_slope(normal.y * -scale.z / (normal.z * scale.y))};
+    return {normal.x * -scale.z / (normal.z * scale.x), normal.y * -scale.z / (normal.z * scale.y)};
 }
 
 /// Slope-scaled bias of rasterizers, computed in a shader.
@@ -145,22 +159,38 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 )GLSL",
 };
 
+inline constexpr snippet plane_in_map{
+    .name = "plane_in_map",
+    .summary = "normal of a plane in a map",
+    .exactness = tier::b,
+    .operations = 12,
+    .source = R"GLSL(
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
+UMBRAGE_HIGHP vec3 umbrage_plane_in_map(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                        UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
+    return vec3(q.x, q.y, q.z);
+}
+)GLSL",
+};
+
 inline constexpr snippet plane_slope{
     .name = "plane_slope",
     .summary = "change of a plane's depth per texel",
     .exactness = tier::c,
     .operations = 27,
-    .needs = list<&clamp_slope>,
+    .needs = list<&clamp_slope, &plane_in_map>,
     .source = R"GLSL(
 // umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse
-//   normal        normal of the plane, any length
-//   world         point on the plane
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
 UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                        UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
-                           plane_matrix[2] * normal.z;
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 )GLSL",
@@ -171,14 +201,14 @@ inline constexpr snippet receiver_slope{
     .summary = "change of a receiver's depth per texel",
     .exactness = tier::c,
     .operations = 27,
-    .needs = list<&plane_slope>,
+    .needs = list<&plane_in_map>,
     .source = R"GLSL(
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
 }
 )GLSL",
 };
@@ -188,7 +218,6 @@ inline constexpr snippet cascade_slope{
     .summary = "change of a plane's depth per texel in a cascade",
     .exactness = tier::c,
     .operations = 6,
-    .needs = list<&clamp_slope>,
     .source = R"GLSL(
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
@@ -197,8 +226,7 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
     UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
 }
 )GLSL",
 };
@@ -224,8 +252,8 @@ UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP f
 )GLSL",
 };
 
-inline constexpr const snippet* slope_snippets[]{&clamp_slope, &plane_slope, &receiver_slope, &cascade_slope,
-                                                 &slope_bias};
+inline constexpr const snippet* slope_snippets[]{&clamp_slope,    &plane_in_map,  &plane_slope,
+                                                 &receiver_slope, &cascade_slope, &slope_bias};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -40,7 +40,8 @@ template <real T = float>
     light_space<T> space{
         detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
         {},
-        light.clip};
+        light.clip,
+        true};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,

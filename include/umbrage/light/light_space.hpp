@@ -35,6 +35,7 @@ struct light_space {
     glm::mat<4, 4, T> view{T(1)};  ///< world to view space, without a mirror; looks down -z (right-handed) or +z (left)
     glm::mat<4, 4, T> projection{T(1)};  ///< view space to clip space
     clip_space clip;
+    bool parallel = false;  ///< true promises a projection without perspective: the shadow then costs less in a shader
 };
 
 namespace detail {

@@ -87,7 +87,7 @@ template <real T>
     glm::dmat4 view = light.view, projection = light.projection;
     const bool rotates = glm::dvec3(view[3]) == glm::dvec3(0);
     (rotates ? projection : view)[3] = rotates ? projection * at : at;
-    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip}, "relative_to",
+    return detail::checked<float>({glm::mat4(view), glm::mat4(projection), light.clip, light.parallel}, "relative_to",
                                   "light and origin");
 }
 

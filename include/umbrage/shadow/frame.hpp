@@ -47,12 +47,13 @@ struct frame_words {
 };
 
 /// Words of a setup.
+/// @param setup    the setup, of a light whose text is printed
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map
 template <class Setup>
-[[nodiscard]] frame_words frame_words_of(bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = Setup::placing, .most_places = most_places<Setup>};
+[[nodiscard]] frame_words frame_words_of(const Setup& setup, bool layers, bool turns, const softness_words& soft = {}) {
+    frame_words w{.placing = setup.placing, .most_places = most_places<Setup>};
     for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
         w.of_setup.append(f.name).append(", ");

@@ -74,14 +74,15 @@ void require_texture(const binding& map, const Filter& filter) {
 }
 
 /// Texts of umbrage_look and umbrage_shadow for one shadow's map, and of its debug functions.
+/// @param setup    the shadow's
 /// @param layers   true for maps in an array, false for an atlas
 /// @param linear   form of the filter for a linear comparison sampler; none: the filter itself
 template <class Setup, class Filter, class Encoding>
-[[nodiscard]] std::vector<own_text> shadow_texts(const Filter& filter, const Encoding& encoding, bool layers,
-                                                 bool debug, const linear_form& linear = {}) {
+[[nodiscard]] std::vector<own_text> shadow_texts(const Setup& setup, const Filter& filter, const Encoding& encoding,
+                                                 bool layers, bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
     const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
-    const auto words = umbrage::detail::frame_words_of<Setup>(layers, umbrage::detail::turning<Filter>, soft);
+    const auto words = umbrage::detail::frame_words_of(setup, layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
             "\n// umbrage_shadow: visibility of a point of the world, 1.0 is lit\n"
@@ -158,7 +159,7 @@ template <class Setup, class Filter, class Encoding>
                                  "pcf_2x2, a disc, or a kernel of 3, 5 or 7 weights, as slots.linear is true",
                                  of.filter().name);
     }
-    item.texts = detail::shadow_texts<Setup>(of.filter(), of.encoding(), layers, slots.debug, linear);
+    item.texts = detail::shadow_texts(of.setup(), of.filter(), of.encoding(), layers, slots.debug, linear);
     const detail::own_snippets own(item.texts);
     for (const snippet& text : own) detail::check(text, name, map);
     shader_interface declared{std::string(name), {}, {slots.block, slots.texture, slots.sampler, slots.set}, {}};

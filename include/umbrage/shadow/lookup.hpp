@@ -147,25 +147,34 @@ template <class Filter>
     else return acne_free_bias(place.slope, terms.reach, error);
 }
 
-/// Slope from which on a plane counts as seen edge-on by the light: clamp_slope's limit.
-inline constexpr float edge_on = 2.0f;
+/// True for a plane that filters compare along. False where the light sees it edge-on: there the slopes in x and y add
+/// up to 2 or more, or are NaN.
+[[nodiscard]] inline bool is_seen(const map_place& place) {
+    const float steep = glm::abs(place.slope.x) + glm::abs(place.slope.y);
+    return !is_nan(steep) && steep < 2.0f;
+}
 
-/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on, so that nothing is in shadow there.
+/// Bias of a receiver, in depth: 1 on planes that the light sees edge-on.
 template <class Setup, class Filter>
 [[nodiscard]] float bias_of(const shadow_terms& terms, const map_place& place) {
     if constexpr (along_plane<Setup, Filter>) {
-        const bool is_seen = glm::abs(place.slope.x) < edge_on && glm::abs(place.slope.y) < edge_on;
-        return is_seen ? clamp_bias(terms.error + place.slack) : 1.0f;
+        return is_seen(place) ? glm::clamp(terms.error + place.slack, 0.0f, 1.0f) : 1.0f;
     } else return kernel_bias_of<Filter>(terms, place);
 }
 
-/// Coordinate of a place, in texels, and its depth with the bias applied. No bias brings back a receiver beyond the far
-/// plane, where all is lit.
+/// True for a receiver that filters compare. Others are lit: beyond the far plane, from where no bias brings them back,
+/// and on planes that the light sees edge-on.
+template <class Setup, class Filter>
+[[nodiscard]] bool is_compared(const map_place& place, depth_direction direction) {
+    const bool beyond = comparison{direction}.beyond_far_plane(place.at.z);
+    return !beyond && (!along_plane<Setup, Filter> || is_seen(place));
+}
+
+/// Coordinate of a place, in texels, and its depth with the bias applied. What is not compared lies outside all maps.
 template <class Setup, class Filter>
 [[nodiscard]] glm::vec3 receiver_of(const shadow_terms& terms, const map_place& place, depth_direction direction) {
-    const float z = place.at.z;
-    const bool beyond = comparison{direction}.beyond_far_plane(z);
-    return {place.at.x, place.at.y, beyond ? z : biased(z, bias_of<Setup, Filter>(terms, place), direction)};
+    const float x = is_compared<Setup, Filter>(place, direction) ? place.at.x : 65536.0f;
+    return {x, place.at.y, biased(place.at.z, bias_of<Setup, Filter>(terms, place), direction)};
 }
 
 /// Visibility of a receiver in one map, by a filter.
@@ -216,24 +225,24 @@ template <class Filter>
     return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
 }
 
-/// Snippet that computes bias_of.
-template <class Setup, class Filter>
-[[nodiscard]] constexpr const glsl::snippet& bias_snippet() {
-    if constexpr (along_plane<Setup, Filter>) return glsl::clamp_bias;
-    else return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
+/// Snippet that computes the bias for a filter's whole reach.
+template <class Filter>
+[[nodiscard]] constexpr const glsl::snippet& kernel_bias_snippet() {
+    return disc_filter<Filter> ? glsl::acne_free_disc_bias : glsl::acne_free_bias;
 }
-/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack.
+/// GLSL version of bias_of: statements that use `terms` and `slope`, whose third component is the place's slack. Along
+/// planes `bias` counts where `is_seen` is true.
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
     const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
     if constexpr (along_plane<Setup, Filter>)
         return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
-               "    bool is_seen = max(abs(slope.x), abs(slope.y)) < 2.0;  // not edge-on by the light\n"
-               "    UMBRAGE_HIGHP float bias = is_seen ? umbrage_clamp_bias(error) : 1.0;\n";
+               "    bool is_seen = abs(slope.x) + abs(slope.y) < 2.0;  // not edge-on by the light\n"
+               "    UMBRAGE_HIGHP float bias = clamp(error, 0.0, 1.0);\n";
     std::string reach = "terms.z";
     if constexpr (disc_filter<Filter>) reach = filter_term(component_for_disc<Filter>);
-    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(bias_snippet<Setup, Filter>().name) +
+    return error + ";\n    UMBRAGE_HIGHP float bias = umbrage_" + std::string(kernel_bias_snippet<Filter>().name) +
            "(vec2(slope.x, slope.y), " + reach + ", error);\n";
 }
 
@@ -250,17 +259,21 @@ template <class Setup, class Filter>
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
     text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
     text.append(bias_text<Setup, Filter>(linear.what != nullptr));
+    text.append("    bool is_compared = umbrage_beyond_far_plane(at.z) ? false : ");
+    text.append(along_plane<Setup, Filter> ? "is_seen;\n" : "true;\n");
     text.append(
-        "    UMBRAGE_HIGHP float receiver = umbrage_beyond_far_plane(at.z) ? at.z : umbrage_biased(at.z, bias);\n");
+        "    UMBRAGE_HIGHP vec2 coord = vec2(is_compared ? at.x : 65536.0, at.y);  // outside all maps, where all is "
+        "lit\n"
+        "    UMBRAGE_HIGHP float receiver = umbrage_cleared_depth() > 0.5 ? at.z - bias : at.z + bias;\n");
     if (along_plane<Setup, Filter>)
         text +=
             "    UMBRAGE_HIGHP vec2 receiver_slope = vec2(slope.x, slope.y);\n"
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
     text.append("    return umbrage_").append(called.name);
-    text.append("(map, vec2(terms.x, terms.y), vec2(at.x, at.y), receiver").append(linear.weights);
+    text.append("(map, vec2(terms.x, terms.y), coord, receiver").append(linear.weights);
     text.append(arguments_of<Filter>()).append(");\n}\n");
-    glsl::own_text look{
-        "look", std::move(text), {&bias_snippet<Setup, Filter>(), &glsl::biased, &glsl::beyond_far_plane, &called}};
+    glsl::own_text look{"look", std::move(text), {&glsl::beyond_far_plane, &glsl::cleared_depth, &called}};
+    if (!along_plane<Setup, Filter>) look.needs.push_back(&kernel_bias_snippet<Filter>());
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
     return look;
 }

@@ -51,10 +51,10 @@ namespace umbrage {
     const glm::vec2 place = coord * across;
     const glm::vec2 at = inside ? (place - glm::floor(place)) * pages.x + pages.y : glm::vec2(32768);
     const float larger = 16.0f / across;  // than texels of the deepest level
-    const glm::vec2 deepest = receiver_slope(planes, normal, way), slope = deepest * larger;
+    const glm::vec2 deepest = receiver_slope(planes, normal, way);
     const float steep = glm::abs(deepest.x) + glm::abs(deepest.y);
     const float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return {map_place{code % 64, glm::vec3(at, in_root.z), {clamp_slope(slope.x), clamp_slope(slope.y)}, 1.0f, off}};
+    return {map_place{code % 64, glm::vec3(at, in_root.z), deepest * larger, 1.0f, off}};
 }
 
 namespace glsl {
@@ -64,7 +64,7 @@ inline constexpr snippet adaptive_maps_places{
     .summary = "place of a point of the world in the pages of an adaptive map",
     .exactness = tier::c,
     .operations = 68,
-    .needs = list<&shadow_coordinate, &cascade_column_8, &receiver_slope, &clamp_slope>,
+    .needs = list<&shadow_coordinate, &cascade_column_8, &receiver_slope>,
     .source = R"GLSL(
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
 //   to_root              matrix from the world to 1.0 to 2.0 across the root page
@@ -112,11 +112,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
     UMBRAGE_HIGHP float larger = 16.0 / across;
-    UMBRAGE_HIGHP vec2 slope = deepest * larger;
     UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
     UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
-                vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+                vec4(deepest * larger, 1.0, off), none, none);
 }
 )GLSL",
 };

@@ -59,12 +59,16 @@ template <class Setup, class Filter>
                                  "vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), "
                                  "umbrage_blend_cascades(sum.y, next.y, slope.z), "
                                  "umbrage_blend_cascades(sum.z, next.z, slope.z))"};
+    std::vector<const glsl::snippet*> calls{&glsl::probe_color};
+    if (!along_plane<Setup, Filter>) calls.push_back(&kernel_bias_snippet<Filter>());
     return {{"place_color",
              "\n// umbrage_place_color: a receiver's debug color in one map\n"
              "UMBRAGE_HIGHP vec3 umbrage_place_color(" +
                  terms + "UMBRAGE_HIGHP vec4 at, UMBRAGE_HIGHP vec3 slope) {\n" + bias_text<Setup, Filter>() +
-                 "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), bias, at.w);\n}\n",
-             {&bias_snippet<Setup, Filter>(), &glsl::probe_color}},
+                 (along_plane<Setup, Filter> ? "    UMBRAGE_HIGHP float taken = is_seen ? bias : 1.0;\n" : "") +
+                 "    return umbrage_probe_color(vec3(at.x, at.y, at.z), vec2(terms.x, terms.y), " +
+                 (along_plane<Setup, Filter> ? "taken" : "bias") + ", at.w);\n}\n",
+             calls},
             {"blended_color", frame_text(color, w, {}), w.needs()},
             {"point_color",
              "\n// umbrage_point_color: debug color of a point of the world, or what is wrong with it\n"

@@ -73,7 +73,7 @@ concept shadow_setup = std::copyable<Setup> &&
     { s.make_uniforms(glm::ivec2(1), glm::dvec3(0)) } -> std::same_as<typename Setup::uniforms>;
     {std::span<const uniform_field>(Setup::fields)};
     {std::span<const map_place>(Setup::places(u, terms, v, v))};  // an array of one or two
-    { Setup::placing } -> std::convertible_to<const glsl::snippet*>;
+    { s.placing } -> std::convertible_to<const glsl::snippet*>;
 };
 
 /// Depth pass function for maps that bend lines. The snippet takes (mat4 to_clip, vec3 world, arguments...) and returns
@@ -146,7 +146,7 @@ consteval bool has_fields() {
 
 template <real T>
 [[nodiscard]] light_space<double> in_double(const light_space<T>& light) {
-    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip};
+    return {glm::dmat4(light.view), glm::dmat4(light.projection), light.clip, light.parallel};
 }
 
 }  // namespace detail

@@ -326,7 +326,7 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     const auto places = [&](glm::ivec2 p) {
         auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
         for (map_place& place : all)
-            if (place.weight > 0.0f) place.at.z = receiver(place).z;
+            if (place.weight > 0.0f) place.at = receiver(place);
         return all;
     };
     const auto filter_of_map = [&](int number) { return filter_of(number); };

@@ -31,6 +31,26 @@ namespace umbrage {
     return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
 }
 
+/// single_map_places under parallel rays, where w is 1, with the same result.
+/// @param to_texels                             make_anchored_map of a light with parallel rays
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param slack                                 likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @formula     place = to_texels way + (0, 0, a); slack = t steep + p |z| + q, as anchored_place
+/// @exactness   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> parallel_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4&,
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4 c = shadow_coordinate(to_texels, world - glm::vec3(anchor));
+    const glm::vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    const glm::vec2 slope = cascade_slope(glm::vec3(q), glm::vec4(1));
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y), off = glm::abs(c.z) * slack.y + slack.z;
+    return {map_place{.at = {c.x, c.y, c.z + slack.w}, .slope = slope, .slack = slack.x * steep + off}};
+}
+
 namespace glsl {
 
 inline constexpr snippet single_map_places{
@@ -53,16 +73,49 @@ UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRA
 )GLSL",
 };
 
-inline constexpr const snippet* single_map_snippets[]{&single_map_places};
+inline constexpr snippet parallel_map_places{
+    .name = "parallel_map_places",
+    .summary = "place of a point of the world in the one map of a light with parallel rays",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&cascade_slope>,
+    .source = R"GLSL(
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+UMBRAGE_HIGHP mat4 umbrage_parallel_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                               UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 one = vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(vec3(q.x, q.y, q.z), one);
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float off = abs(c.z) * slack.y + slack.z;
+    return mat4(vec4(c.x, c.y, c.z + slack.w, 0.0), vec4(slope, 1.0, slack.x * steep + off), none, none);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* single_map_snippets[]{&single_map_places, &parallel_map_places};
 
 }  // namespace glsl
 
 /// Setup of one map.
 struct single_map {
     light_space<double> light;
+    const glsl::snippet* placing;
 
+    /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
-    explicit single_map(const light_space<T>& space) : light(detail::in_double(space)) {}
+    explicit single_map(const light_space<T>& space)
+        : light(detail::in_double(space)),
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
+        const glm::dmat4 m = light.projection * light.view;
+        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
+                        "light.parallel", "false for a projection with perspective", light.parallel);
+    }
 
     using uniforms = anchored_map;
     static constexpr uniform_field fields[]{
@@ -80,7 +133,6 @@ struct single_map {
                                                                         glm::vec3 world, glm::vec3 normal) {
         return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
-    static constexpr const glsl::snippet* placing = &glsl::single_map_places;
 };
 
 /// Setup of a light with one map.

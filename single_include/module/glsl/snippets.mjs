@@ -4150,37 +4150,49 @@ UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
 }
 ` };
 
-export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
-    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+export const plane_in_map = { language, name: "plane_in_map", summary: "normal of a plane in a map",
+    exactness: "b", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
-                                       UMBRAGE_HIGHP vec3 world) {
+UMBRAGE_HIGHP vec3 umbrage_plane_in_map(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                        UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
                            plane_matrix[2] * normal.z;
+    return vec3(q.x, q.y, q.z);
+}
+` };
+
+export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
+    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope, plane_in_map], text: `
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 ` };
 
 export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth per texel",
     exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [plane_slope], text: `
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+    needs: [plane_in_map], text: `
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
 }
 ` };
 
 export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth per texel in a cascade",
     exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
+    needs: [], text: `
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
@@ -4188,8 +4200,7 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
     UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
 }
 ` };
 
@@ -4569,6 +4580,26 @@ UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRA
 }
 ` };
 
+export const parallel_map_places = { language, name: "parallel_map_places", summary: "place of a point of the world in the one map of a light with parallel rays",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope], text: `
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+UMBRAGE_HIGHP mat4 umbrage_parallel_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                               UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 one = vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(vec3(q.x, q.y, q.z), one);
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float off = abs(c.z) * slack.y + slack.z;
+    return mat4(vec4(c.x, c.y, c.z + slack.w, 0.0), vec4(slope, 1.0, slack.x * steep + off), none, none);
+}
+` };
+
 export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
     exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4838,7 +4869,7 @@ UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UM
 
 export const adaptive_maps_places = { language, name: "adaptive_maps_places", summary: "place of a point of the world in the pages of an adaptive map",
     exactness: "c", operations: 68, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [shadow_coordinate, cascade_column_8, receiver_slope, clamp_slope], text: `
+    needs: [shadow_coordinate, cascade_column_8, receiver_slope], text: `
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
 //   to_root              matrix from the world to 1.0 to 2.0 across the root page
 //   planes               plane matrix in texels of the deepest level
@@ -4885,11 +4916,10 @@ UMBRAGE_HIGHP mat4 umbrage_adaptive_maps_places(UMBRAGE_HIGHP mat4 to_root, UMBR
     UMBRAGE_HIGHP vec2 at = inside ? within : vec2(32768.0, 32768.0);
     UMBRAGE_HIGHP vec2 deepest = umbrage_receiver_slope(planes, normal, way);
     UMBRAGE_HIGHP float larger = 16.0 / across;
-    UMBRAGE_HIGHP vec2 slope = deepest * larger;
     UMBRAGE_HIGHP float steep = abs(deepest.x) + abs(deepest.y);
     UMBRAGE_HIGHP float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
     return mat4(vec4(at, in_root.z, code - before * 64.0),
-                vec4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+                vec4(deepest * larger, 1.0, off), none, none);
 }
 ` };
 

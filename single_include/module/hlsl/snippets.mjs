@@ -4009,35 +4009,46 @@ float umbrage_clamp_slope(float slope) {
 }
 ` };
 
-export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
-    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+export const plane_in_map = { language, name: "plane_in_map", summary: "normal of a plane in a map",
+    exactness: "b", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+float3 umbrage_plane_in_map(float4x4 plane_matrix, float3 normal, float3 world) {
     float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     float4 q = transpose(plane_matrix)[3] * d + transpose(plane_matrix)[0] * normal.x + transpose(plane_matrix)[1] *
         normal.y + transpose(plane_matrix)[2] * normal.z;
+    return float3(q.x, q.y, q.z);
+}
+` };
+
+export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
+    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope, plane_in_map], text: `
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
+float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+    float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 ` };
 
 export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth per texel",
     exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [plane_slope], text: `
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+    needs: [plane_in_map], text: `
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 float2 umbrage_receiver_slope(float4x4 plane_matrix, float3 normal, float3 world) {
-    float2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : slope;
+    return none ? float2(0.0, 0.0) : float2(-q.x / q.z, -q.y / q.z);
 }
 ` };
 
 export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth per texel in a cascade",
     exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
+    needs: [], text: `
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
@@ -4045,8 +4056,7 @@ float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
     float2 across = float2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    float2 slope = float2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? float2(0.0, 0.0) : slope;
+    return none ? float2(0.0, 0.0) : float2(up.x / across.x, up.y / across.y);
 }
 ` };
 
@@ -4405,6 +4415,26 @@ float4x4 umbrage_single_map_places(float4x4 to_texels, float4x4 planes, float4 a
 }
 ` };
 
+export const parallel_map_places = { language, name: "parallel_map_places", summary: "place of a point of the world in the one map of a light with parallel rays",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope], text: `
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+float4x4 umbrage_parallel_map_places(float4x4 to_texels, float4x4 planes, float4 anchor, float4 rounding, float4 slack,
+                                     float4 terms, float3 world, float3 normal) {
+    float4 none = float4(0.0, 0.0, 0.0, 0.0);
+    float4 one = float4(1.0, 1.0, 1.0, 1.0);
+    precise float3 way = world - float3(anchor.x, anchor.y, anchor.z);
+    float4 c = transpose(to_texels)[3] + transpose(to_texels)[0] * way.x + transpose(to_texels)[1] * way.y +
+        transpose(to_texels)[2] * way.z;
+    float4 q = transpose(planes)[0] * normal.x + transpose(planes)[1] * normal.y + transpose(planes)[2] * normal.z;
+    float2 slope = umbrage_cascade_slope(float3(q.x, q.y, q.z), one);
+    float steep = abs(slope.x) + abs(slope.y);
+    float off = abs(c.z) * slack.y + slack.z;
+    return transpose(float4x4(float4(c.x, c.y, c.z + slack.w, 0.0), float4(slope, 1.0, slack.x * steep + off), none,
+                              none));
+}
+` };
+
 export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
     exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4662,7 +4692,7 @@ float4x4 umbrage_warped_maps_places(float4x4 to_texels_0, float4x4 to_texels_1, 
 
 export const adaptive_maps_places = { language, name: "adaptive_maps_places", summary: "place of a point of the world in the pages of an adaptive map",
     exactness: "c", operations: 68, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [shadow_coordinate, cascade_column_8, receiver_slope, clamp_slope], text: `
+    needs: [shadow_coordinate, cascade_column_8, receiver_slope], text: `
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
 //   to_root              matrix from the world to 1.0 to 2.0 across the root page
 //   planes               plane matrix in texels of the deepest level
@@ -4705,11 +4735,9 @@ float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x
     float2 at = inside ? within : float2(32768.0, 32768.0);
     float2 deepest = umbrage_receiver_slope(planes, normal, way);
     float larger = 16.0 / across;
-    float2 slope = deepest * larger;
     float steep = abs(deepest.x) + abs(deepest.y);
     float off = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return transpose(float4x4(float4(at, in_root.z, code - before * 64.0),
-                              float4(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none,
+    return transpose(float4x4(float4(at, in_root.z, code - before * 64.0), float4(deepest * larger, 1.0, off), none,
                               none));
 }
 ` };

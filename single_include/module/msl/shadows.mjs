@@ -422,10 +422,8 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
 };
 
 export const calls = {
-    clamp_bias: snippets.clamp_bias,
     acne_free_bias: snippets.acne_free_bias,
     acne_free_disc_bias: snippets.acne_free_disc_bias,
-    biased: snippets.biased,
     beyond_far_plane: snippets.beyond_far_plane,
     disc_rotation: snippets.disc_rotation,
     blend_cascades: snippets.blend_cascades,
@@ -440,6 +438,11 @@ const one_map = {
     grid: [1, 1], outside: "bordered", bends: false, softness: 0,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.single_map_places, places: 1,
+};
+const parallel_map = {
+    grid: [1, 1], outside: "bordered", bends: false, softness: 0,
+    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
+    placing: snippets.parallel_map_places, places: 1,
 };
 const cascaded_maps = {
     grid: [2, 2], outside: "bordered", bends: false, softness: 1,
@@ -479,7 +482,7 @@ const paraboloid_maps = {
 };
 
 export const spot_light = { language, name: "spot_light", maps: one_map, pancakes: false };
-export const directional_light = { language, name: "directional_light", maps: one_map, pancakes: true };
+export const directional_light = { language, name: "directional_light", maps: parallel_map, pancakes: true };
 export const cascades = { language, name: "cascades", maps: cascaded_maps, pancakes: true };
 export const cascades_8 = { language, name: "cascades_8", maps: cascaded_maps_8, pancakes: true };
 export const point_light = { language, name: "point_light", maps: cube_maps, pancakes: false };

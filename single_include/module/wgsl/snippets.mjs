@@ -4008,35 +4008,46 @@ fn umbrage_clamp_slope(slope: f32) -> f32 {
 }
 ` };
 
-export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
-    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+export const plane_in_map = { language, name: "plane_in_map", summary: "normal of a plane in a map",
+    exactness: "b", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+fn umbrage_plane_in_map(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec3f {
     let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
         normal.z;
+    return vec3f(q.x, q.y, q.z);
+}
+` };
+
+export const plane_slope = { language, name: "plane_slope", summary: "change of a plane's depth per texel",
+    exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [clamp_slope, plane_in_map], text: `
+// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+//   plane_matrix, normal, world   as for umbrage_plane_in_map
+fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
     return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
 }
 ` };
 
 export const receiver_slope = { language, name: "receiver_slope", summary: "change of a receiver's depth per texel",
     exactness: "c", operations: 27, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [plane_slope], text: `
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+    needs: [plane_in_map], text: `
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
-    let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
+    let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(-q.x / q.z, -q.y / q.z), vec2f(0.0, 0.0), none);
 }
 ` };
 
 export const cascade_slope = { language, name: "cascade_slope", summary: "change of a plane's depth per texel in a cascade",
     exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [clamp_slope], text: `
+    needs: [], text: `
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
@@ -4044,8 +4055,7 @@ fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
     let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    let slope: vec2f = vec2f(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
 }
 ` };
 
@@ -4402,6 +4412,24 @@ fn umbrage_single_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f,
 }
 ` };
 
+export const parallel_map_places = { language, name: "parallel_map_places", summary: "place of a point of the world in the one map of a light with parallel rays",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope], text: `
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+fn umbrage_parallel_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
+                               terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let one: vec4f = vec4f(1.0, 1.0, 1.0, 1.0);
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    let q: vec4f = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    let slope: vec2f = umbrage_cascade_slope(vec3f(q.x, q.y, q.z), one);
+    let steep: f32 = abs(slope.x) + abs(slope.y);
+    let off: f32 = abs(c.z) * slack.y + slack.z;
+    return mat4x4f(vec4f(c.x, c.y, c.z + slack.w, 0.0), vec4f(slope, 1.0, slack.x * steep + off), none, none);
+}
+` };
+
 export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
     exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
@@ -4650,7 +4678,7 @@ fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_tex
 
 export const adaptive_maps_places = { language, name: "adaptive_maps_places", summary: "place of a point of the world in the pages of an adaptive map",
     exactness: "c", operations: 68, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [shadow_coordinate, cascade_column_8, receiver_slope, clamp_slope], text: `
+    needs: [shadow_coordinate, cascade_column_8, receiver_slope], text: `
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
 //   to_root              matrix from the world to 1.0 to 2.0 across the root page
 //   planes               plane matrix in texels of the deepest level
@@ -4693,11 +4721,9 @@ fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4
     let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
     let deepest: vec2f = umbrage_receiver_slope(planes, normal, way);
     let larger: f32 = 16.0 / across;
-    let slope: vec2f = deepest * larger;
     let steep: f32 = abs(deepest.x) + abs(deepest.y);
     let off: f32 = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return mat4x4f(vec4f(at, in_root.z, code - before * 64.0),
-                   vec4f(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+    return mat4x4f(vec4f(at, in_root.z, code - before * 64.0), vec4f(deepest * larger, 1.0, off), none, none);
 }
 ` };
 

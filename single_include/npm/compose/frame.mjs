@@ -19,15 +19,15 @@ export function frame_in(w, calls, is) {
     const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
 
     /** The receiver's bias, from `terms` and `slope`: the slack of its plane, or a bias over a reach in texels. */
-    const of_bias = along_plane ? calls.clamp_bias : filter.disc ? calls.acne_free_disc_bias : calls.acne_free_bias;
+    const of_bias = along_plane ? [] : [filter.disc ? calls.acne_free_disc_bias : calls.acne_free_bias];
     const counted = numbers(w, filter.arguments), steep = ['x', 'y'].map(axis => `${w.builtin('abs')}(slope.${axis})`);
     const reach = filter.disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
     const bias = linear => [
         w.precise('float', 'error', `terms.w + slope.z${linear ? ` + 0.5 * (${steep.join(' + ')})` : ''}`),
         ...along_plane
-            ? [`${w.flag('is_seen', `${w.builtin('max')}(${steep.join(', ')}) < 2.0`)}  // not edge-on by the light`,
-                constant('float', 'bias', w.choice('is_seen', 'umbrage_clamp_bias(error)', '1.0'))]
-            : [constant('float', 'bias', `umbrage_${of_bias.name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)]];
+            ? [`${w.flag('is_seen', `${steep.join(' + ')} < 2.0`)}  // not edge-on by the light`,
+                constant('float', 'bias', `${w.builtin('clamp')}(error, 0.0, 1.0)`)]
+            : [constant('float', 'bias', `umbrage_${of_bias[0].name}(${vec(2, 'slope.x', 'slope.y')}, ${reach}, error)`)]];
 
     /** The statement that chooses the map of `number`, and what it calls. */
     const choice = !several ? [] : layers ? [constant('float', 'layer', 'number')]
@@ -57,12 +57,14 @@ export function frame_in(w, calls, is) {
     const called = linear ?? snippet, weights = linear ? filter.linear.weights : '';
     const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel], [
         ...bias(linear),
-        constant('float', 'receiver', w.choice('umbrage_beyond_far_plane(at.z)', 'at.z', 'umbrage_biased(at.z, bias)')),
+        w.flag('is_compared', w.choice('umbrage_beyond_far_plane(at.z)', 'false', along_plane ? 'is_seen' : 'true')),
+        `${constant('vec2', 'coord', vec(2, w.choice('is_compared', 'at.x', '65536.0'), 'at.y'))}  // outside all maps, where all is lit`,
+        constant('float', 'receiver', w.choice('umbrage_cleared_depth() > 0.5', 'at.z - bias', 'at.z + bias')),
         ...along_plane ? [constant('vec2', 'receiver_slope', vec(2, 'slope.x', 'slope.y')),
             constant('vec3', 'receiver_at', vec(3, 'at.x', 'at.y', 'receiver'))] : [],
-        `return umbrage_${called.name}(map, ${vec(2, 'terms.x', 'terms.y')}, ${vec(2, 'at.x', 'at.y')}, receiver${weights}${counted.text}`
+        `return umbrage_${called.name}(map, ${vec(2, 'terms.x', 'terms.y')}, coord, receiver${weights}${counted.text}`
             + `${turns ? ', umbrage_disc_rotation(pixel)' : ''});`,
-    ], [of_bias, calls.biased, calls.beyond_far_plane, called, ...turns ? [calls.disc_rotation] : []]);
+    ], [calls.beyond_far_plane, calls.cleared_depth, called, ...of_bias, ...turns ? [calls.disc_rotation] : []]);
     const shadow = () => own('shadow', 'visibility of a point of the world, 1.0 is lit', 'float', ['map', ...fields, ...terms, ...world, ...pixel],
         blended('float', '1.0', `umbrage_look(map, terms, ${soft ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel})`,
             'umbrage_blend_cascades(sum, next, slope.z)', [...choice, ...softness]),
@@ -71,7 +73,8 @@ export function frame_in(w, calls, is) {
     /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
     const debug = ({ probe_color, probe_inputs, read_map }, parts) => [
         own('place_color', "a receiver's debug color in one map", 'vec3', [...terms, ['vec4', 'at'], ['vec3', 'slope']],
-            [...bias(), `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, bias, at.w);`], [of_bias, probe_color]),
+            [...bias(), ...along_plane ? [constant('float', 'taken', w.choice('is_seen', 'bias', '1.0'))] : [],
+                `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, ${along_plane ? 'taken' : 'bias'}, at.w);`], [probe_color, ...of_bias]),
         own('blended_color', 'debug color of a point of the world', 'vec3', [...fields, ...terms, ...world],
             blended('vec3', vec(3, '1.0', '1.0', '1.0'), `umbrage_place_color(terms, filter_terms, at, ${slope})`,
                 vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, slope.z)`)), []), places),

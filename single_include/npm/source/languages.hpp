@@ -59,7 +59,7 @@ struct kind_of_light {
 };
 inline constexpr std::array kinds{
     kind_of_light{"spot_light", "one_map", false, "One map of a spot light."},
-    kind_of_light{"directional_light", "one_map", true, "One map of a directional light."},
+    kind_of_light{"directional_light", "parallel_map", true, "One map of a directional light."},
     kind_of_light{"cascades", "cascaded_maps", true, "One to four cascades of a directional light."},
     kind_of_light{"cascades_8", "cascaded_maps_8", true, "Five to eight cascades of a directional light."},
     kind_of_light{"point_light", "cube_maps", false, "Six maps around a point light."},

@@ -28,17 +28,21 @@
 
 namespace package {
 
-/// Calls use(name, type) for each setup of the kinds' maps.
+/// Calls use(name, type, snippet of its places) for each setup of the kinds' maps.
 template <class Use>
 void for_each_maps(const Use& use) {
-    use("one_map", std::type_identity<umbrage::single_map>());
-    use("cascaded_maps", std::type_identity<umbrage::cascaded_maps<1>>());
-    use("cascaded_maps_8", std::type_identity<umbrage::cascaded_maps<2>>());
-    use("warped_maps", std::type_identity<umbrage::warped_maps>());
-    use("adaptive_maps", std::type_identity<umbrage::adaptive_maps>());
-    use("cube_maps", std::type_identity<umbrage::cube_maps>());
-    use("tetrahedron_map", std::type_identity<umbrage::tetrahedron_map>());
-    use("paraboloid_maps", std::type_identity<umbrage::paraboloid_maps>());
+    use("one_map", std::type_identity<umbrage::single_map>(), glsl::single_map_places);
+    use("parallel_map", std::type_identity<umbrage::single_map>(), glsl::parallel_map_places);
+    const auto use_own = [&]<class Setup>(std::string_view name, std::type_identity<Setup> setup) {
+        use(name, setup, *Setup::placing);
+    };
+    use_own("cascaded_maps", std::type_identity<umbrage::cascaded_maps<1>>());
+    use_own("cascaded_maps_8", std::type_identity<umbrage::cascaded_maps<2>>());
+    use_own("warped_maps", std::type_identity<umbrage::warped_maps>());
+    use_own("adaptive_maps", std::type_identity<umbrage::adaptive_maps>());
+    use_own("cube_maps", std::type_identity<umbrage::cube_maps>());
+    use_own("tetrahedron_map", std::type_identity<umbrage::tetrahedron_map>());
+    use_own("paraboloid_maps", std::type_identity<umbrage::paraboloid_maps>());
 }
 
 /// Uniforms as JavaScript lists them.
@@ -64,7 +68,7 @@ inline std::string vertex_of(const umbrage::vertex_function* vertex) {
 
 /// A setup of maps as it states itself. `softness`: matrices that hold that of each map.
 template <class Setup>
-[[nodiscard]] std::string maps_of_module(std::string_view name) {
+[[nodiscard]] std::string maps_of_module(std::string_view name, const snippet& placing) {
     constexpr umbrage::map_grid grid = Setup::grid;
     constexpr bool bends = umbrage::has_bent_lines<Setup>;
     constexpr int matrices = bends ? 0 : umbrage::detail::softness_matrices<Setup, umbrage::filters::pcss>;
@@ -72,7 +76,7 @@ template <class Setup>
            std::to_string(grid.rows) +
            "], outside: " + literal(Setup::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
            ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) + ",\n    " +
-           fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(Setup::placing->name) +
+           fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(placing.name) +
            ", places: " + std::to_string(umbrage::detail::most_places<Setup>) +
            vertex_of(umbrage::bends_of<Setup>.vertex) + ",\n};\n";
 }
@@ -80,17 +84,18 @@ template <class Setup>
 /// Snippets that texts of shadows call, by name.
 inline std::string calls_in_module() {
     std::string out = "\nexport const calls = {";
-    for (const snippet* s : {&glsl::clamp_bias, &glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::biased,
-                             &glsl::beyond_far_plane, &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile,
-                             &glsl::map_softness, &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
+    for (const snippet* s : {&glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::beyond_far_plane,
+                             &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile, &glsl::map_softness,
+                             &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
         out += "\n    " + std::string(s->name) + ": snippets." + std::string(s->name) + ',';
     return out + "\n};\n";
 }
 
 inline std::string kinds_in_module() {
     std::string out = "\n";
-    for_each_maps(
-        [&]<class Setup>(std::string_view name, std::type_identity<Setup>) { out += maps_of_module<Setup>(name); });
+    for_each_maps([&]<class Setup>(std::string_view name, std::type_identity<Setup>, const snippet& placing) {
+        out += maps_of_module<Setup>(name, placing);
+    });
     out += '\n';
     for (const kind_of_light& kind : kinds)
         out += "export const " + std::string(kind.name) + " = { language, name: " + literal(kind.name) +
@@ -119,8 +124,8 @@ template <class Setup>
 
 inline std::string debug_in_module(const shader_language& l) {
     // WGSL and Metal know what a text calls, so it is printed among those of a shadow.
-    const auto texts =
-        glsl::detail::shadow_texts<umbrage::single_map>(umbrage::filters::hard{}, umbrage::depth32f{}, false, true);
+    const auto texts = glsl::detail::shadow_texts(umbrage::single_map(umbrage::light_space<double>{}),
+                                                  umbrage::filters::hard{}, umbrage::depth32f{}, false, true);
     const glsl::detail::own_snippets all(texts);
     const auto read_map = std::ranges::find(all, std::string_view("read_map"), &snippet::name);
     return "\nexport const debug = {\n    language, probe_color: snippets.probe_color, probe_inputs: "

@@ -126,14 +126,6 @@ UMBRAGE_HIGHP float umbrage_cascade_edge(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLAMP_SLOPE
-#define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
-}
-#endif
-
 #ifndef UMBRAGE_HAS_CASCADE_SLOPE
 #define UMBRAGE_HAS_CASCADE_SLOPE
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
@@ -143,8 +135,7 @@ UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGH
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
     UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    UMBRAGE_HIGHP vec2 slope = vec2(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
 }
 #endif
 

@@ -53,37 +53,29 @@ UMBRAGE_HIGHP vec2 umbrage_tetrahedron_turned(UMBRAGE_HIGHP float face, UMBRAGE_
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CLAMP_SLOPE
-#define UMBRAGE_HAS_CLAMP_SLOPE
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
-    return abs(slope) < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
-}
-#endif
-
-#ifndef UMBRAGE_HAS_PLANE_SLOPE
-#define UMBRAGE_HAS_PLANE_SLOPE
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+#ifndef UMBRAGE_HAS_PLANE_IN_MAP
+#define UMBRAGE_HAS_PLANE_IN_MAP
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
-                                       UMBRAGE_HIGHP vec3 world) {
+UMBRAGE_HIGHP vec3 umbrage_plane_in_map(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                        UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
                            plane_matrix[2] * normal.z;
-    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+    return vec3(q.x, q.y, q.z);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_RECEIVER_SLOPE
 #define UMBRAGE_HAS_RECEIVER_SLOPE
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_HIGHP vec2 slope = umbrage_plane_slope(plane_matrix, normal, world);
+    UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
     bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : slope;
+    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
 }
 #endif
 

@@ -27,27 +27,22 @@ fn umbrage_cascade_column_8(nearer: mat4x4f, farther: mat4x4f, number: f32) -> v
     return select(high, low, number < 3.5);
 }
 
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
-}
-
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+fn umbrage_plane_in_map(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec3f {
     let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
         normal.z;
-    return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+    return vec3f(q.x, q.y, q.z);
 }
 
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
-    let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
+    let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(-q.x / q.z, -q.y / q.z), vec2f(0.0, 0.0), none);
 }
 
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it
@@ -92,9 +87,7 @@ fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4
     let at: vec2f = select(vec2f(32768.0, 32768.0), within, inside);
     let deepest: vec2f = umbrage_receiver_slope(planes, normal, way);
     let larger: f32 = 16.0 / across;
-    let slope: vec2f = deepest * larger;
     let steep: f32 = abs(deepest.x) + abs(deepest.y);
     let off: f32 = (slack.x * larger + slack.y) * steep + (slack.w * larger + slack.z);
-    return mat4x4f(vec4f(at, in_root.z, code - before * 64.0),
-                   vec4f(umbrage_clamp_slope(slope.x), umbrage_clamp_slope(slope.y), 1.0, off), none, none);
+    return mat4x4f(vec4f(at, in_root.z, code - before * 64.0), vec4f(deepest * larger, 1.0, off), none, none);
 }

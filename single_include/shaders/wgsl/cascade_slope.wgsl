@@ -6,11 +6,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
-}
-
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
@@ -18,6 +13,5 @@ fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
     let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    let slope: vec2f = vec2f(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
 }

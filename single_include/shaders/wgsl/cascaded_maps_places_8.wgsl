@@ -79,11 +79,6 @@ fn umbrage_cascade_edge(coordinate: vec3f, size: vec2f, reach: f32) -> f32 {
     return select(65536.0, max(beyond.x, beyond.y), coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map);
 }
 
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
-}
-
 // umbrage_cascade_slope: change of depth per texel; (0.0, 0.0) for a normal of zero
 //   normal  surface normal, rotated into the light's axes
 //   scale   scale of the cascade
@@ -91,8 +86,7 @@ fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
     let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    let slope: vec2f = vec2f(umbrage_clamp_slope(up.x / across.x), umbrage_clamp_slope(up.y / across.y));
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
 }
 
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0

@@ -6,27 +6,22 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_clamp_slope: change of depth per texel clamped to [-2, 2]; NaN becomes 2.0
-fn umbrage_clamp_slope(slope: f32) -> f32 {
-    return select(select(2.0, -2.0, slope <= -2.0), slope, abs(slope) < 2.0);
-}
-
-// umbrage_plane_slope: change of depth per texel, in x and y, of the plane through a point
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
 //   plane_matrix  transpose of the texture matrix' inverse
 //   normal        normal of the plane, any length
 //   world         point on the plane
-fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+fn umbrage_plane_in_map(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec3f {
     let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
     let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
         normal.z;
-    return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+    return vec3f(q.x, q.y, q.z);
 }
 
-// umbrage_receiver_slope: umbrage_plane_slope, but (0.0, 0.0) for a normal of zero (the caller has none)
+// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
-    let slope: vec2f = umbrage_plane_slope(plane_matrix, normal, world);
+    let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
     let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(slope, vec2f(0.0, 0.0), none);
+    return select(vec2f(-q.x / q.z, -q.y / q.z), vec2f(0.0, 0.0), none);
 }
 
 // umbrage_anchored_place: place of a point in one map, and the slack of its plane

@@ -141,8 +141,7 @@ private:
         if (std::abs(map.depth(r.point) - 1) <= rounding_of(place)) return {};  // on the far plane, or beyond it
         const double stated = double(facts.detaches(r.point, r.normal));
         verdict here = verdict_of(map, lit_.light, scene_.surfaces, r, reach, stated, lit_.clips);
-        const bool is_edge_on = !(glm::max(glm::abs(place.slope.x), glm::abs(place.slope.y)) < 2.0f);
-        if (here.is_open() && choices_.filter.hardens() && !is_edge_on) {
+        if (here.is_open() && choices_.filter.hardens() && umbrage::detail::is_seen(place)) {
             const double hidden = 2 * double(facts.terms.error + place.slack) + facts.farther + 0x1p-22;
             soft_look look{choices_.filter, pixel(i), reach, 0.5 + more + 1.0 / 16, hidden};
             if (choices_.is_warped()) look.middle = 0.5 * glm::dvec2(facts.terms.map_size);

@@ -32,12 +32,16 @@ TEST_CASE("frame: one text, with a loop of lookups and a choice of the map only 
     const detail::frame_result one{
         .head = "float f(", .type = "float", .lit = "1.0", .look = "look(at)", .blend = "mix"};
     const auto text = [&](const detail::frame_words& w) { return detail::frame_text(one, w, w.chooses_map); };
-    const std::string single = text(frame_words_of<single_map>(false, false)),
-                      atlas = text(frame_words_of<cascaded_maps<>>(false, true)),
-                      array = text(frame_words_of<cube_maps>(true, false));
+    const clip_space clip = cpu_clip_space;
+    const single_map lamp(shadow_scene::spot(clip)), sun(shadow_scene::fitted(clip));
+    const std::string single = text(frame_words_of(lamp, false, false)),
+                      parallel = text(frame_words_of(sun, false, false)),
+                      atlas = text(frame_words_of(cascaded_maps(shadow_scene::cascades<4>(clip)), false, true)),
+                      array = text(frame_words_of(cube_maps(shadow_scene::bulb(clip)), true, false));
     CHECK(has(single, "float f(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor"));
     CHECK(has(single,
               "places = umbrage_single_map_places(to_texels, planes, anchor, rounding, slack, terms, world, normal);"));
+    CHECK(has(parallel, "places = umbrage_parallel_map_places(to_texels, planes,"));
     CHECK(!has(single, "places[2]"));
     CHECK(!has(single, "origin"));
     CHECK(has(atlas, "vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));"));

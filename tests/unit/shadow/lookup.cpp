@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <string>
 
 #include <umbrage/shadow/cascaded_maps.hpp>
@@ -60,8 +61,28 @@ TEST_CASE(
     CHECK(detail::bias_of<paraboloid_maps, filters::window>(terms, place) == whole);
     CHECK(detail::bias_of<paraboloid_maps, filters::disc>(terms, place) == of_disc);
     CHECK(detail::bias_of<single_map, prefilters::vsm>(terms, place) == whole);
-    for (const glm::vec2 edge_on : {glm::vec2(2, 0), glm::vec2(0, -2)}) {
+    for (const glm::vec2 edge_on : {glm::vec2(2, 0), glm::vec2(0, -2), glm::vec2(1, 1)}) {
         place.slope = edge_on;
         CHECK(detail::bias_of<single_map, filters::window>(terms, place) == 1.0f);
+    }
+}
+
+TEST_CASE("lookup: a receiver beyond the far plane, or on a plane that the light sees edge-on, lies outside all maps") {
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const shadow_terms terms{.map_size = {64, 64}, .reach = 3};
+    const auto x_of = [&]<class Filter>(const Filter&, const map_place& place, depth_direction direction) {
+        return detail::receiver_of<single_map, Filter>(terms, place, direction).x;
+    };
+    const auto forward = depth_direction::forward, reversed = depth_direction::reversed;
+    const map_place place{.at = {7, 9, 0.5f}, .slope = {0.5f, -1.25f}};
+    CHECK(detail::receiver_of<single_map, filters::window>(terms, place, forward) == place.at);
+    CHECK(x_of(filters::hard{}, {.at = {7, 9, 1.5f}}, forward) == 65536.0f);
+    CHECK(x_of(filters::hard{}, {.at = {7, 9, 1.5f}}, reversed) == 7.0f);
+    CHECK(x_of(filters::hard{}, {.at = {7, 9, -0.5f}}, reversed) == 65536.0f);
+    CHECK(x_of(prefilters::vsm{}, {.at = {7, 9, 1.5f}}, forward) == 65536.0f);
+    for (const glm::vec2 edge_on : {glm::vec2(1, -1), glm::vec2(inf, 0), glm::vec2(0, -inf), glm::vec2(nan, 0)}) {
+        const map_place unseen{.at = {7, 9, 0.5f}, .slope = edge_on};
+        CHECK(x_of(filters::hard{}, unseen, forward) == 65536.0f);
+        CHECK(x_of(prefilters::vsm{}, unseen, forward) == 7.0f);  // its bias is 1 there
     }
 }

@@ -15,6 +15,15 @@ void add_bias_slope(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(clamp_slope(s.x[0].x)); },
                    .call = "vec4(umbrage_clamp_slope(x0.x))"});
     const std::vector<range> normal_point_matrix(24, range{-2.0f, 2.0f});
+    all.push_back({.primitive = &glsl::plane_in_map,
+                   .classes = spread(normal_point_matrix, special),
+                   .twin =
+                       [](const sample& s) {
+                           const glm::mat4 planes(s.x[2], s.x[3], s.x[4], s.x[5]);
+                           return vec4(plane_in_map(planes, vec3(s.x[0]), vec3(s.x[1])), 0.0f);
+                       },
+                   .call = "vec4(umbrage_plane_in_map(mat4(x2, x3, x4, x5), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, "
+                           "x1.z)), 0.0)"});
     all.push_back(
         {.primitive = &glsl::plane_slope,
          .classes = spread(normal_point_matrix, special),

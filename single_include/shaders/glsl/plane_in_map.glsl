@@ -1,0 +1,37 @@
+// umbrage 0.1.0, plane_in_map: normal of a plane in a map. Exactness: tier B.
+// GLSL below 400 and 320 es lets compilers fuse or reorder sums.
+// plane_in_map, tier B: within 12 x 2^-23 x S of the exact result.
+// S is the formula with the magnitude of every value and a plus for every minus.
+// Inside the bound, a comparison or floor may fall on either side.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_PLANE_IN_MAP
+#define UMBRAGE_HAS_PLANE_IN_MAP
+// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse
+//   normal        normal of the plane, any length
+//   world         point on the plane
+UMBRAGE_HIGHP vec3 umbrage_plane_in_map(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                        UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y +
+                           plane_matrix[2] * normal.z;
+    return vec3(q.x, q.y, q.z);
+}
+#endif
