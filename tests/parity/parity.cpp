@@ -187,8 +187,9 @@ public:
     ~progress() {
         if (is_terminal_) std::cerr << "\r\33[K";
     }
-    void at(const entry& e) {
-        const auto percent = 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size());
+    /// @param done, of   entries before this one, and all that run
+    void at(const entry& e, std::size_t done, std::size_t of) {
+        const std::size_t percent = 100 * done / of;
         if (is_terminal_) std::cerr << "\r\33[K" << percent << " % " << e.name() << std::flush;
         else if (has_pages_ && percent / 25 > quarter_) {
             quarter_ = percent / 25;
@@ -198,7 +199,7 @@ public:
 
 private:
     bool has_pages_, is_terminal_ = isatty(STDERR_FILENO) != 0;
-    std::ptrdiff_t quarter_ = 0;
+    std::size_t quarter_ = 0;
 };
 
 /// A page for each API, of the rows in its dialects.
@@ -224,6 +225,9 @@ int run_all(int argc, char** argv) {
                   << '\n';
         return 77;
     }
+    std::vector<const entry*> chosen;
+    for (const entry& e : entries())
+        if (e.name().find(o.filter) != std::string::npos) chosen.push_back(&e);
     std::vector<row> rows;
     for (const auto& b : all) {
         std::cout << o.driver << " is " << b->name() << std::endl;
@@ -232,10 +236,9 @@ int run_all(int argc, char** argv) {
         for (const report& r : reports) print_arithmetic(r);
         const std::size_t first = rows.size();
         progress told(!o.report.empty());
-        for (const entry& e : entries()) {
-            if (e.name().find(o.filter) == std::string::npos) continue;
-            told.at(e);
-            const auto some = run(e, *b, o);
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            told.at(*chosen[i], i, chosen.size());
+            const auto some = run(*chosen[i], *b, o);
             rows.insert(rows.end(), some.begin(), some.end());
         }
         if (!o.report.empty()) write(reports, {rows.begin() + first, rows.end()}, o);
