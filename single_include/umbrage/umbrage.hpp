@@ -29962,7 +29962,7 @@ template <class Setup, class Filter, class Encoding>
 
 /// Shadow as functions of a shader: umbrage_<name>(world, normal), and its declarations. Filters with a rotated disc
 /// take the position in pixels as a third argument: gl_FragCoord.xy.
-/// @param of      the shadow
+/// @param of      the shadow. The text of a light that is `parallel` takes no uniforms of a light with perspective
 /// @param name    letters, digits, single underscores between them; a different one for each shadow of a shader
 /// @param slots   bindings, and the type of the texture
 /// @throws std::invalid_argument   a name of other characters; a slot below 0; a texture type that does not hold
