@@ -10997,10 +10997,9 @@ template <real T = float>
     detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
     // a view from the target, then moved back by the offset: the view's last row holds the light's distance
     light_space<T> space{
-        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
-        {},
-        light.clip,
-        true};
+        .view = detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
+        .clip = light.clip,
+        .parallel = true};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
@@ -20761,8 +20760,9 @@ template <real T>
             fit.snap_texels);
     if (fit.casters) require_box(*fit.casters, function, "casters");
 
-    light_space<T> space{
-        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip, true};
+    light_space<T> space{.view = look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""),
+                         .clip = fit.clip,
+                         .parallel = true};
     const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
     const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
     const hull& receivers = lit.points.empty() ? box_of_casters : lit;
@@ -24284,7 +24284,7 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 /// Setup of one map.
 struct single_map {
     light_space<double> light;
-    const glsl::snippet* placing;
+    const glsl::snippet* placing;  ///< that of parallel rays costs less
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
@@ -28799,7 +28799,7 @@ struct frame_words {
 };
 
 /// Words of a setup.
-/// @param setup    the setup, of a light whose text is printed
+/// @param setup    the shadow's; its light may choose the snippet of its places
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map

@@ -67,8 +67,9 @@ template <real T>
             fit.snap_texels);
     if (fit.casters) require_box(*fit.casters, function, "casters");
 
-    light_space<T> space{
-        look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip, true};
+    light_space<T> space{.view = look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""),
+                         .clip = fit.clip,
+                         .parallel = true};
     const glm::dmat4 frame = light_frame(space.view, fit.clip.hand);
     const hull box_of_casters(fit.casters.value_or(bounding_box<T>{}));
     const hull& receivers = lit.points.empty() ? box_of_casters : lit;

@@ -38,10 +38,9 @@ template <real T = float>
     detail::require(is_finite(light.offset), function, "offset", "finite", light.offset);
     // a view from the target, then moved back by the offset: the view's last row holds the light's distance
     light_space<T> space{
-        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
-        {},
-        light.clip,
-        true};
+        .view = detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
+        .clip = light.clip,
+        .parallel = true};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     const glm::vec<2, T> half(glm::vec<2, T>(light.map_size) / light.texels_per_unit / T(2));
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,

@@ -47,7 +47,7 @@ struct frame_words {
 };
 
 /// Words of a setup.
-/// @param setup    the setup, of a light whose text is printed
+/// @param setup    the shadow's; its light may choose the snippet of its places
 /// @param layers   true for maps in an array, false for an atlas
 /// @param turns    true for filters with a rotated disc
 /// @param soft     softness of each map

@@ -105,7 +105,7 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 /// Setup of one map.
 struct single_map {
     light_space<double> light;
-    const glsl::snippet* placing;
+    const glsl::snippet* placing;  ///< that of parallel rays costs less
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>

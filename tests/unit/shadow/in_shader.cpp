@@ -144,7 +144,8 @@ TEST_CASE("in_shader: a linear comparison sampler weights the filters that have 
     const shadow sun(shadow_scene::fitted(cpu_clip_space), {64, 64}, filters::tent<3>);
     const auto text = glsl::text({bind(sun, "sun", {.map = glsl::texture::shadow, .linear = true})}, version::v330);
     CHECK(has(text, "return umbrage_window_hardware3_sun(map, receiver_slope, receiver_at,"));
-    CHECK(has(text, "coord, receiver, 4.0,"));  // weights of 1 2 1
+    CHECK(has(text, "coord, receiver, 4.0,"));  // weights of 1 2 1, on two lines
+    CHECK(has(text, " 8.0);"));
     CHECK(has(text, "error = terms.w + slope.z + 0.5 * (abs(slope.x) + abs(slope.y));"));
     CHECK(refusal([&] {
               (void)bind(sun, "sun", {.linear = true});
