@@ -6,6 +6,7 @@
 //
 #pragma once
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -41,17 +42,19 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
     const glm::dvec3 position = -glm::dvec3(light.view[3]);
     const glm::dmat4 projection(light.projection);
     std::vector<glm::vec3> placed;
-    std::vector<bool> within;  // inside the map's square, which also contains its circle and border
+    // A kernel as wide as the border reaches from the circle's rim to here, with its corner in a diagonal.
+    const double circle = projection[0][0], farthest = circle + std::sqrt(2.0) * (1.0 - circle);
+    std::vector<bool> within;
     placed.reserve(mesh.positions.size());
     within.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
         const glm::dvec4 h = projection * dual_paraboloid_position(glm::dvec3(p) - position, double(map));
         placed.emplace_back(glm::dvec3(h) / h.w);
-        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= h.w);
+        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= farthest * h.w);
     }
     std::vector<glm::uvec3> drawn;
     for (const glm::uvec3& t : mesh.triangles) {
-        bool is_drawn = false;  // false with all vertices beyond the circle: directions there form a convex cone
+        bool is_drawn = false;  // false with all vertices beyond: directions there form a convex cone
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }

@@ -13,7 +13,7 @@
 
 using namespace umbrage;
 
-TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in every convention, behind the rim too") {
+TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in every convention, to a kernel's corner behind the rim") {
     const glm::vec3 position(0.5f, -0.3f, 0.2f), low(-3, -2, -4), high(2, 3, 4);
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 8; ++i)
@@ -35,7 +35,7 @@ TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in ever
                 for (int x = 0; x < size; ++x) {
                     const glm::dvec2 p = (glm::dvec2(x, y) + 0.5 - size / 2.0) / (size / 2.0 - border);
                     const double r = glm::dot(p, p);
-                    if (std::sqrt(r) > (size / 2.0 - 1) / (size / 2.0 - border)) continue;
+                    if (std::sqrt(r) > 1 + (std::sqrt(2.0) * border - 1) / (size / 2.0 - border)) continue;
                     const double turn = map == 0 ? -1 : 1;
                     const glm::dvec3 d = glm::dvec3(turn * 2 * p.x, 2 * p.y, -turn * (1 - r)) / (1 + r);
                     double distance = 1e9, gradient = 0;

@@ -111,16 +111,16 @@ template <real T = float>
 }
 
 /// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
-/// It holds inside the circle and the border.
+/// It holds inside the circle and a border around it, also where a square kernel's corner reaches beyond in a diagonal.
 /// @param map_size           as make_dual_paraboloid_light takes it
 /// @param border             as make_dual_paraboloid_light takes it
 /// @return                   angle from end to end, radians
 /// @edge                     map_size of 2 border or less, which no light has: NaN
-/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
-///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = 1 + 2 sqrt(2) border / n. Over the
+///                           chord of an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
 template <real T = float>
 [[nodiscard]] T paraboloid_edge_angle(int map_size, int border = dual_paraboloid_light<T>{}.border) {
-    const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
+    const T inner = T(map_size - 2 * border), rim = T(1) + T(2) * std::sqrt(T(2)) * T(border) / inner;
     return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
 }
 
