@@ -4,7 +4,7 @@
 # made vectors of. Only loops in functions that vectorized.cpp.in uses are compiled, and looked at.
 cmake_minimum_required(VERSION 3.21)
 set(looked_at images/encode images/min_max images/summed_area images/visibility images/blocks/receivers
-    images/blocks/pcf_2x2 draw/raster/projection draw/raster/small_triangles
+    images/blocks/pcf_2x2 shadow/place_blocks draw/raster/projection draw/raster/small_triangles
     draw/raster/triangles)
 set(scalar # by intent: what a constructor sets once, and what a branch leaves out nearly always; or not used
     "images/blocks/receivers.hpp:.* (set[(]i, from|room.rows.0..i. = texels)"

@@ -235,7 +235,8 @@ template <class Filter>
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
-    const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
+    const std::string error =
+        std::string(linear ? "    " : "    UMBRAGE_PRECISE ") + "UMBRAGE_HIGHP float error = terms.w + slope.z";
     if constexpr (along_plane<Setup, Filter>)
         return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
                "    bool is_seen = abs(slope.x) + abs(slope.y) < 2.0;  // not edge-on by the light\n"

@@ -8,6 +8,7 @@
 // maps lie outside and cost nothing, and then blended as `blended` does.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,9 @@
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shadow/lookup.hpp>
+#include <umbrage/shadow/place_blocks.hpp>
 #include <umbrage/shadow/setup.hpp>
+#include <umbrage/simd/dispatch.hpp>
 
 namespace umbrage::detail {
 
@@ -41,6 +44,10 @@ struct place_planes {
     UMBRAGE_INLINE void set(glm::ivec2 p, const map_place& place) {
         x[p] = place.at.x, y[p] = place.at.y, depth[p] = place.at.z;
         if constexpr (Sloped) slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
+    }
+    [[nodiscard]] place_row row(int at) {
+        const auto of = [at](image<float>& plane) { return plane.view().row(at); };
+        return {of(x), of(y), of(depth), of(slope_x), of(slope_y)};
     }
 };
 
@@ -58,6 +65,38 @@ template <bool Sloped>
     if constexpr (Sloped) return {at, part(planes.slope_x), part(planes.slope_y)};
     else return at;
 }
+
+/// True where a setup places receivers in blocks, along their planes.
+template <class Setup, class Filter>
+inline constexpr bool places_in_blocks = along_plane<Setup, Filter>&& requires(const typename Setup::uniforms& u,
+                                                                               const shadow_terms& terms,
+                                                                               const glm::vec3* v,
+                                                                               const place_row& to) {
+    Setup::template place_block<true>(u, terms, v, v, to);
+};
+
+/// Points of the world with normals, which a shadow places in its maps.
+template <class Setup, class Filter>
+struct world_receivers {
+    const typename Setup::uniforms& uniforms;
+    const shadow_terms& terms;
+    depth_direction direction;
+    image_view<const glm::vec3> points, normals;
+
+    /// Places of one of them, biased.
+    [[nodiscard]] UMBRAGE_INLINE auto operator()(glm::ivec2 p) const {
+        auto all = Setup::places(uniforms, terms, points[p], normals[p]);
+        for (map_place& place : all)
+            if (place.weight > 0.0f) place.at = receiver_of<Setup, Filter>(terms, place, direction);
+        return all;
+    }
+    /// Places of a block of them.
+    UMBRAGE_INLINE void place_block(const glm::vec3* of, const glm::vec3* normals_of, const place_row& to) const {
+        if (direction == depth_direction::forward)
+            Setup::template place_block<true>(uniforms, terms, of, normals_of, to);
+        else Setup::template place_block<false>(uniforms, terms, of, normals_of, to);
+    }
+};
 
 /// Filter of a shadow, ready for one of its maps.
 template <class Setup, class Filter, class Encoding, class ParallelFor>
@@ -97,6 +136,23 @@ public:
             weights_[k][p] = place.weight;
             used_[k][static_cast<std::size_t>(numbers_[k][p])] = true;
         }
+    }
+    /// Sets all receivers of some rows, each with its one place in map 0.
+    /// @param from   pixel of the tile's first receiver
+    void set_rows(const world_receivers<Setup, Filter>& receivers, glm::ivec2 from, int first, glm::ivec2 size) {
+        static_assert(side == block && maps == 1);
+        used_[0][0] = true;
+        on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < size.y; ++y) {
+                const glm::vec3 *points = receivers.points.row(from.y + y) + from.x,
+                                *normals = receivers.normals.row(from.y + y) + from.x;
+                if (size.x < block) {  // what fills the block counts nowhere
+                    points = std::copy_n(points, size.x, row_points_.data()) - size.x;
+                    normals = std::copy_n(normals, size.x, row_normals_.data()) - size.x;
+                }
+                receivers.place_block(points, normals, planes_[0].row(y));
+            }
+        });
     }
     /// Filters and blends the rows from `first` on.
     /// @param filters   filter of each of the light's maps
@@ -153,6 +209,7 @@ private:
     std::array<image<float>, most> weights_;
     image<float> selected_{glm::ivec2(side)}, seen_{glm::ivec2(side)};
     std::array<std::array<bool, std::size_t(maps + 1)>, most> used_{};
+    std::array<glm::vec3, side> row_points_{}, row_normals_{};
     bool alone_ = true;  ///< each receiver has one place
 
     template <std::size_t... K>
@@ -162,14 +219,13 @@ private:
 };
 
 /// Visibility of an image of receivers.
-/// @param places      (pixel) -> places of the receiver, biased
 /// @param map_size    size of one map, texels
 /// @param filter_of   (number) -> filter of a map
-template <class Setup, class FilterOf, class Encoding, class Places, class ParallelFor>
+template <class Setup, class Filter, class FilterOf, class Encoding, class ParallelFor>
 void visibility_of_places(image_view<const typename Encoding::texel> map, glm::ivec2 map_size,
-                          const FilterOf& filter_of, const Encoding& encoding, const Places& places,
-                          image_view<float> out, ParallelFor&& parallel) {
-    using Filter = decltype(filter_of(0));
+                          const FilterOf& filter_of, const Encoding& encoding,
+                          const world_receivers<Setup, Filter>& receivers, image_view<float> out,
+                          ParallelFor&& parallel) {
     constexpr int maps = Setup::grid.columns * Setup::grid.rows;
     std::vector<row_filter<place_receivers<along_plane<Setup, Filter>>>> filters;
     for (int number = 0; number < maps; ++number) {
@@ -187,8 +243,10 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             for (int x = 0; x < out.size.x; x += tile_type::side) {
                 const glm::ivec2 from(x, y - before), size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
                 tile.clear();
-                for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
-                    for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
+                if constexpr (places_in_blocks<Setup, Filter>) tile.set_rows(receivers, from, before, size);
+                else
+                    for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
+                        for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, receivers(from + p));
                 tile.filter(filters, before, out.region(from, size));
             }
         }

@@ -58,11 +58,11 @@ struct map_grid {
 /// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
 /// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
 ///
-/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
-/// peter_panning_distance.
+/// peter_panning_distance. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {

@@ -323,14 +323,10 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
-    const auto places = [&](glm::ivec2 p) {
-        auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
-        for (map_place& place : all)
-            if (place.weight > 0.0f) place.at = receiver(place);
-        return all;
-    };
+    const detail::world_receivers<Setup, Filter> receivers{uniforms_.maps, uniforms_.terms, encoding_.direction, points,
+                                                           normals};
     const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places<Setup>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
+    detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
 }
 
 }  // namespace umbrage

@@ -11,6 +11,7 @@
 
 #include <umbrage/core/config.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/place_blocks.hpp>
 #include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
@@ -132,6 +133,11 @@ struct single_map {
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
         return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
+    }
+    template <bool Forward>
+    UMBRAGE_INLINE static void place_block(const uniforms& u, const shadow_terms& terms, const glm::vec3* points,
+                                           const glm::vec3* normals, const detail::place_row& to) {
+        detail::place_anchored_block<Forward>(u, terms, points, normals, to);
     }
 };
 

@@ -52,6 +52,17 @@ template <bool Forward>
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
+/// |v|, also of NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float magnitude(float v) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF);
+}
+
+/// glm::clamp(v, 0, 1). NaN stays NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float clamped_to_one(float v) {
+    const float low = select(-std::int32_t(v < 0.0f), 0.0f, v);
+    return select(-std::int32_t(low > 1.0f), 1.0f, low);
+}
+
 /// less_equal as 0 or 1. NaN gives 0 under any compiler flag.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
