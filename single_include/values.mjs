@@ -112,7 +112,7 @@ function seen_of({ points = [], normals = [] }) {
 
 /** The largest angle that a mesh's edge may span, as paraboloid_edge_angle of the C++ library gives it. */
 function edge_angle_of([size], { border }) {
-    const inner = size - 2 * border, rim = size / inner;
+    const inner = size - 2 * border, rim = 1 + 2 * Math.SQRT2 * border / inner;
     return 2 * Math.sqrt(2 / inner) * 2 / (1 + rim * rim);
 }
 

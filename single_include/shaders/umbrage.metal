@@ -136,6 +136,8 @@
 // pcf_2x2_cube, tier C: within 33 x 2^-23 x S of the exact result.
 // four_tap_hardware, tier C: within 39 x 2^-23 x S of the exact result.
 // lit_filtered, tier C: within 1/128 of C++.
+// covered, tier C: within 6 x 2^-23 x S of the exact result.
+// lit_between, tier C: within 1/128 of C++.
 // lit_at, tier C: within 1/128 of C++.
 // pcf_2x2_hardware, tier C: within 1/128 of C++.
 // window_hardware3, tier C: within 1/128 of C++.
@@ -206,6 +208,7 @@
 // receiver_plane_slope, tier C: within 31 x 2^-23 x S of the exact result.
 // plane_reference, tier B: within 8 x 2^-23 x S of the exact result.
 // bordered_plane_reference, tier B: within 8 x 2^-23 x S of the exact result.
+// corner_reference, tier C: within 5 x 2^-23 x S of the exact result.
 // apply_receiver_plane, tier B: within 8 x 2^-23 x S of the exact result.
 // acne_free_bias, tier B: within 4 x 2^-23 x S of the exact result.
 // acne_free_disc_bias, tier C: within 13 x 2^-23 x S of the exact result.
@@ -411,8 +414,8 @@ inline float umbrage_blend_cascades(float nearer, float farther, float weight) {
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 inline bool umbrage_inside_texel_space(float2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) <= 32767.998046875;
 }
 #endif
 
@@ -1690,8 +1693,8 @@ inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, f
 // umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 inline float2 umbrage_receiver_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
     float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
-    bool none = metal::abs(normal.x) + metal::abs(normal.y) + metal::abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : float2(-q.x / q.z, -q.y / q.z);
+    float depth = q.z == 0.0 ? 1.0e-30 : q.z;  // q is zero without a normal, and not where edge-on
+    return float2(-q.x / depth, -q.y / depth);
 }
 #endif
 
@@ -1702,9 +1705,9 @@ inline float2 umbrage_receiver_slope(metal::float4x4 plane_matrix, float3 normal
 //   scale   scale of the cascade
 inline float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
-    float2 across = float2(scale.x, scale.y) * normal.z;
-    bool none = metal::abs(normal.x) + metal::abs(normal.y) + metal::abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : float2(up.x / across.x, up.y / across.y);
+    float z = normal.z == 0.0 ? 1.0e-18 : normal.z;  // up is zero without a normal, and not where edge-on
+    float2 across = float2(scale.x, scale.y) * z;
+    return float2(up.x / across.x, up.y / across.y);
 }
 #endif
 
@@ -3354,12 +3357,35 @@ inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, floa
 }
 #endif
 
+#ifndef UMBRAGE_HAS_COVERED
+#define UMBRAGE_HAS_COVERED
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+inline float2 umbrage_covered(float2 size, float2 uv) {
+    return float2(1.0, 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_BETWEEN
+#define UMBRAGE_HAS_LIT_BETWEEN
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+inline float umbrage_lit_between(metal::texture2d<float> map, float2 size, float2 uv, float2 way, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT
 #define UMBRAGE_HAS_LIT_AT
 // umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
-    return umbrage_lit_filtered(map, size, uv * size, receiver);
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
+inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float2 coord, float receiver) {
+    float2 way = metal::floor(uv * size + 0.5) - coord;
+    float2 inside = umbrage_covered(size, uv);
+    float lit = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 #endif
 
@@ -3372,7 +3398,7 @@ inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv,
 inline float umbrage_pcf_2x2_hardware(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_at(map, size, at / size, receiver);
+    float lit = umbrage_lit_at(map, size, at / size, at, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -3393,21 +3419,24 @@ inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, 
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 0.5 + b0 / w0) / size;
-    float2 b1 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 0.5 + k1 * 0.5 + s * (k0 - k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
     float2 w1 = k0 + s * k1;
-    float2 p1 = (texel + 1.5 + b1 / w1) / size;
+    float2 p1 = (texel + (k0 * 1.5 + s * (k0 + k1 * 1.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
+    float2 inside = v0 + v1;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-0.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(1.5, -0.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-0.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(1.5, 1.5) - s, receiver);
+    n += v1.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -3429,31 +3458,34 @@ inline float umbrage_window_hardware5(metal::texture2d<float> map, float2 size, 
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 1.5 + b0 / w0) / size;
-    float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = float2(k2 + k1, k2 + k1);
-    float2 p1 = (texel + 0.5 + b1 / w1) / size;
-    float2 b2 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 1.5 - k1 * 0.5 + s * (k0 + k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
+    float2 w1 = float2(k1 + k2, k1 + k2);
+    float2 p1 = (texel + (k1 * 1.5 + k2 * 0.5 + s * (-k1 + k2)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
     float2 w2 = k0 + s * k1;
-    float2 p2 = (texel + 2.5 + b2 / w2) / size;
+    float2 p2 = (texel + (k0 * 2.5 + s * (k0 + k1 * 2.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered(size, p2);
+    float2 inside = v0 + v1 + v2;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-1.5, -1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(0.5, -1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p0.y), float2(2.5, -1.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-1.5, 0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(0.5, 0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p1.y), float2(2.5, 0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p2.y), float2(-1.5, 2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p2.y), float2(0.5, 2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p2.y), float2(2.5, 2.5) - s, receiver);
+    n += v2.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -3475,43 +3507,46 @@ inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, 
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = k3 + s * (k2 - k3);
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 2.5 - k1 * 1.5 + s * (k0 + k1 * 1.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
     float2 w1 = k2 + k3 + s * (k1 - k3);
-    float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = k1 + s * (k2 - k1);
-    float2 w2 = k2 + k1 + s * (k3 - k1);
-    float2 p2 = (texel + 1.5 + b2 / w2) / size;
-    float2 b3 = s * k0;
+    float2 p1 = (texel + (-k2 * 0.5 + k3 * 0.5 + s * (-k1 * 0.5 + k2 - k3 * 0.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
+    float2 w2 = k1 + k2 + s * (-k1 + k3);
+    float2 p2 = (texel + (k1 * 2.5 + k2 * 1.5 + s * (-k1 * 2.5 + k2 + k3 * 1.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered(size, p2);
     float2 w3 = k0 + s * k1;
-    float2 p3 = (texel + 3.5 + b3 / w3) / size;
+    float2 p3 = (texel + (k0 * 3.5 + s * (k0 + k1 * 3.5)) / w3) / size;
+    float2 v3 = w3 * umbrage_covered(size, p3);
+    float2 inside = v0 + v1 + v2 + v3;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-2.5, -2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(-0.5, -2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p0.y), float2(1.5, -2.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p0.y), float2(3.5, -2.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-2.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(-0.5, -0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p1.y), float2(1.5, -0.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p1.y), float2(3.5, -0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p2.y), float2(-2.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p2.y), float2(-0.5, 1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p2.y), float2(1.5, 1.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p2.y), float2(3.5, 1.5) - s, receiver);
+    n += v2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
-    n += w3.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p3.y), float2(-2.5, 3.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p3.y), float2(-0.5, 3.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p3.y), float2(1.5, 3.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p3.y), float2(3.5, 3.5) - s, receiver);
+    n += v3.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -3535,14 +3570,14 @@ inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, fl
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -3565,22 +3600,22 @@ inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, f
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -3603,38 +3638,38 @@ inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, f
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -4597,6 +4632,18 @@ inline float umbrage_bordered_plane_reference(float2 slope, float3 at, float2 te
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CORNER_REFERENCE
+#define UMBRAGE_HAS_CORNER_REFERENCE
+// umbrage_corner_reference: depth of the receiver, or of its plane where four texels meet, the nearer to the light
+//   slope      slope of the receiver's plane, per texel, no NaN
+//   way        from the receiver to where the texels meet, in texels
+//   receiver   depth, bias applied
+inline float umbrage_corner_reference(float2 slope, float2 way, float receiver) {
+    float plane = (receiver + slope.x * way.x) + slope.y * way.y;
+    return umbrage_cleared_depth() > 0.5 ? metal::min(plane, receiver) : metal::max(plane, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_APPLY_RECEIVER_PLANE
 #define UMBRAGE_HAS_APPLY_RECEIVER_PLANE
 // umbrage_apply_receiver_plane: depth of a texel that shadows the receiver's plane; any other has the far plane's
@@ -5037,17 +5084,37 @@ inline bool umbrage_within_far_plane_shadow(float receiver) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
-#define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+#ifndef UMBRAGE_HAS_COVERED_SHADOW
+#define UMBRAGE_HAS_COVERED_SHADOW
+// umbrage_covered_shadow: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+inline float2 umbrage_covered_shadow(float2 size, float2 uv) {
+    return metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_BETWEEN_SHADOW
+#define UMBRAGE_HAS_LIT_BETWEEN_SHADOW
+// umbrage_lit_between_shadow: 2x2 comparisons around a point, weighted by the sampler
 //   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
 //   receiver   no NaN
+inline float umbrage_lit_between_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
+                                        float2 way, float receiver) {
+    return map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT_SHADOW
+#define UMBRAGE_HAS_LIT_AT_SHADOW
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
 inline float umbrage_lit_at_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 uv,
-                                   float receiver) {
-    float lit = map.sample_compare(map_sampler, uv, receiver, metal::level(0.0));
-    float outside = umbrage_compare_shadow(receiver, 1.0);
-    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+                                   float2 coord, float receiver) {
+    float2 way = metal::floor(uv * size + 0.5) - coord;
+    float2 inside = umbrage_covered_shadow(size, uv);
+    float lit = umbrage_lit_between_shadow(map, map_sampler, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 #endif
 
@@ -5061,7 +5128,7 @@ inline float umbrage_pcf_2x2_hardware_shadow(metal::depth2d<float> map, metal::s
                                              float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_at_shadow(map, map_sampler, size, at / size, receiver);
+    float lit = umbrage_lit_at_shadow(map, map_sampler, size, at / size, at, receiver);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -5082,21 +5149,28 @@ inline float umbrage_window_hardware3_shadow(metal::depth2d<float> map, metal::s
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 0.5 + b0 / w0) / size;
-    float2 b1 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 0.5 + k1 * 0.5 + s * (k0 - k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered_shadow(size, p0);
     float2 w1 = k0 + s * k1;
-    float2 p1 = (texel + 1.5 + b1 / w1) / size;
+    float2 p1 = (texel + (k0 * 1.5 + s * (k0 + k1 * 1.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered_shadow(size, p1);
+    float2 inside = v0 + v1;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p0.y), float2(-0.5, -0.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p0.y), float2(1.5, -0.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p1.y), float2(-0.5, 1.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p1.y), float2(1.5, 1.5) - s, receiver);
+    n += v1.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -5118,31 +5192,43 @@ inline float umbrage_window_hardware5_shadow(metal::depth2d<float> map, metal::s
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 1.5 + b0 / w0) / size;
-    float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = float2(k2 + k1, k2 + k1);
-    float2 p1 = (texel + 0.5 + b1 / w1) / size;
-    float2 b2 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 1.5 - k1 * 0.5 + s * (k0 + k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered_shadow(size, p0);
+    float2 w1 = float2(k1 + k2, k1 + k2);
+    float2 p1 = (texel + (k1 * 1.5 + k2 * 0.5 + s * (-k1 + k2)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered_shadow(size, p1);
     float2 w2 = k0 + s * k1;
-    float2 p2 = (texel + 2.5 + b2 / w2) / size;
+    float2 p2 = (texel + (k0 * 2.5 + s * (k0 + k1 * 2.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered_shadow(size, p2);
+    float2 inside = v0 + v1 + v2;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p0.y), float2(-1.5, -1.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p0.y), float2(0.5, -1.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p0.y), float2(2.5, -1.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p1.y), float2(-1.5, 0.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p1.y), float2(0.5, 0.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p1.y), float2(2.5, 0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p2.y), float2(-1.5, 2.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p2.y), float2(0.5, 2.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p2.y), float2(2.5, 2.5) - s, receiver);
+    n += v2.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -5164,43 +5250,62 @@ inline float umbrage_window_hardware7_shadow(metal::depth2d<float> map, metal::s
     float2 texel = metal::floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = k3 + s * (k2 - k3);
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 2.5 - k1 * 1.5 + s * (k0 + k1 * 1.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered_shadow(size, p0);
     float2 w1 = k2 + k3 + s * (k1 - k3);
-    float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = k1 + s * (k2 - k1);
-    float2 w2 = k2 + k1 + s * (k3 - k1);
-    float2 p2 = (texel + 1.5 + b2 / w2) / size;
-    float2 b3 = s * k0;
+    float2 p1 = (texel + (-k2 * 0.5 + k3 * 0.5 + s * (-k1 * 0.5 + k2 - k3 * 0.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered_shadow(size, p1);
+    float2 w2 = k1 + k2 + s * (-k1 + k3);
+    float2 p2 = (texel + (k1 * 2.5 + k2 * 1.5 + s * (-k1 * 2.5 + k2 + k3 * 1.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered_shadow(size, p2);
     float2 w3 = k0 + s * k1;
-    float2 p3 = (texel + 3.5 + b3 / w3) / size;
+    float2 p3 = (texel + (k0 * 3.5 + s * (k0 + k1 * 3.5)) / w3) / size;
+    float2 v3 = w3 * umbrage_covered_shadow(size, p3);
+    float2 inside = v0 + v1 + v2 + v3;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p3.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p0.y), float2(-2.5, -2.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p0.y), float2(-0.5, -2.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p0.y), float2(1.5, -2.5) - s, receiver);
+    row += v3.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p3.x, p0.y), float2(3.5, -2.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p3.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p1.y), float2(-2.5, -0.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p1.y), float2(-0.5, -0.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p1.y), float2(1.5, -0.5) - s, receiver);
+    row += v3.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p3.x, p1.y), float2(3.5, -0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p3.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p2.y), float2(-2.5, 1.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p2.y), float2(-0.5, 1.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p2.y), float2(1.5, 1.5) - s, receiver);
+    row += v3.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p3.x, p2.y), float2(3.5, 1.5) - s, receiver);
+    n += v2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_at_shadow(map, map_sampler, size, float2(p3.x, p3.y), receiver);
-    n += w3.y * row;
+    row += v0.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p0.x, p3.y), float2(-2.5, 3.5) - s, receiver);
+    row += v1.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p1.x, p3.y), float2(-0.5, 3.5) - s, receiver);
+    row += v2.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p2.x, p3.y), float2(1.5, 3.5) - s, receiver);
+    row += v3.x *
+        umbrage_lit_between_shadow(map, map_sampler, size, float2(p3.x, p3.y), float2(3.5, 3.5) - s, receiver);
+    n += v3.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -5224,22 +5329,22 @@ inline float umbrage_disc_hardware16_shadow(metal::depth2d<float> map, metal::sa
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, coord, receiver);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }

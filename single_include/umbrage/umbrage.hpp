@@ -267,6 +267,7 @@ enum class hook {
     beyond_far_plane,
     within_far_plane,
     compare,
+    covered,
     texel,
     fetch_depth,
     lit,
@@ -275,7 +276,7 @@ enum class hook {
     gather_clamped,
     gather,
     lit_filtered,
-    lit_at,
+    lit_between,
     depth_at,
     chosen
 };
@@ -1944,27 +1945,28 @@ template <real T>
 /// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
 /// @return               slope of any size
-/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
+/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: above 1e24, infinite or NaN
+/// @formula              as plane_slope, but over 1e-30 where q.z is 0: q.xy are 0 without a normal, and not with one
 /// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {
-    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
     const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
-    return none ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(-q.x / q.z, -q.y / q.z);
+    const T depth = q.z == T(0) ? T(1e-30) : q.z;
+    return {-q.x / depth, -q.y / depth};
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
 /// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
 /// @return         slope of any size
-/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
-/// @formula        -normal.xy scale.z / (normal.z scale.xy)
+/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: above 1e12, infinite or NaN
+/// @formula        -normal.xy scale.z / (normal.z scale.xy), with 1e-18 for a normal.z of 0
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
-    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
-    return {normal.x * -scale.z / (normal.z * scale.x), normal.y * -scale.z / (normal.z * scale.y)};
+    const T z = normal.z == T(0) ? T(1e-18) : normal.z;
+    return {normal.x * -scale.z / (z * scale.x), normal.y * -scale.z / (z * scale.y)};
 }
 
 /// Slope-scaled bias of rasterizers, computed in a shader.
@@ -2046,8 +2048,8 @@ inline constexpr snippet receiver_slope{
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
+    UMBRAGE_HIGHP float depth = q.z == 0.0 ? 1.0e-30 : q.z;  // q is zero without a normal, and not where edge-on
+    return vec2(-q.x / depth, -q.y / depth);
 }
 )GLSL",
 };
@@ -2063,9 +2065,9 @@ inline constexpr snippet cascade_slope{
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
+    UMBRAGE_HIGHP float z = normal.z == 0.0 ? 1.0e-18 : normal.z;  // up is zero without a normal, and not where edge-on
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * z;
+    return vec2(up.x / across.x, up.y / across.y);
 }
 )GLSL",
 };
@@ -3586,8 +3588,8 @@ inline constexpr snippet inside_texel_space{
     .source = R"GLSL(
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 )GLSL",
 };
@@ -3784,6 +3786,20 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
 }
 
+/// Depth that four texels are compared with at once: the receiver's, or its plane's where they meet, if that is nearer
+/// to the light. Each of them lies half a texel beside, along both axes.
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param slope      slope of the receiver's plane, depth per texel
+/// @param way        from the receiver to where the texels meet, in texels
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @edge             a NaN in slope or way: returns receiver. A shader may return NaN
+/// @formula          min(receiver + slope . way, receiver); max for reversed depth
+/// @exactness        C, n = 5: a shader may fuse or reorder the sum
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T corner_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> way, Compare is_lit = {}) {
+    return detail::nearer_to_light(receiver, (receiver + slope.x * way.x) + slope.y * way.y, is_lit(T(0), T(1)));
+}
+
 /// Fetch callable that compares every texel along the receiver's plane. A lit texel has the depth of the far plane. Any
 /// other has its own. A filter's own comparison then decides alike, and a search finds depths as stored.
 /// @param fetch       ivec2 texel -> stored depth
@@ -3870,6 +3886,25 @@ UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, U
 )GLSL",
 };
 
+inline constexpr snippet corner_reference{
+    .name = "corner_reference",
+    .summary = "depth that four texels are compared with, by the receiver's plane",
+    .exactness = tier::c,
+    .operations = 5,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_corner_reference: depth of the receiver, or of its plane where four texels meet, the nearer to the light
+//   slope      slope of the receiver's plane, per texel, no NaN
+//   way        from the receiver to where the texels meet, in texels
+//   receiver   depth, bias applied
+UMBRAGE_HIGHP float umbrage_corner_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec2 way,
+                                             UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float plane = (receiver + slope.x * way.x) + slope.y * way.y;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, receiver) : max(plane, receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet apply_receiver_plane{
     .name = "apply_receiver_plane",
     .summary = "stored depth, or the far plane's if lit along the receiver's plane",
@@ -3890,8 +3925,8 @@ UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMB
 )GLSL",
 };
 
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &plane_reference,
-                                                          &bordered_plane_reference, &apply_receiver_plane};
+inline constexpr const snippet* receiver_plane_snippets[]{
+    &receiver_plane_slope, &plane_reference, &bordered_plane_reference, &corner_reference, &apply_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6481,6 +6516,23 @@ template <real T, class Fetch, class Compare = less_equal>
     return lit_filtered(fetch, uv * size, receiver, is_lit);
 }
 
+/// Share of the texels around a point that lie in the map, along each axis. A fetch callable has texels everywhere.
+/// @return        (1, 1). For a comparison sampler of a map that is lit outside, a shader has
+///                clamp(1/2 + size / 2 - |uv - 1/2| size, 0, 1)
+/// @exactness     C, n = 6
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> covered(glm::vec<2, T>, glm::vec<2, T>) {
+    return glm::vec<2, T>(1);
+}
+
+/// lit_at of the texels in the map alone; covered() tells their share. In a shader it also takes the way from the
+/// receiver to where the four texels meet, in texels, which a receiver's plane needs.
+/// @exactness        C, within 1/128, as lit_filtered
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T lit_between(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
+    return lit_filtered(fetch, uv * size, receiver, is_lit);
+}
+
 /// Bilinear 2x2 PCF as the sampler computes it, except for the rounding of its weights. Parameters as for pcf_2x2.
 /// @return        visibility in [0, 1]: 0 in shadow, 1 lit
 /// @exactness     C, within 1/128, as lit_filtered
@@ -6509,21 +6561,59 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 )GLSL",
 };
 
-/// Plain fetch of a map with its own comparison sampler. Uses lit_filtered where the map is a region, is lit outside,
+/// Share of each axis' texels around a point that lie in the map: 1 where texels outside are those of the edge, or
+/// where lit_between counts them itself.
+inline constexpr snippet covered{
+    .name = "covered",
+    .summary = "share of the texels around a point that lie in the map, along each axis",
+    .exactness = tier::c,
+    .operations = 6,
+    .role = hook::covered,
+    .source = R"GLSL(
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return vec2(1.0, 1.0);
+}
+)GLSL",
+};
+
+/// Plain fetch of a map with its own comparison sampler, in the map alone. Uses lit_filtered where the map is a region
 /// or has no such sampler.
+inline constexpr snippet lit_between{
+    .name = "lit_between",
+    .summary = "weighted comparisons around a point, where four texels meet",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&lit_filtered>,
+    .role = hook::lit_between,
+    .source = R"GLSL(
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet lit_at{
     .name = "lit_at",
     .summary = "weighted comparisons around a point in [0, 1]",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&lit_filtered>,
-    .role = hook::lit_at,
+    .needs = list<&covered, &lit_between>,
     .source = R"GLSL(
 // umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_lit_filtered(map, size, uv * size, receiver);
+                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 way = floor(uv * size + 0.5) - coord;
+    UMBRAGE_HIGHP vec2 inside = umbrage_covered(size, uv);
+    UMBRAGE_HIGHP float lit = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 )GLSL",
 };
@@ -6543,14 +6633,15 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
                                              UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, at, receiver);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &lit_at, &pcf_2x2_hardware};
+inline constexpr const snippet* pcf_2x2_hardware_snippets[]{&lit_filtered, &covered, &lit_between, &lit_at,
+                                                            &pcf_2x2_hardware};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6651,7 +6742,7 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
+        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", coord, receiver);\n");
     append(text,
            R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
@@ -7623,32 +7714,70 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-/// Weight of the texels 2 k and 2 k + 1 of an axis together (w), and of the second alone (b).
-[[nodiscard]] inline std::string pair_weights(int size, int k) {
-    const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
-        here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
-    if (k == 0)
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-            "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
-            {number, here, after});
-    if (2 * k + 1 == size)
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
-            "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
-            {number, before, here});
-    if (2 * k == size / 2)  // the two central weights, wherever the kernel is
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-            "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
-            {number, here, after});
-    return filled(
-        "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-        "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
-        {number, before, here, after});
+/// A multiple of 1/2 in GLSL.
+[[nodiscard]] inline std::string in_halves(double number) {
+    const int halves = static_cast<int>(number < 0 ? -number * 2 : number * 2);
+    return filled("$s$w.$h", {{'s', 0, number < 0 ? "-" : ""}, {'w', halves / 2}, {'h', halves % 2 * 5}});
 }
 
-/// Weights and position of each fetch along an axis: weight of the farther texel, weight of both, position.
+/// Center of the first texel of a fetch along an axis, in texels from the corner of the receiver's texel.
+constexpr double first_center(int size, int k) { return 2 * k - size / 2 + 0.5; }
+
+/// Multiples of a kernel's weights, which are "k0" and so on from its edge, added up in GLSL.
+class weighted_sum {
+public:
+    explicit weighted_sum(int size) : size_(size) {}
+
+    /// Adds a multiple of the weight at an index. There is none outside the kernel.
+    weighted_sum& add(double factor, int index) {
+        if (index >= 0 && index < size_) factors_[window_parameter(size_, index)] += factor;
+        return *this;
+    }
+    /// @return   the sum; "0.0" if it has no terms
+    [[nodiscard]] std::string str() const {
+        std::string text;
+        for (int i = 0; i < 4; ++i) {
+            if (factors_[i] == 0) continue;
+            const double factor = factors_[i] < 0 ? -factors_[i] : factors_[i];
+            const char* sign = factors_[i] < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+            text += sign;
+            append(text, "k$i", {{'i', i}});
+            if (factor != 1) text += " * " + in_halves(factor);
+        }
+        return text.empty() ? "0.0" : text;
+    }
+    /// @return   the sum as a factor, in brackets if it has several terms
+    [[nodiscard]] std::string as_factor() const {
+        const std::string sum = str();
+        return sum.find(' ') == sum.npos ? sum : '(' + sum + ')';
+    }
+
+private:
+    int size_;
+    double factors_[4]{};
+};
+
+/// Lines for the fetch of the texels 2 k and 2 k + 1 along an axis: the weight w of both, the point p between them at
+/// which a sampler gives each its share, and v, what of w lies in the map. The weight of texel i is
+/// K_i + s (K_(i-1) - K_i). So p is their center of mass, a sum of moments over w.
+[[nodiscard]] inline std::string pair_weights(int size, int k) {
+    const int one = 2 * k, other = one + 1;
+    const double nearer = first_center(size, k), farther = nearer + 1;
+    weighted_sum weight(size), change(size), moment(size), moves(size);
+    weight.add(1, one).add(1, other);
+    change.add(1, one - 1).add(-1, other);
+    moment.add(nearer, one).add(farther, other);
+    moves.add(nearer, one - 1).add(-nearer, one).add(farther, one).add(-farther, other);
+    const std::string both = weight.str(), changes = change.as_factor(), first = moment.str(), then = moves.as_factor();
+    return filled(changes == "0.0" ? "    UMBRAGE_HIGHP vec2 w$k = vec2($w, $w);\n"
+                                   : "    UMBRAGE_HIGHP vec2 w$k = $w + s * $c;\n",
+                  {{'k', k}, {'w', 0, both}, {'c', 0, changes}}) +
+           filled(
+               "    UMBRAGE_HIGHP vec2 p$k = (texel + ($m + s * $t) / w$k) / size;\n"
+               "    UMBRAGE_HIGHP vec2 v$k = w$k * umbrage_covered(size, p$k);\n",
+               {{'k', k}, {'m', 0, first}, {'t', 0, then}});
+}
+
 [[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: PCF under a kernel that slides over the map, by the sampler
@@ -7670,21 +7799,24 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
     UMBRAGE_HIGHP float whole = k0)GLSL";
     for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
     text += ";\n";
-    for (int k = 0; 2 * k <= size; ++k) {
-        const int texel = 2 * k - size / 2;
-        text += pair_weights(size, k);
-        append(text, "    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
-               {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
-    }
+    for (int k = 0; 2 * k <= size; ++k) text += pair_weights(size, k);
+    text += "    UMBRAGE_HIGHP vec2 inside = v0";
+    for (int k = 1; 2 * k <= size; ++k) append(text, " + v$k", {{'k', k}});
+    text += ";\n    // ... - s: from the receiver to where the four texels of a fetch meet\n";
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (int j = 0; 2 * j <= size; ++j) {
         append(text, "    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
-        for (int i = 0; 2 * i <= size; ++i)
-            append(text, "    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
-                   {{'i', i}, {'j', j}});
-        append(text, "    n += w$j.y * row;\n", {{'j', j}});
+        for (int i = 0; 2 * i <= size; ++i) {
+            const std::string x = in_halves(first_center(size, i)), y = in_halves(first_center(size, j));
+            append(
+                text,
+                "    row += v$i.x * umbrage_lit_between(map, size, vec2(p$i.x, p$j.y), vec2($x, $y) - s, receiver);\n",
+                {{'i', i}, {'j', j}, {'x', 0, x}, {'y', 0, y}});
+        }
+        append(text, "    n += v$j.y * row;\n", {{'j', j}});
     }
-    text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    text += R"GLSL(    n += whole * whole - inside.x * inside.y;  // texels outside are lit
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -7702,7 +7834,7 @@ inline constexpr snippet window_hardware{
                            : "7x7 kernel, 16 fetches from a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &covered, &lit_between>,
     .source = {detail::window_hardware_text, Size}};
 
 inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,
@@ -11549,16 +11681,17 @@ template <real T = float>
 }
 
 /// Largest angle that a straight edge may have, seen from the light, to be drawn within half a texel of its true place.
-/// It holds inside the circle and the border.
+/// It holds inside the circle and a border around it, also where a square kernel's corner reaches beyond in a diagonal.
 /// @param map_size           as make_dual_paraboloid_light takes it
 /// @param border             as make_dual_paraboloid_light takes it
 /// @return                   angle from end to end, radians
 /// @edge                     map_size of 2 border or less, which no light has: NaN
-/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n. Over the chord of
-///                           an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = 1 + 2 sqrt(2) border / n.
+///                           Over the chord of an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r
+///                           circles out
 template <real T = float>
 [[nodiscard]] T paraboloid_edge_angle(int map_size, int border = dual_paraboloid_light<T>{}.border) {
-    const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
+    const T inner = T(map_size - 2 * border), rim = T(1) + T(2) * std::sqrt(T(2)) * T(border) / inner;
     return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
 }
 
@@ -12384,6 +12517,17 @@ template <bool Forward>
 [[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
     return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) |
                                    (detail::bit_cast<std::int32_t>(b) & ~mask));
+}
+
+/// |v|, also of NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float magnitude(float v) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF);
+}
+
+/// glm::clamp(v, 0, 1). NaN stays NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float clamped_to_one(float v) {
+    const float low = select(-std::int32_t(v < 0.0f), 0.0f, v);
+    return select(-std::int32_t(low > 1.0f), 1.0f, low);
 }
 
 /// less_equal as 0 or 1. NaN gives 0 under any compiler flag.
@@ -14929,17 +15073,19 @@ void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, c
     const glm::dvec3 position = -glm::dvec3(light.view[3]);
     const glm::dmat4 projection(light.projection);
     std::vector<glm::vec3> placed;
-    std::vector<bool> within;  // inside the map's square, which also contains its circle and border
+    // A kernel as wide as the border reaches from the circle's rim to here, with its corner in a diagonal.
+    const double circle = projection[0][0], farthest = circle + std::sqrt(2.0) * (1.0 - circle);
+    std::vector<bool> within;
     placed.reserve(mesh.positions.size());
     within.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
         const glm::dvec4 h = projection * dual_paraboloid_position(glm::dvec3(p) - position, double(map));
         placed.emplace_back(glm::dvec3(h) / h.w);
-        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= h.w);
+        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= farthest * h.w);
     }
     std::vector<glm::uvec3> drawn;
     for (const glm::uvec3& t : mesh.triangles) {
-        bool is_drawn = false;  // false with all vertices beyond the circle: directions there form a convex cone
+        bool is_drawn = false;  // false with all vertices beyond: directions there form a convex cone
         for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
         if (is_drawn) drawn.push_back(t);
     }
@@ -23424,11 +23570,11 @@ struct map_grid {
 /// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
 /// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
 ///
-/// Four kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
-/// peter_panning_distance.
+/// peter_panning_distance. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -24186,6 +24332,65 @@ inline constexpr const snippet* cascade_places_snippets[]{&cascade_edge, &cascad
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/shadow/place_blocks.hpp
+// Places of a block of 64 receivers in a light's one map, biased along their planes. It is anchored_place and
+// receiver_of, with the same bits, as a loop that compilers vectorize: a whole image takes half the time.
+// See also: place_images.hpp, which calls it row by row.
+
+namespace umbrage::detail {
+
+/// Where a block of places goes: x and y in texels, depth with the bias applied, and slopes.
+struct place_row {
+    float *x, *y, *depth, *slope_x, *slope_y;
+};
+
+/// Places of a block. Receivers that are not compared lie outside the map.
+/// @tparam Forward   depth direction of the map
+/// @param points     of `block` receivers
+/// @param normals    likewise
+/// @param to         memory for `block` places, other than that of the receivers
+template <bool Forward>
+UMBRAGE_INLINE inline void place_anchored_block(const anchored_map& map, const shadow_terms& terms,
+                                                const glm::vec3* points, const glm::vec3* normals,
+                                                const place_row& to) {
+    // copies, which the loop cannot write
+    const glm::mat4 to_texels = map.to_texels, planes = map.planes;
+    const glm::vec4 anchor = map.anchor, rounding = map.rounding, slack = map.slack;
+    const float error = terms.error;
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) {
+        const float x = points[i].x - anchor.x, y = points[i].y - anchor.y, z = points[i].z - anchor.z;
+        const float nx = normals[i].x, ny = normals[i].y, nz = normals[i].z, d = -(nx * x + ny * y + nz * z);
+        const auto coordinate = [&](glm::length_t k) UMBRAGE_INLINE {
+            return to_texels[3][k] + to_texels[0][k] * x + to_texels[1][k] * y + to_texels[2][k] * z;
+        };
+        const auto of_plane = [&](glm::length_t k) UMBRAGE_INLINE {
+            return planes[3][k] * d + planes[0][k] * nx + planes[1][k] * ny + planes[2][k] * nz;
+        };
+        const float along = of_plane(2), rise = select(-std::int32_t(along == 0.0f), 1e-30f, along);
+        const float slope_x = -of_plane(0) / rise, slope_y = -of_plane(1) / rise;
+        const float steep = magnitude(slope_x) + magnitude(slope_y);
+
+        const float w = coordinate(3);
+        const std::int32_t before = -std::int32_t(w > 0.0f) & number_mask(w);
+        const float inverse = masked(1.0f / w, before), depth = coordinate(2) * inverse, far = magnitude(depth);
+        const float moves = rounding.x + rounding.y * inverse, beside = moves * rounding.z + slack.x;
+        const float off = moves * (rounding.w + far) + (far * slack.y + slack.z), at = depth + slack.w;
+
+        const std::int32_t seen = -std::int32_t(steep < 2.0f) & number_mask(steep);
+        const std::int32_t compared = before & seen & ~beyond_far_plane_mask<Forward>(at);
+        const float bias = select(seen, clamped_to_one(error + (beside * steep + off)), 1.0f);
+        const float by = masked(bias, number_mask(bias));
+        to.x[i] = select(compared, coordinate(0) * inverse, 65536.0f);
+        to.y[i] = coordinate(1) * inverse;
+        to.depth[i] = Forward ? at - by : at + by;
+        to.slope_x[i] = slope_x;
+        to.slope_y[i] = slope_y;
+    }
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/shadow/single_map.hpp
 // Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
 //
@@ -24311,6 +24516,11 @@ struct single_map {
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
         return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
+    }
+    template <bool Forward>
+    UMBRAGE_INLINE static void place_block(const uniforms& u, const shadow_terms& terms, const glm::vec3* points,
+                                           const glm::vec3* normals, const detail::place_row& to) {
+        detail::place_anchored_block<Forward>(u, terms, points, normals, to);
     }
 };
 
@@ -24873,7 +25083,7 @@ template <known_encoding Encoding>
 //   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
 //   UMBRAGE_STORED    the depth of a `value`
 //   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
-//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
+//   UMBRAGE_CORNER    the same where four texels meet, a `way` from the receiver
 //   UMBRAGE_BORDER    the depth outside
 //   UMBRAGE_COMPARE   a user's own comparison
 //   UMBRAGE_UV        texture coordinates for `at`
@@ -25280,22 +25490,18 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 // A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
-inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
-                                              .summary = "lit_at, sampled and bordered",
-                                              .exactness = tier::c,
-                                              .within = 1.0f / 128.0f,
-                                              .needs = list<&compare>,
-                                              .role = hook::chosen,
-                                              .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+// Texels outside the map are lit, or compared with the far plane.
+
+inline constexpr snippet bordered_covered{.name = "covered",
+                                          .summary = "covered, bordered",
+                                          .exactness = tier::c,
+                                          .operations = 6,
+                                          .role = hook::chosen,
+                                          .source = R"GLSL(
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
 }
 )GLSL"};
 
@@ -25314,17 +25520,17 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 }
 )GLSL"};
 
-inline constexpr snippet sampled_lit{.name = "lit_at",
-                                     .summary = "lit_at, sampled",
+inline constexpr snippet sampled_lit{.name = "lit_between",
+                                     .summary = "lit_between, sampled",
                                      .exactness = tier::c,
                                      .within = 1.0f / 128.0f,
                                      .role = hook::chosen,
                                      .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler
 //   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
 //   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_LIT_FILTERED;
 }
 )GLSL"};
@@ -25338,39 +25544,20 @@ UMBRAGE_HIGHP float umbrage_lit_sampled(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 )GLSL"};
 
-inline constexpr snippet planed_lit_at{.name = "lit_at",
-                                       .summary = "lit_at, along a plane",
-                                       .exactness = tier::c,
-                                       .within = 1.0f / 128.0f,
-                                       .needs = list<&plane_reference, &planed_lit_sampled>,
-                                       .role = hook::chosen,
-                                       .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+inline constexpr snippet planed_lit_between{.name = "lit_between",
+                                            .summary = "lit_between, along a plane",
+                                            .exactness = tier::c,
+                                            .within = 1.0f / 128.0f,
+                                            .needs = list<&corner_reference, &planed_lit_sampled>,
+                                            .role = hook::chosen,
+                                            .source = R"GLSL(
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four
+// texels meet
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0)
+//   way   from the receiver to where the four texels meet, in texels
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-}
-)GLSL"};
-
-inline constexpr snippet planed_bordered_lit_at{.name = "lit_at",
-                                                .summary = "lit_at, bordered along a plane",
-                                                .exactness = tier::c,
-                                                .within = 1.0f / 128.0f,
-                                                .needs = list<&plane_reference, &planed_lit_sampled>,
-                                                .role = hook::chosen,
-                                                .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet. Lit outside the map
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
-    UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 )GLSL"};
 
@@ -25404,8 +25591,8 @@ inline constexpr const auto& all =
          &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
          &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
          &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &planed_lit_sampled, &planed_lit_at,
-         &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+         &bordered_lit_filtered, &bordered_covered, &sampled_lit, &planed_lit_sampled, &planed_lit_between,
+         &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -25426,6 +25613,9 @@ namespace detail {
 }
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// True when a comparison sampler takes the coordinates of the map itself.
+[[nodiscard]] inline bool samples(const binding& b) { return compares(b.texture) && !has_region(b); }
 
 /// True when receivers can be beyond the map's far plane. A user's own comparison handles them itself.
 [[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
@@ -25465,10 +25655,10 @@ template <class = umbrage::detail::on_use>
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
             return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at:
-            if (!compares(b.texture) || has_region(b)) return s;
-            if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
-            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
+        case hook::covered: return samples(b) && is_bordered(b) ? hooks::bordered_covered : s;
+        case hook::lit_between:
+            if (!samples(b)) return s;
+            return b.receiver_plane ? hooks::planed_lit_between : hooks::sampled_lit;
         case hook::depth_at:
             if (!b.gather || b.receiver_plane || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
             return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;
@@ -25956,7 +26146,8 @@ template <class Filter>
 /// @param linear   true where a sampler weights comparisons: then texels lie half a texel beside the plane's depth
 template <class Setup, class Filter>
 [[nodiscard]] std::string bias_text(bool linear = false) {
-    const std::string error = "    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = terms.w + slope.z";
+    const std::string error =
+        std::string(linear ? "    " : "    UMBRAGE_PRECISE ") + "UMBRAGE_HIGHP float error = terms.w + slope.z";
     if constexpr (along_plane<Setup, Filter>)
         return error + (linear ? " + 0.5 * (abs(slope.x) + abs(slope.y));\n" : ";\n") +
                "    bool is_seen = abs(slope.x) + abs(slope.y) < 2.0;  // not edge-on by the light\n"
@@ -26638,7 +26829,7 @@ template <class = umbrage::detail::on_use>
             return of_texture(is_bordered(map)
                                   ? "umbrage_bordered_plane_reference(receiver_slope, receiver_at, texel, inside)"
                                   : "umbrage_plane_reference(receiver_slope, receiver_at, texel)");
-        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_corner_reference(receiver_slope, way, receiver)");
         if (word == "UMBRAGE_STORED") return of_texture(depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);
@@ -28898,6 +29089,10 @@ struct place_planes {
         x[p] = place.at.x, y[p] = place.at.y, depth[p] = place.at.z;
         if constexpr (Sloped) slope_x[p] = place.slope.x, slope_y[p] = place.slope.y;
     }
+    [[nodiscard]] place_row row(int at) {
+        const auto of = [at](image<float>& plane) { return plane.view().row(at); };
+        return {of(x), of(y), of(depth), of(slope_x), of(slope_y)};
+    }
 };
 
 /// Receivers as a filter takes them: with their planes, or without.
@@ -28914,6 +29109,38 @@ template <bool Sloped>
     if constexpr (Sloped) return {at, part(planes.slope_x), part(planes.slope_y)};
     else return at;
 }
+
+/// True where a setup places receivers in blocks, along their planes.
+template <class Setup, class Filter>
+inline constexpr bool places_in_blocks = along_plane<Setup, Filter>&& requires(const typename Setup::uniforms& u,
+                                                                               const shadow_terms& terms,
+                                                                               const glm::vec3* v,
+                                                                               const place_row& to) {
+    Setup::template place_block<true>(u, terms, v, v, to);
+};
+
+/// Points of the world with normals, which a shadow places in its maps.
+template <class Setup, class Filter>
+struct world_receivers {
+    const typename Setup::uniforms& uniforms;
+    const shadow_terms& terms;
+    depth_direction direction;
+    image_view<const glm::vec3> points, normals;
+
+    /// Places of one of them, biased.
+    [[nodiscard]] UMBRAGE_INLINE auto operator()(glm::ivec2 p) const {
+        auto all = Setup::places(uniforms, terms, points[p], normals[p]);
+        for (map_place& place : all)
+            if (place.weight > 0.0f) place.at = receiver_of<Setup, Filter>(terms, place, direction);
+        return all;
+    }
+    /// Places of a block of them.
+    UMBRAGE_INLINE void place_block(const glm::vec3* of, const glm::vec3* normals_of, const place_row& to) const {
+        if (direction == depth_direction::forward)
+            Setup::template place_block<true>(uniforms, terms, of, normals_of, to);
+        else Setup::template place_block<false>(uniforms, terms, of, normals_of, to);
+    }
+};
 
 /// Filter of a shadow, ready for one of its maps.
 template <class Setup, class Filter, class Encoding, class ParallelFor>
@@ -28953,6 +29180,23 @@ public:
             weights_[k][p] = place.weight;
             used_[k][static_cast<std::size_t>(numbers_[k][p])] = true;
         }
+    }
+    /// Sets all receivers of some rows, each with its one place in map 0.
+    /// @param from   pixel of the tile's first receiver
+    void set_rows(const world_receivers<Setup, Filter>& receivers, glm::ivec2 from, int first, glm::ivec2 size) {
+        static_assert(side == block && maps == 1);
+        used_[0][0] = true;
+        on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < size.y; ++y) {
+                const glm::vec3 *points = receivers.points.row(from.y + y) + from.x,
+                                *normals = receivers.normals.row(from.y + y) + from.x;
+                if (size.x < block) {  // what fills the block counts nowhere
+                    points = std::copy_n(points, size.x, row_points_.data()) - size.x;
+                    normals = std::copy_n(normals, size.x, row_normals_.data()) - size.x;
+                }
+                receivers.place_block(points, normals, planes_[0].row(y));
+            }
+        });
     }
     /// Filters and blends the rows from `first` on.
     /// @param filters   filter of each of the light's maps
@@ -29009,6 +29253,7 @@ private:
     std::array<image<float>, most> weights_;
     image<float> selected_{glm::ivec2(side)}, seen_{glm::ivec2(side)};
     std::array<std::array<bool, std::size_t(maps + 1)>, most> used_{};
+    std::array<glm::vec3, side> row_points_{}, row_normals_{};
     bool alone_ = true;  ///< each receiver has one place
 
     template <std::size_t... K>
@@ -29018,14 +29263,13 @@ private:
 };
 
 /// Visibility of an image of receivers.
-/// @param places      (pixel) -> places of the receiver, biased
 /// @param map_size    size of one map, texels
 /// @param filter_of   (number) -> filter of a map
-template <class Setup, class FilterOf, class Encoding, class Places, class ParallelFor>
+template <class Setup, class Filter, class FilterOf, class Encoding, class ParallelFor>
 void visibility_of_places(image_view<const typename Encoding::texel> map, glm::ivec2 map_size,
-                          const FilterOf& filter_of, const Encoding& encoding, const Places& places,
-                          image_view<float> out, ParallelFor&& parallel) {
-    using Filter = decltype(filter_of(0));
+                          const FilterOf& filter_of, const Encoding& encoding,
+                          const world_receivers<Setup, Filter>& receivers, image_view<float> out,
+                          ParallelFor&& parallel) {
     constexpr int maps = Setup::grid.columns * Setup::grid.rows;
     std::vector<row_filter<place_receivers<along_plane<Setup, Filter>>>> filters;
     for (int number = 0; number < maps; ++number) {
@@ -29043,8 +29287,10 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
             for (int x = 0; x < out.size.x; x += tile_type::side) {
                 const glm::ivec2 from(x, y - before), size((glm::min)(tile_type::side, out.size.x - x), end - from.y);
                 tile.clear();
-                for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
-                    for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, places(from + p));
+                if constexpr (places_in_blocks<Setup, Filter>) tile.set_rows(receivers, from, before, size);
+                else
+                    for (glm::ivec2 p(0, before); p.y < size.y; ++p.y)
+                        for (p.x = 0; p.x < size.x; ++p.x) tile.set(p, receivers(from + p));
                 tile.filter(filters, before, out.region(from, size));
             }
         }
@@ -29423,14 +29669,10 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(map.size, size(), function, "map.size", "the shadow's size()");
     detail::require_size(normals.size, points.size, function, "normals.size", "the size of points");
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
-    const auto places = [&](glm::ivec2 p) {
-        auto all = Setup::places(uniforms_.maps, uniforms_.terms, points[p], normals[p]);
-        for (map_place& place : all)
-            if (place.weight > 0.0f) place.at = receiver(place);
-        return all;
-    };
+    const detail::world_receivers<Setup, Filter> receivers{uniforms_.maps, uniforms_.terms, encoding_.direction, points,
+                                                           normals};
     const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places<Setup>(map, map_size_, filter_of_map, encoding_, places, out, parallel);
+    detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
 }
 
 }  // namespace umbrage

@@ -181,8 +181,8 @@ void ask_bytes(const asker& ask, observed_arithmetic& a) {
 /// Counts the weights between the center of a texel in shadow and that of a lit one: 2^bits.
 void ask_weights(const asker& ask, observed_arithmetic& a) {
     constexpr int bits = 14;
-    entry e{.primitive = &umbrage::glsl::lit_at,
-            .call = "vec4(umbrage_lit_at(map, map_size, vec2(x0.x, 0.5), 0.5))",
+    entry e{.primitive = &umbrage::glsl::lit_between,
+            .call = "vec4(umbrage_lit_between(map, map_size, vec2(x0.x, 0.5), vec2(0.0, 0.0), 0.5))",
             .maps = {texels({2, 1})},
             .bound = {{.name = "map",
                        .as = {.texture = umbrage::glsl::texture::shadow, .outside = umbrage::outside_map::clamped},

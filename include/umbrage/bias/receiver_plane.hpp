@@ -101,6 +101,20 @@ template <real T, class Compare = less_equal>
     return detail::nearer_to_light(receiver, (receiver + x) + y, forward);
 }
 
+/// Depth that four texels are compared with at once: the receiver's, or its plane's where they meet, if that is nearer
+/// to the light. Each of them lies half a texel beside, along both axes.
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param slope      slope of the receiver's plane, depth per texel
+/// @param way        from the receiver to where the texels meet, in texels
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @edge             a NaN in slope or way: returns receiver. A shader may return NaN
+/// @formula          min(receiver + slope . way, receiver); max for reversed depth
+/// @exactness        C, n = 5: a shader may fuse or reorder the sum
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T corner_reference(T receiver, glm::vec<2, T> slope, glm::vec<2, T> way, Compare is_lit = {}) {
+    return detail::nearer_to_light(receiver, (receiver + slope.x * way.x) + slope.y * way.y, is_lit(T(0), T(1)));
+}
+
 /// Fetch callable that compares every texel along the receiver's plane. A lit texel has the depth of the far plane. Any
 /// other has its own. A filter's own comparison then decides alike, and a search finds depths as stored.
 /// @param fetch       ivec2 texel -> stored depth
@@ -187,6 +201,25 @@ UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, U
 )GLSL",
 };
 
+inline constexpr snippet corner_reference{
+    .name = "corner_reference",
+    .summary = "depth that four texels are compared with, by the receiver's plane",
+    .exactness = tier::c,
+    .operations = 5,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_corner_reference: depth of the receiver, or of its plane where four texels meet, the nearer to the light
+//   slope      slope of the receiver's plane, per texel, no NaN
+//   way        from the receiver to where the texels meet, in texels
+//   receiver   depth, bias applied
+UMBRAGE_HIGHP float umbrage_corner_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec2 way,
+                                             UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float plane = (receiver + slope.x * way.x) + slope.y * way.y;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, receiver) : max(plane, receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet apply_receiver_plane{
     .name = "apply_receiver_plane",
     .summary = "stored depth, or the far plane's if lit along the receiver's plane",
@@ -207,8 +240,8 @@ UMBRAGE_HIGHP float umbrage_apply_receiver_plane(UMBRAGE_HIGHP float stored, UMB
 )GLSL",
 };
 
-inline constexpr const snippet* receiver_plane_snippets[]{&receiver_plane_slope, &plane_reference,
-                                                          &bordered_plane_reference, &apply_receiver_plane};
+inline constexpr const snippet* receiver_plane_snippets[]{
+    &receiver_plane_slope, &plane_reference, &bordered_plane_reference, &corner_reference, &apply_receiver_plane};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -105,27 +105,28 @@ template <real T>
 /// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
 /// @return               slope of any size
-/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
+/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: above 1e24, infinite or NaN
+/// @formula              as plane_slope, but over 1e-30 where q.z is 0: q.xy are 0 without a normal, and not with one
 /// @exactness            C, n = 27: S as plane_slope
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> receiver_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
                                                       glm::vec<3, T> world) {
-    const bool none = normal.x == T(0) && normal.y == T(0) && normal.z == T(0);
     const glm::vec<3, T> q = plane_in_map(plane_matrix, normal, world);
-    return none ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(-q.x / q.z, -q.y / q.z);
+    const T depth = q.z == T(0) ? T(1e-30) : q.z;
+    return {-q.x / depth, -q.y / depth};
 }
 
 /// Change of a receiver's depth per texel in a cascade, where texels are world positions rotated, scaled and offset.
 /// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
 /// @return         slope of any size
-/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: infinite or NaN
-/// @formula        -normal.xy scale.z / (normal.z scale.xy)
+/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: above 1e12, infinite or NaN
+/// @formula        -normal.xy scale.z / (normal.z scale.xy), with 1e-18 for a normal.z of 0
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> cascade_slope(glm::vec<3, T> normal, glm::vec<4, T> scale) {
-    if (normal.x == T(0) && normal.y == T(0) && normal.z == T(0)) return {T(0), T(0)};
-    return {normal.x * -scale.z / (normal.z * scale.x), normal.y * -scale.z / (normal.z * scale.y)};
+    const T z = normal.z == T(0) ? T(1e-18) : normal.z;
+    return {normal.x * -scale.z / (z * scale.x), normal.y * -scale.z / (z * scale.y)};
 }
 
 /// Slope-scaled bias of rasterizers, computed in a shader.
@@ -207,8 +208,8 @@ inline constexpr snippet receiver_slope{
 UMBRAGE_HIGHP vec2 umbrage_receiver_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
                                           UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec3 q = umbrage_plane_in_map(plane_matrix, normal, world);
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : vec2(-q.x / q.z, -q.y / q.z);
+    UMBRAGE_HIGHP float depth = q.z == 0.0 ? 1.0e-30 : q.z;  // q is zero without a normal, and not where edge-on
+    return vec2(-q.x / depth, -q.y / depth);
 }
 )GLSL",
 };
@@ -224,9 +225,9 @@ inline constexpr snippet cascade_slope{
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
+    UMBRAGE_HIGHP float z = normal.z == 0.0 ? 1.0e-18 : normal.z;  // up is zero without a normal, and not where edge-on
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * z;
+    return vec2(up.x / across.x, up.y / across.y);
 }
 )GLSL",
 };

@@ -67,6 +67,7 @@ enum class hook {
     beyond_far_plane,
     within_far_plane,
     compare,
+    covered,
     texel,
     fetch_depth,
     lit,
@@ -75,7 +76,7 @@ enum class hook {
     gather_clamped,
     gather,
     lit_filtered,
-    lit_at,
+    lit_between,
     depth_at,
     chosen
 };

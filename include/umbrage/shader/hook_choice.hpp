@@ -22,8 +22,8 @@ inline constexpr const auto& all =
          &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
          &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
          &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
-         &bordered_lit_filtered, &sampled_lit, &sampled_bordered_lit, &planed_lit_sampled, &planed_lit_at,
-         &planed_bordered_lit_at, &sampled_depth, &sampled_bordered_depth>;
+         &bordered_lit_filtered, &bordered_covered, &sampled_lit, &planed_lit_sampled, &planed_lit_between,
+         &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -44,6 +44,9 @@ namespace detail {
 }
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// True when a comparison sampler takes the coordinates of the map itself.
+[[nodiscard]] inline bool samples(const binding& b) { return compares(b.texture) && !has_region(b); }
 
 /// True when receivers can be beyond the map's far plane. A user's own comparison handles them itself.
 [[nodiscard]] inline bool has_far_plane(const binding& b) { return b.compare.empty() && !is_scaled(b); }
@@ -83,10 +86,10 @@ template <class = umbrage::detail::on_use>
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
             return is_bordered(b) ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
-        case hook::lit_at:
-            if (!compares(b.texture) || has_region(b)) return s;
-            if (b.receiver_plane) return is_bordered(b) ? hooks::planed_bordered_lit_at : hooks::planed_lit_at;
-            return is_bordered(b) ? hooks::sampled_bordered_lit : hooks::sampled_lit;
+        case hook::covered: return samples(b) && is_bordered(b) ? hooks::bordered_covered : s;
+        case hook::lit_between:
+            if (!samples(b)) return s;
+            return b.receiver_plane ? hooks::planed_lit_between : hooks::sampled_lit;
         case hook::depth_at:
             if (!b.gather || b.receiver_plane || !gathers(b.texture) || compares(b.texture) || has_region(b)) return s;
             return is_bordered(b) ? hooks::sampled_bordered_depth : hooks::sampled_depth;

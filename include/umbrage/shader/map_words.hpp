@@ -170,7 +170,7 @@ template <class = umbrage::detail::on_use>
             return of_texture(is_bordered(map)
                                   ? "umbrage_bordered_plane_reference(receiver_slope, receiver_at, texel, inside)"
                                   : "umbrage_plane_reference(receiver_slope, receiver_at, texel)");
-        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_plane_reference(receiver_slope, receiver_at, texel)");
+        if (word == "UMBRAGE_CORNER") return of_texture("umbrage_corner_reference(receiver_slope, way, receiver)");
         if (word == "UMBRAGE_STORED") return of_texture(depth);
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(map.texel.empty() ? ours(texel) : texel);

@@ -183,8 +183,8 @@ export const inside_texel_space = { language, name: "inside_texel_space", summar
     needs: [], text: `
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 precise bool umbrage_inside_texel_space(float2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 ` };
 
@@ -2346,13 +2346,38 @@ float umbrage_lit_filtered(Texture2D<float4> map, float2 size, float2 coord, flo
 }
 ` };
 
-export const lit_at = { language, name: "lit_at", summary: "weighted comparisons around a point in [0, 1]",
-    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_at", scaled: false,
+export const covered = { language, name: "covered", summary: "share of the texels around a point that lie in the map, along each axis",
+    exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "covered", scaled: false,
+    needs: [], text: `
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+float2 umbrage_covered(float2 size, float2 uv) {
+    return float2(1.0, 1.0);
+}
+` };
+
+export const lit_between = { language, name: "lit_between", summary: "weighted comparisons around a point, where four texels meet",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_between", scaled: false,
     needs: [lit_filtered], text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-float umbrage_lit_at(Texture2D<float4> map, float2 size, float2 uv, float receiver) {
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+float umbrage_lit_between(Texture2D<float4> map, float2 size, float2 uv, float2 way, float receiver) {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+` };
+
+export const lit_at = { language, name: "lit_at", summary: "weighted comparisons around a point in [0, 1]",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [covered, lit_between], text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
+float umbrage_lit_at(Texture2D<float4> map, float2 size, float2 uv, float2 coord, float receiver) {
+    float2 way = floor(uv * size + 0.5) - coord;
+    float2 inside = umbrage_covered(size, uv);
+    float lit = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 ` };
 
@@ -2366,7 +2391,7 @@ export const pcf_2x2_hardware = { language, name: "pcf_2x2_hardware", summary: "
 float umbrage_pcf_2x2_hardware(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_at(map, size, at / size, receiver);
+    float lit = umbrage_lit_at(map, size, at / size, at, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? lit : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -2374,7 +2399,7 @@ float umbrage_pcf_2x2_hardware(Texture2D<float4> map, float2 size, float2 coord,
 
 export const window_hardware3 = { language, name: "window_hardware3", summary: "3x3 kernel, 4 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware3: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2387,21 +2412,24 @@ float umbrage_window_hardware3(Texture2D<float4> map, float2 size, float2 coord,
     float2 texel = floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 0.5 + b0 / w0) / size;
-    float2 b1 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 0.5 + k1 * 0.5 + s * (k0 - k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
     float2 w1 = k0 + s * k1;
-    float2 p1 = (texel + 1.5 + b1 / w1) / size;
+    float2 p1 = (texel + (k0 * 1.5 + s * (k0 + k1 * 1.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
+    float2 inside = v0 + v1;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-0.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(1.5, -0.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-0.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(1.5, 1.5) - s, receiver);
+    n += v1.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -2410,7 +2438,7 @@ float umbrage_window_hardware3(Texture2D<float4> map, float2 size, float2 coord,
 
 export const window_hardware5 = { language, name: "window_hardware5", summary: "5x5 kernel, 9 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware5: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2424,31 +2452,34 @@ float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord,
     float2 texel = floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 1.5 + b0 / w0) / size;
-    float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = float2(k2 + k1, k2 + k1);
-    float2 p1 = (texel + 0.5 + b1 / w1) / size;
-    float2 b2 = s * k0;
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 1.5 - k1 * 0.5 + s * (k0 + k1 * 0.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
+    float2 w1 = float2(k1 + k2, k1 + k2);
+    float2 p1 = (texel + (k1 * 1.5 + k2 * 0.5 + s * (-k1 + k2)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
     float2 w2 = k0 + s * k1;
-    float2 p2 = (texel + 2.5 + b2 / w2) / size;
+    float2 p2 = (texel + (k0 * 2.5 + s * (k0 + k1 * 2.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered(size, p2);
+    float2 inside = v0 + v1 + v2;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-1.5, -1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(0.5, -1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p0.y), float2(2.5, -1.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-1.5, 0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(0.5, 0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p1.y), float2(2.5, 0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p2.y), float2(-1.5, 2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p2.y), float2(0.5, 2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p2.y), float2(2.5, 2.5) - s, receiver);
+    n += v2.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -2457,7 +2488,7 @@ float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord,
 
 export const window_hardware7 = { language, name: "window_hardware7", summary: "7x7 kernel, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware7: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2471,43 +2502,46 @@ float umbrage_window_hardware7(Texture2D<float4> map, float2 size, float2 coord,
     float2 texel = floor(x);
     float2 s = x - texel;
     float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
-    float2 b0 = k1 + s * (k0 - k1);
-    float2 w0 = k0 + k1 - s * k1;
-    float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = k3 + s * (k2 - k3);
+    float2 w0 = k0 + k1 + s * -k1;
+    float2 p0 = (texel + (-k0 * 2.5 - k1 * 1.5 + s * (k0 + k1 * 1.5)) / w0) / size;
+    float2 v0 = w0 * umbrage_covered(size, p0);
     float2 w1 = k2 + k3 + s * (k1 - k3);
-    float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = k1 + s * (k2 - k1);
-    float2 w2 = k2 + k1 + s * (k3 - k1);
-    float2 p2 = (texel + 1.5 + b2 / w2) / size;
-    float2 b3 = s * k0;
+    float2 p1 = (texel + (-k2 * 0.5 + k3 * 0.5 + s * (-k1 * 0.5 + k2 - k3 * 0.5)) / w1) / size;
+    float2 v1 = w1 * umbrage_covered(size, p1);
+    float2 w2 = k1 + k2 + s * (-k1 + k3);
+    float2 p2 = (texel + (k1 * 2.5 + k2 * 1.5 + s * (-k1 * 2.5 + k2 + k3 * 1.5)) / w2) / size;
+    float2 v2 = w2 * umbrage_covered(size, p2);
     float2 w3 = k0 + s * k1;
-    float2 p3 = (texel + 3.5 + b3 / w3) / size;
+    float2 p3 = (texel + (k0 * 3.5 + s * (k0 + k1 * 3.5)) / w3) / size;
+    float2 v3 = w3 * umbrage_covered(size, p3);
+    float2 inside = v0 + v1 + v2 + v3;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p0.y), float2(-2.5, -2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p0.y), float2(-0.5, -2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p0.y), float2(1.5, -2.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p0.y), float2(3.5, -2.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p1.y), float2(-2.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p1.y), float2(-0.5, -0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p1.y), float2(1.5, -0.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p1.y), float2(3.5, -0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p2.y), float2(-2.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p2.y), float2(-0.5, 1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p2.y), float2(1.5, 1.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p2.y), float2(3.5, 1.5) - s, receiver);
+    n += v2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
-    n += w3.y * row;
+    row += v0.x * umbrage_lit_between(map, size, float2(p0.x, p3.y), float2(-2.5, 3.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, float2(p1.x, p3.y), float2(-0.5, 3.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, float2(p2.x, p3.y), float2(1.5, 3.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, float2(p3.x, p3.y), float2(3.5, 3.5) - s, receiver);
+    n += v3.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     float share = clamp(n / (whole * whole), 0.0, 1.0);
     float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
@@ -2532,14 +2566,14 @@ float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, f
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -2563,22 +2597,22 @@ float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, 
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -2602,38 +2636,38 @@ float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, 
     float2 x = scaled / size;
     float2 y = float2(0.0 - scaled.y, scaled.x) / size;
     float n = 0.0;
-    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -4041,8 +4075,8 @@ export const receiver_slope = { language, name: "receiver_slope", summary: "chan
 // umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 float2 umbrage_receiver_slope(float4x4 plane_matrix, float3 normal, float3 world) {
     float3 q = umbrage_plane_in_map(plane_matrix, normal, world);
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : float2(-q.x / q.z, -q.y / q.z);
+    float depth = q.z == 0.0 ? 1.0e-30 : q.z;  // q is zero without a normal, and not where edge-on
+    return float2(-q.x / depth, -q.y / depth);
 }
 ` };
 
@@ -4054,9 +4088,9 @@ export const cascade_slope = { language, name: "cascade_slope", summary: "change
 //   scale   scale of the cascade
 float2 umbrage_cascade_slope(float3 normal, float4 scale) {
     float2 up = float2(normal.x, normal.y) * -scale.z;
-    float2 across = float2(scale.x, scale.y) * normal.z;
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? float2(0.0, 0.0) : float2(up.x / across.x, up.y / across.y);
+    float z = normal.z == 0.0 ? 1.0e-18 : normal.z;  // up is zero without a normal, and not where edge-on
+    float2 across = float2(scale.x, scale.y) * z;
+    return float2(up.x / across.x, up.y / across.y);
 }
 ` };
 
@@ -4187,6 +4221,19 @@ float umbrage_bordered_plane_reference(float2 slope, float3 at, float2 texel, fl
     float y = inside.y == texel.y ? moves.y : lights;
     precise float plane = (at.z + x) + y;
     return umbrage_cleared_depth() > 0.5 ? min(plane, at.z) : max(plane, at.z);
+}
+` };
+
+export const corner_reference = { language, name: "corner_reference", summary: "depth that four texels are compared with, by the receiver's plane",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_corner_reference: depth of the receiver, or of its plane where four texels meet, the nearer to the light
+//   slope      slope of the receiver's plane, per texel, no NaN
+//   way        from the receiver to where the texels meet, in texels
+//   receiver   depth, bias applied
+float umbrage_corner_reference(float2 slope, float2 way, float receiver) {
+    float plane = (receiver + slope.x * way.x) + slope.y * way.y;
+    return umbrage_cleared_depth() > 0.5 ? min(plane, receiver) : max(plane, receiver);
 }
 ` };
 

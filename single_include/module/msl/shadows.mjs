@@ -276,25 +276,21 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     return umbrage_within_far_plane(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 ` };
-const lit_at_sampled = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
+const covered_bordered = { name: "covered", role: "chosen", exactness: "c", operations: 6, within: 0, as_written: false, needs: [],
     text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
-inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
-    return UMBRAGE_LIT_FILTERED;
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+inline float2 umbrage_covered(float2 size, float2 uv) {
+    return metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
 }
 ` };
-const lit_at_sampled_and_bordered = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.compare],
+const lit_between_sampled = { name: "lit_between", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [],
     text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler
 //   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
 //   receiver   no NaN
-inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
-    float lit = UMBRAGE_LIT_FILTERED;
-    float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+inline float umbrage_lit_between(UMBRAGE_MAP map, float2 size, float2 uv, float2 way, float receiver) {
+    return UMBRAGE_LIT_FILTERED;
 }
 ` };
 const lit_sampled_along_a_plane = { name: "lit_sampled", role: "chosen", needs: [],
@@ -304,26 +300,14 @@ inline float umbrage_lit_sampled(UMBRAGE_MAP map, float2 size, float2 uv, float 
     return UMBRAGE_LIT_FILTERED;
 }
 ` };
-const lit_at_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
+const lit_between_along_a_plane = { name: "lit_between", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.corner_reference, lit_sampled_along_a_plane],
     text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
-    float2 texel = metal::floor(uv * size + 0.5) - 0.5;
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four
+// texels meet
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0)
+//   way   from the receiver to where the four texels meet, in texels
+inline float umbrage_lit_between(UMBRAGE_MAP map, float2 size, float2 uv, float2 way, float receiver) {
     return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-}
-` };
-const lit_at_bordered_along_a_plane = { name: "lit_at", role: "chosen", exactness: "c", operations: 0, within: 0.0078125, as_written: false, needs: [snippets.plane_reference, lit_sampled_along_a_plane],
-    text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet. Lit outside the map
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
-    float2 texel = metal::floor(uv * size + 0.5) - 0.5;
-    float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    float2 inside = metal::clamp((0.5 + size * 0.5) - metal::abs(uv - 0.5) * size, float2(0.0, 0.0), float2(1.0, 1.0));
-    return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 ` };
 const depth_at_sampled = { name: "depth_at", role: "chosen", exactness: "c", operations: 4, within: 0, as_written: false, needs: [decode],
@@ -411,11 +395,10 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
         "lit_2x2, gathered and bordered": lit_2x2_gathered_and_bordered,
         "lit_filtered, clamped": lit_filtered_clamped,
         "lit_filtered, bordered": lit_filtered_bordered,
-        "lit_at, sampled": lit_at_sampled,
-        "lit_at, sampled and bordered": lit_at_sampled_and_bordered,
+        "covered, bordered": covered_bordered,
+        "lit_between, sampled": lit_between_sampled,
         "lit_sampled, along a plane": lit_sampled_along_a_plane,
-        "lit_at, along a plane": lit_at_along_a_plane,
-        "lit_at, bordered along a plane": lit_at_bordered_along_a_plane,
+        "lit_between, along a plane": lit_between_along_a_plane,
         "depth_at, sampled": depth_at_sampled,
         "depth_at, sampled and bordered": depth_at_sampled_and_bordered,
     },

@@ -182,8 +182,8 @@ export const inside_texel_space = { language, name: "inside_texel_space", summar
     needs: [], text: `
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 ` };
 
@@ -2345,13 +2345,38 @@ fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receive
 }
 ` };
 
-export const lit_at = { language, name: "lit_at", summary: "weighted comparisons around a point in [0, 1]",
-    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_at", scaled: false,
+export const covered = { language, name: "covered", summary: "share of the texels around a point that lie in the map, along each axis",
+    exactness: "c", operations: 6, within: 0, as_written: false, lowest: "100", role: "covered", scaled: false,
+    needs: [], text: `
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_covered(size: vec2f, uv: vec2f) -> vec2f {
+    return vec2f(1.0, 1.0);
+}
+` };
+
+export const lit_between = { language, name: "lit_between", summary: "weighted comparisons around a point, where four texels meet",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "lit_between", scaled: false,
     needs: [lit_filtered], text: `
-// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+fn umbrage_lit_between(map: texture_2d<f32>, size: vec2f, uv: vec2f, way: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+` };
+
+export const lit_at = { language, name: "lit_at", summary: "weighted comparisons around a point in [0, 1]",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [covered, lit_between], text: `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
+fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let way: vec2f = floor(uv * size + 0.5) - coord;
+    let inside: vec2f = umbrage_covered(size, uv);
+    let lit: f32 = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 ` };
 
@@ -2365,7 +2390,7 @@ export const pcf_2x2_hardware = { language, name: "pcf_2x2_hardware", summary: "
 fn umbrage_pcf_2x2_hardware(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
-    let lit: f32 = umbrage_lit_at(map, size, at / size, receiver);
+    let lit: f32 = umbrage_lit_at(map, size, at / size, at, receiver);
     let visibility: f32 = select(0.0, lit, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
@@ -2373,7 +2398,7 @@ fn umbrage_pcf_2x2_hardware(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
 
 export const window_hardware3 = { language, name: "window_hardware3", summary: "3x3 kernel, 4 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware3: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2386,21 +2411,24 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
     let whole: f32 = k0 + k1 + k0;
-    let b0: vec2f = k1 + s * (k0 - k1);
-    let w0: vec2f = k0 + k1 - s * k1;
-    let p0: vec2f = (texel - 0.5 + b0 / w0) / size;
-    let b1: vec2f = s * k0;
+    let w0: vec2f = k0 + k1 + s * -k1;
+    let p0: vec2f = (texel + (-k0 * 0.5 + k1 * 0.5 + s * (k0 - k1 * 0.5)) / w0) / size;
+    let v0: vec2f = w0 * umbrage_covered(size, p0);
     let w1: vec2f = k0 + s * k1;
-    let p1: vec2f = (texel + 1.5 + b1 / w1) / size;
+    let p1: vec2f = (texel + (k0 * 1.5 + s * (k0 + k1 * 1.5)) / w1) / size;
+    let v1: vec2f = w1 * umbrage_covered(size, p1);
+    let inside: vec2f = v0 + v1;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p0.y), vec2f(-0.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p0.y), vec2f(1.5, -0.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p1.y), vec2f(-0.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p1.y), vec2f(1.5, 1.5) - s, receiver);
+    n += v1.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
     let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
@@ -2409,7 +2437,7 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
 
 export const window_hardware5 = { language, name: "window_hardware5", summary: "5x5 kernel, 9 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware5: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2423,31 +2451,34 @@ fn umbrage_window_hardware5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
     let whole: f32 = k0 + k1 + k2 + k1 + k0;
-    let b0: vec2f = k1 + s * (k0 - k1);
-    let w0: vec2f = k0 + k1 - s * k1;
-    let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
-    let b1: vec2f = k1 + s * (k2 - k1);
-    let w1: vec2f = vec2f(k2 + k1, k2 + k1);
-    let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
-    let b2: vec2f = s * k0;
+    let w0: vec2f = k0 + k1 + s * -k1;
+    let p0: vec2f = (texel + (-k0 * 1.5 - k1 * 0.5 + s * (k0 + k1 * 0.5)) / w0) / size;
+    let v0: vec2f = w0 * umbrage_covered(size, p0);
+    let w1: vec2f = vec2f(k1 + k2, k1 + k2);
+    let p1: vec2f = (texel + (k1 * 1.5 + k2 * 0.5 + s * (-k1 + k2)) / w1) / size;
+    let v1: vec2f = w1 * umbrage_covered(size, p1);
     let w2: vec2f = k0 + s * k1;
-    let p2: vec2f = (texel + 2.5 + b2 / w2) / size;
+    let p2: vec2f = (texel + (k0 * 2.5 + s * (k0 + k1 * 2.5)) / w2) / size;
+    let v2: vec2f = w2 * umbrage_covered(size, p2);
+    let inside: vec2f = v0 + v1 + v2;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p0.y), vec2f(-1.5, -1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p0.y), vec2f(0.5, -1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p0.y), vec2f(2.5, -1.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p1.y), vec2f(-1.5, 0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p1.y), vec2f(0.5, 0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p1.y), vec2f(2.5, 0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p2.y), vec2f(-1.5, 2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p2.y), vec2f(0.5, 2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p2.y), vec2f(2.5, 2.5) - s, receiver);
+    n += v2.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
     let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
@@ -2456,7 +2487,7 @@ fn umbrage_window_hardware5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
 
 export const window_hardware7 = { language, name: "window_hardware7", summary: "7x7 kernel, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, within_far_plane, lit_at], text: `
+    needs: [in_filter_domain, within_far_plane, covered, lit_between], text: `
 // umbrage_window_hardware7: PCF under a kernel that slides over the map, by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
@@ -2470,43 +2501,46 @@ fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
     let whole: f32 = k0 + k1 + k2 + k3 + k2 + k1 + k0;
-    let b0: vec2f = k1 + s * (k0 - k1);
-    let w0: vec2f = k0 + k1 - s * k1;
-    let p0: vec2f = (texel - 2.5 + b0 / w0) / size;
-    let b1: vec2f = k3 + s * (k2 - k3);
+    let w0: vec2f = k0 + k1 + s * -k1;
+    let p0: vec2f = (texel + (-k0 * 2.5 - k1 * 1.5 + s * (k0 + k1 * 1.5)) / w0) / size;
+    let v0: vec2f = w0 * umbrage_covered(size, p0);
     let w1: vec2f = k2 + k3 + s * (k1 - k3);
-    let p1: vec2f = (texel - 0.5 + b1 / w1) / size;
-    let b2: vec2f = k1 + s * (k2 - k1);
-    let w2: vec2f = k2 + k1 + s * (k3 - k1);
-    let p2: vec2f = (texel + 1.5 + b2 / w2) / size;
-    let b3: vec2f = s * k0;
+    let p1: vec2f = (texel + (-k2 * 0.5 + k3 * 0.5 + s * (-k1 * 0.5 + k2 - k3 * 0.5)) / w1) / size;
+    let v1: vec2f = w1 * umbrage_covered(size, p1);
+    let w2: vec2f = k1 + k2 + s * (-k1 + k3);
+    let p2: vec2f = (texel + (k1 * 2.5 + k2 * 1.5 + s * (-k1 * 2.5 + k2 + k3 * 1.5)) / w2) / size;
+    let v2: vec2f = w2 * umbrage_covered(size, p2);
     let w3: vec2f = k0 + s * k1;
-    let p3: vec2f = (texel + 3.5 + b3 / w3) / size;
+    let p3: vec2f = (texel + (k0 * 3.5 + s * (k0 + k1 * 3.5)) / w3) / size;
+    let v3: vec2f = w3 * umbrage_covered(size, p3);
+    let inside: vec2f = v0 + v1 + v2 + v3;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p0.y), vec2f(-2.5, -2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p0.y), vec2f(-0.5, -2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p0.y), vec2f(1.5, -2.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2f(p3.x, p0.y), vec2f(3.5, -2.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p1.y), vec2f(-2.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p1.y), vec2f(-0.5, -0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p1.y), vec2f(1.5, -0.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2f(p3.x, p1.y), vec2f(3.5, -0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p2.y), vec2f(-2.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p2.y), vec2f(-0.5, 1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p2.y), vec2f(1.5, 1.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2f(p3.x, p2.y), vec2f(3.5, 1.5) - s, receiver);
+    n += v2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
-    n += w3.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p3.y), vec2f(-2.5, 3.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p3.y), vec2f(-0.5, 3.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p3.y), vec2f(1.5, 3.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2f(p3.x, p3.y), vec2f(3.5, 3.5) - s, receiver);
+    n += v3.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
     let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
@@ -2531,14 +2565,14 @@ fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, recei
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, coord, receiver);
     let visibility: f32 = select(0.0, n * (1.0 / 8.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
@@ -2562,22 +2596,22 @@ fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
     let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
@@ -2601,38 +2635,38 @@ fn umbrage_disc_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, coord, receiver);
     let visibility: f32 = select(0.0, n * (1.0 / 32.0), umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }
@@ -4040,8 +4074,8 @@ export const receiver_slope = { language, name: "receiver_slope", summary: "chan
 // umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
-    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(vec2f(-q.x / q.z, -q.y / q.z), vec2f(0.0, 0.0), none);
+    let depth: f32 = select(q.z, 1.0e-30, q.z == 0.0);  // q is zero without a normal, and not where edge-on
+    return vec2f(-q.x / depth, -q.y / depth);
 }
 ` };
 
@@ -4053,9 +4087,9 @@ export const cascade_slope = { language, name: "cascade_slope", summary: "change
 //   scale   scale of the cascade
 fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
-    let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
-    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
+    let z: f32 = select(normal.z, 1.0e-18, normal.z == 0.0);  // up is zero without a normal, and not where edge-on
+    let across: vec2f = vec2f(scale.x, scale.y) * z;
+    return vec2f(up.x / across.x, up.y / across.y);
 }
 ` };
 
@@ -4186,6 +4220,19 @@ fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, insid
     let y: f32 = select(lights, moves.y, inside.y == texel.y);
     let plane: f32 = (at.z + x) + y;
     return select(max(plane, at.z), min(plane, at.z), umbrage_cleared_depth() > 0.5);
+}
+` };
+
+export const corner_reference = { language, name: "corner_reference", summary: "depth that four texels are compared with, by the receiver's plane",
+    exactness: "c", operations: 5, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cleared_depth], text: `
+// umbrage_corner_reference: depth of the receiver, or of its plane where four texels meet, the nearer to the light
+//   slope      slope of the receiver's plane, per texel, no NaN
+//   way        from the receiver to where the texels meet, in texels
+//   receiver   depth, bias applied
+fn umbrage_corner_reference(slope: vec2f, way: vec2f, receiver: f32) -> f32 {
+    let plane: f32 = (receiver + slope.x * way.x) + slope.y * way.y;
+    return select(max(plane, receiver), min(plane, receiver), umbrage_cleared_depth() > 0.5);
 }
 ` };
 

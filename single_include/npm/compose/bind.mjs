@@ -5,7 +5,7 @@ import { declarations, for_map, has_region, is_bordered, is_expression, is_one_e
 
 const must = /*#__PURE__*/ must_in('bind');
 export const calls = (s, roles) => roles.includes(s.role) || s.needs.some(need => calls(need, roles));
-const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'gather_clamped', 'gather', 'lit_filtered', 'lit_at', 'depth_at']);
+const reads_map = s => calls(s, ['texel', 'fetch_depth', 'lit', 'lit_2x2', 'gather_lit', 'gather_clamped', 'gather', 'lit_filtered', 'lit_between', 'depth_at']);
 
 /** bind() of a language: snippet, name and map to an item of a text. */
 export const bind_in = hooks => (what, name, ...rest) => {
@@ -103,6 +103,7 @@ export function complete(hooks, map) {
 
 const gathers = map => !['cube', 'cube_faces', 'integer'].includes(map.texture);
 const compares = map => map.texture === 'shadow' || map.texture === 'shadow_array';
+const samples = map => compares(map) && !has_region(map);
 
 /** Snippets that compare along the receiver's plane. */
 export function plane_needs(hooks, map) {
@@ -138,10 +139,10 @@ function chosen(hooks, s, map) {
         case 'gather':
             if (compares(map)) return s;
             return variant(map.channels === 2 ? 'two channels' : 'one channel');
-        case 'lit_at':
-            if (!compares(map) || has_region(map)) return s;
-            if (map.receiver_plane) return variant(is_bordered(map) ? 'bordered along a plane' : 'along a plane');
-            return variant(is_bordered(map) ? 'sampled and bordered' : 'sampled');
+        case 'covered': return samples(map) && is_bordered(map) ? variant('bordered') : s;
+        case 'lit_between':
+            if (!samples(map)) return s;
+            return variant(map.receiver_plane ? 'along a plane' : 'sampled');
         case 'depth_at':
             if (!map.gather || map.receiver_plane || !gathers(map) || compares(map) || has_region(map)) return s;
             return variant(is_bordered(map) ? 'sampled and bordered' : 'sampled');

@@ -134,7 +134,7 @@ export function for_map(hooks, s, suffix, map, words, receiver_plane) {
                 return of_texture(is_bordered(map)
                     ? 'umbrage_bordered_plane_reference(receiver_slope, receiver_at, texel, inside)'
                     : 'umbrage_plane_reference(receiver_slope, receiver_at, texel)');
-            case 'UMBRAGE_CORNER': return of_texture('umbrage_plane_reference(receiver_slope, receiver_at, texel)');
+            case 'UMBRAGE_CORNER': return of_texture('umbrage_corner_reference(receiver_slope, way, receiver)');
             case 'UMBRAGE_STORED': return of_texture(depth);
             case 'UMBRAGE_DEPTH': return of_texture(map.receiver_plane
                 ? `umbrage_apply_receiver_plane(${depth}, receiver_slope, receiver_at, texel)` : depth);

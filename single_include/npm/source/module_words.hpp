@@ -47,7 +47,8 @@ inline std::string_view role(glsl::hook h) {
         case glsl::hook::gather_clamped: return "gather_clamped";
         case glsl::hook::gather: return "gather";
         case glsl::hook::lit_filtered: return "lit_filtered";
-        case glsl::hook::lit_at: return "lit_at";
+        case glsl::hook::covered: return "covered";
+        case glsl::hook::lit_between: return "lit_between";
         case glsl::hook::depth_at: return "depth_at";
         case glsl::hook::chosen: return "chosen";
     }

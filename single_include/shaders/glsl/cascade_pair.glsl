@@ -28,9 +28,9 @@
 //   scale   scale of the cascade
 UMBRAGE_HIGHP vec2 umbrage_cascade_slope(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec4 scale) {
     UMBRAGE_HIGHP vec2 up = vec2(normal.x, normal.y) * -scale.z;
-    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * normal.z;
-    bool none = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return none ? vec2(0.0, 0.0) : vec2(up.x / across.x, up.y / across.y);
+    UMBRAGE_HIGHP float z = normal.z == 0.0 ? 1.0e-18 : normal.z;  // up is zero without a normal, and not where edge-on
+    UMBRAGE_HIGHP vec2 across = vec2(scale.x, scale.y) * z;
+    return vec2(up.x / across.x, up.y / across.y);
 }
 #endif
 

@@ -28,8 +28,8 @@
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 #endif
 
@@ -55,6 +55,15 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 // umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COVERED
+#define UMBRAGE_HAS_COVERED
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return vec2(1.0, 1.0);
 }
 #endif
 
@@ -146,13 +155,28 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_BETWEEN
+#define UMBRAGE_HAS_LIT_BETWEEN
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT
 #define UMBRAGE_HAS_LIT_AT
 // umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_lit_filtered(map, size, uv * size, receiver);
+                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 way = floor(uv * size + 0.5) - coord;
+    UMBRAGE_HIGHP vec2 inside = umbrage_covered(size, uv);
+    UMBRAGE_HIGHP float lit = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 #endif
 
@@ -174,38 +198,38 @@ UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, receiver);
-    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, receiver);
+    n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 5.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 8.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 6.0 - y * 7.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 8.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 3.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 6.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 5.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 13.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 10.0 - y * 10.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 11.0 + y * 9.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 3.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 13.0 - y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 12.0 + y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 14.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 7.0 - y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, coord, receiver);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
 }

@@ -28,8 +28,17 @@
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COVERED
+#define UMBRAGE_HAS_COVERED
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return vec2(1.0, 1.0);
 }
 #endif
 
@@ -138,12 +147,27 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_BETWEEN
+#define UMBRAGE_HAS_LIT_BETWEEN
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_AT
 #define UMBRAGE_HAS_LIT_AT
 // umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
 UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    return umbrage_lit_filtered(map, size, uv * size, receiver);
+                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 way = floor(uv * size + 0.5) - coord;
+    UMBRAGE_HIGHP vec2 inside = umbrage_covered(size, uv);
+    UMBRAGE_HIGHP float lit = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 #endif

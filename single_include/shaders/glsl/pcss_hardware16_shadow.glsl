@@ -36,8 +36,8 @@
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 #endif
 
@@ -221,25 +221,39 @@ bool umbrage_within_far_plane_shadow(UMBRAGE_HIGHP float receiver) {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_COMPARE_SHADOW
-#define UMBRAGE_HAS_COMPARE_SHADOW
-// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
-UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
-    return receiver <= stored ? 1.0 : 0.0;
+#ifndef UMBRAGE_HAS_COVERED_SHADOW
+#define UMBRAGE_HAS_COVERED_SHADOW
+// umbrage_covered_shadow: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered_shadow(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_BETWEEN_SHADOW
+#define UMBRAGE_HAS_LIT_BETWEEN_SHADOW
+// umbrage_lit_between_shadow: 2x2 comparisons around a point, weighted by the sampler
+//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
+//   receiver   no NaN
+UMBRAGE_HIGHP float umbrage_lit_between_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                               UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP vec2 way,
+                                               UMBRAGE_HIGHP float receiver) {
+    return textureLod(map, vec3(uv, receiver), 0.0);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_LIT_AT_SHADOW
 #define UMBRAGE_HAS_LIT_AT_SHADOW
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
 UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
-                                          UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = textureLod(map, vec3(uv, receiver), 0.0);
-    UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, 1.0);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+                                          UMBRAGE_HIGHP vec2 uv, UMBRAGE_HIGHP vec2 coord,
+                                          UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 way = floor(uv * size + 0.5) - coord;
+    UMBRAGE_HIGHP vec2 inside = umbrage_covered_shadow(size, uv);
+    UMBRAGE_HIGHP float lit = umbrage_lit_between_shadow(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 #endif
 
@@ -261,22 +275,22 @@ UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow
     UMBRAGE_HIGHP vec2 x = scaled / size;
     UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
 }

@@ -29,8 +29,8 @@
 #define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 #endif
 
@@ -56,6 +56,15 @@ bool umbrage_in_filter_domain(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float rece
 // umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 bool umbrage_within_far_plane(UMBRAGE_HIGHP float receiver) {
     return receiver <= 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COVERED
+#define UMBRAGE_HAS_COVERED
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return vec2(1.0, 1.0);
 }
 #endif
 
@@ -147,12 +156,13 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HI
 }
 #endif
 
-#ifndef UMBRAGE_HAS_LIT_AT
-#define UMBRAGE_HAS_LIT_AT
-// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
+#ifndef UMBRAGE_HAS_LIT_BETWEEN
+#define UMBRAGE_HAS_LIT_BETWEEN
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
 }
 #endif
@@ -174,43 +184,46 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_HIGHP sampler2D map, UMBRAG
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
     UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
-    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
-    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
-    UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
-    UMBRAGE_HIGHP vec2 b1 = k3 + s * (k2 - k3);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 + s * -k1;
+    UMBRAGE_HIGHP vec2 p0 = (texel + (-k0 * 2.5 - k1 * 1.5 + s * (k0 + k1 * 1.5)) / w0) / size;
+    UMBRAGE_HIGHP vec2 v0 = w0 * umbrage_covered(size, p0);
     UMBRAGE_HIGHP vec2 w1 = k2 + k3 + s * (k1 - k3);
-    UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
-    UMBRAGE_HIGHP vec2 b2 = k1 + s * (k2 - k1);
-    UMBRAGE_HIGHP vec2 w2 = k2 + k1 + s * (k3 - k1);
-    UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
-    UMBRAGE_HIGHP vec2 b3 = s * k0;
+    UMBRAGE_HIGHP vec2 p1 = (texel + (-k2 * 0.5 + k3 * 0.5 + s * (-k1 * 0.5 + k2 - k3 * 0.5)) / w1) / size;
+    UMBRAGE_HIGHP vec2 v1 = w1 * umbrage_covered(size, p1);
+    UMBRAGE_HIGHP vec2 w2 = k1 + k2 + s * (-k1 + k3);
+    UMBRAGE_HIGHP vec2 p2 = (texel + (k1 * 2.5 + k2 * 1.5 + s * (-k1 * 2.5 + k2 + k3 * 1.5)) / w2) / size;
+    UMBRAGE_HIGHP vec2 v2 = w2 * umbrage_covered(size, p2);
     UMBRAGE_HIGHP vec2 w3 = k0 + s * k1;
-    UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
+    UMBRAGE_HIGHP vec2 p3 = (texel + (k0 * 3.5 + s * (k0 + k1 * 3.5)) / w3) / size;
+    UMBRAGE_HIGHP vec2 v3 = w3 * umbrage_covered(size, p3);
+    UMBRAGE_HIGHP vec2 inside = v0 + v1 + v2 + v3;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2(p0.x, p0.y), vec2(-2.5, -2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2(p1.x, p0.y), vec2(-0.5, -2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2(p2.x, p0.y), vec2(1.5, -2.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2(p3.x, p0.y), vec2(3.5, -2.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2(p0.x, p1.y), vec2(-2.5, -0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2(p1.x, p1.y), vec2(-0.5, -0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2(p2.x, p1.y), vec2(1.5, -0.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2(p3.x, p1.y), vec2(3.5, -0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2(p0.x, p2.y), vec2(-2.5, 1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2(p1.x, p2.y), vec2(-0.5, 1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2(p2.x, p2.y), vec2(1.5, 1.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2(p3.x, p2.y), vec2(3.5, 1.5) - s, receiver);
+    n += v2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
-    n += w3.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2(p0.x, p3.y), vec2(-2.5, 3.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2(p1.x, p3.y), vec2(-0.5, 3.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2(p2.x, p3.y), vec2(1.5, 3.5) - s, receiver);
+    row += v3.x * umbrage_lit_between(map, size, vec2(p3.x, p3.y), vec2(3.5, 3.5) - s, receiver);
+    n += v3.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;

@@ -41,8 +41,8 @@ fn umbrage_plane_in_map(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> v
 // umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
 fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
     let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
-    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(vec2f(-q.x / q.z, -q.y / q.z), vec2f(0.0, 0.0), none);
+    let depth: f32 = select(q.z, 1.0e-30, q.z == 0.0);  // q is zero without a normal, and not where edge-on
+    return vec2f(-q.x / depth, -q.y / depth);
 }
 
 // umbrage_adaptive_maps_places: place of a point of the world in the page that holds it

@@ -11,7 +11,7 @@
 //   scale   scale of the cascade
 fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
-    let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
-    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
+    let z: f32 = select(normal.z, 1.0e-18, normal.z == 0.0);  // up is zero without a normal, and not where edge-on
+    let across: vec2f = vec2f(scale.x, scale.y) * z;
+    return vec2f(up.x / across.x, up.y / across.y);
 }

@@ -84,9 +84,9 @@ fn umbrage_cascade_edge(coordinate: vec3f, size: vec2f, reach: f32) -> f32 {
 //   scale   scale of the cascade
 fn umbrage_cascade_slope(normal: vec3f, scale: vec4f) -> vec2f {
     let up: vec2f = vec2f(normal.x, normal.y) * -scale.z;
-    let across: vec2f = vec2f(scale.x, scale.y) * normal.z;
-    let none: bool = abs(normal.x) + abs(normal.y) + abs(normal.z) == 0.0;
-    return select(vec2f(up.x / across.x, up.y / across.y), vec2f(0.0, 0.0), none);
+    let z: f32 = select(normal.z, 1.0e-18, normal.z == 0.0);  // up is zero without a normal, and not where edge-on
+    let across: vec2f = vec2f(scale.x, scale.y) * z;
+    return vec2f(up.x / across.x, up.y / across.y);
 }
 
 // umbrage_cascade_weight: v rounded down to steps of 1/256, from 0.0 to 1.0; NaN gives 0.0

@@ -12,8 +12,8 @@
 
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
 // umbrage_beyond_far_plane: true if a receiver is beyond the far plane
@@ -30,6 +30,12 @@ fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
 // umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver <= 1.0;
+}
+
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_covered(size: vec2f, uv: vec2f) -> vec2f {
+    return vec2f(1.0, 1.0);
 }
 
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -90,10 +96,21 @@ fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receive
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
 }
 
-// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+fn umbrage_lit_between(map: texture_2d<f32>, size: vec2f, uv: vec2f, way: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+
+// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
+fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let way: vec2f = floor(uv * size + 0.5) - coord;
+    let inside: vec2f = umbrage_covered(size, uv);
+    let lit: f32 = umbrage_lit_between(map, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 
 // umbrage_pcf_2x2_hardware: bilinear 2x2 PCF by the sampler. Returns visibility, 1.0 = lit
@@ -103,7 +120,7 @@ fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -
 fn umbrage_pcf_2x2_hardware(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
-    let lit: f32 = umbrage_lit_at(map, size, at / size, receiver);
+    let lit: f32 = umbrage_lit_at(map, size, at / size, at, receiver);
     let visibility: f32 = select(0.0, lit, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);
 }

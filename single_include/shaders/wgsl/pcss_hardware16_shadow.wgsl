@@ -19,8 +19,8 @@
 
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
 // umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
@@ -151,20 +151,29 @@ fn umbrage_within_far_plane_shadow(receiver: f32) -> bool {
     return receiver <= 1.0;
 }
 
-// umbrage_compare_shadow: 1.0 when the receiver is no farther than the stored depth
-fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
-    return select(0.0, 1.0, receiver <= stored);
+// umbrage_covered_shadow: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_covered_shadow(size: vec2f, uv: vec2f) -> vec2f {
+    return clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
 }
 
-// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
+// umbrage_lit_between_shadow: 2x2 comparisons around a point, weighted by the sampler
 //   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
 //   receiver   no NaN
-fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
+fn umbrage_lit_between_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f,
+                              way: vec2f, receiver: f32) -> f32 {
+    return textureSampleCompareLevel(map, map_sampler, uv, receiver);
+}
+
+// umbrage_lit_at_shadow: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv      over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   coord   receiver in texels
+fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, uv: vec2f, coord: vec2f,
                          receiver: f32) -> f32 {
-    let lit: f32 = textureSampleCompareLevel(map, map_sampler, uv, receiver);
-    let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
-    let inside: vec2f = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+    let way: vec2f = floor(uv * size + 0.5) - coord;
+    let inside: vec2f = umbrage_covered_shadow(size, uv);
+    let lit: f32 = umbrage_lit_between_shadow(map, map_sampler, size, uv, way, receiver);
+    return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 
 // umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
@@ -182,22 +191,22 @@ fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_co
     let x: vec2f = scaled / size;
     let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
     var n: f32 = 0.0;
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, receiver);
-    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 5.0 + y * 2.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 + y * 7.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 6.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 8.0 - y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 0.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 11.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 12.0 + y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 1.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 + y * 11.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 9.0 + y * 10.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 13.0 - y * 4.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center - x * 7.0 - y * 12.0, coord, receiver);
+    n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, coord, receiver);
     let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane_shadow(receiver));
     return select(1.0, visibility, compared);
 }

@@ -12,8 +12,8 @@
 
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
 // umbrage_beyond_far_plane: true if a receiver is beyond the far plane
@@ -30,6 +30,12 @@ fn umbrage_in_filter_domain(coord: vec2f, receiver: f32) -> bool {
 // umbrage_within_far_plane: true if a receiver is a number and not beyond the far plane
 fn umbrage_within_far_plane(receiver: f32) -> bool {
     return receiver <= 1.0;
+}
+
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis. Here all of them count
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_covered(size: vec2f, uv: vec2f) -> vec2f {
+    return vec2f(1.0, 1.0);
 }
 
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -90,9 +96,10 @@ fn umbrage_lit_filtered(map: texture_2d<f32>, size: vec2f, coord: vec2f, receive
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
 }
 
-// umbrage_lit_at: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+// umbrage_lit_between: 2x2 comparisons around a point, weighted. Returns visibility, 1.0 = lit
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+//   way   from the receiver to where the four texels meet, in texels. Only a receiver's plane uses it
+fn umbrage_lit_between(map: texture_2d<f32>, size: vec2f, uv: vec2f, way: vec2f, receiver: f32) -> f32 {
     return umbrage_lit_filtered(map, size, uv * size, receiver);
 }
 
@@ -109,31 +116,34 @@ fn umbrage_window_hardware5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let texel: vec2f = floor(x);
     let s: vec2f = x - texel;
     let whole: f32 = k0 + k1 + k2 + k1 + k0;
-    let b0: vec2f = k1 + s * (k0 - k1);
-    let w0: vec2f = k0 + k1 - s * k1;
-    let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
-    let b1: vec2f = k1 + s * (k2 - k1);
-    let w1: vec2f = vec2f(k2 + k1, k2 + k1);
-    let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
-    let b2: vec2f = s * k0;
+    let w0: vec2f = k0 + k1 + s * -k1;
+    let p0: vec2f = (texel + (-k0 * 1.5 - k1 * 0.5 + s * (k0 + k1 * 0.5)) / w0) / size;
+    let v0: vec2f = w0 * umbrage_covered(size, p0);
+    let w1: vec2f = vec2f(k1 + k2, k1 + k2);
+    let p1: vec2f = (texel + (k1 * 1.5 + k2 * 0.5 + s * (-k1 + k2)) / w1) / size;
+    let v1: vec2f = w1 * umbrage_covered(size, p1);
     let w2: vec2f = k0 + s * k1;
-    let p2: vec2f = (texel + 2.5 + b2 / w2) / size;
+    let p2: vec2f = (texel + (k0 * 2.5 + s * (k0 + k1 * 2.5)) / w2) / size;
+    let v2: vec2f = w2 * umbrage_covered(size, p2);
+    let inside: vec2f = v0 + v1 + v2;
+    // ... - s: from the receiver to where the four texels of a fetch meet
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
-    n += w0.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p0.y), vec2f(-1.5, -1.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p0.y), vec2f(0.5, -1.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p0.y), vec2f(2.5, -1.5) - s, receiver);
+    n += v0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
-    n += w1.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p1.y), vec2f(-1.5, 0.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p1.y), vec2f(0.5, 0.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p1.y), vec2f(2.5, 0.5) - s, receiver);
+    n += v1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
-    n += w2.y * row;
+    row += v0.x * umbrage_lit_between(map, size, vec2f(p0.x, p2.y), vec2f(-1.5, 2.5) - s, receiver);
+    row += v1.x * umbrage_lit_between(map, size, vec2f(p1.x, p2.y), vec2f(0.5, 2.5) - s, receiver);
+    row += v2.x * umbrage_lit_between(map, size, vec2f(p2.x, p2.y), vec2f(2.5, 2.5) - s, receiver);
+    n += v2.y * row;
+    n += whole * whole - inside.x * inside.y;  // texels outside are lit
     let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
     let visibility: f32 = select(0.0, share, umbrage_within_far_plane(receiver));
     return select(1.0, visibility, compared);

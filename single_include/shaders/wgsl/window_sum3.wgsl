@@ -9,8 +9,8 @@
 
 // umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
 fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two different limits: of one limit Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
 // umbrage_beyond_far_plane: true if a receiver is beyond the far plane

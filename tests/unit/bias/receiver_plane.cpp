@@ -85,6 +85,18 @@ TEST_CASE_TEMPLATE("plane_reference: by hand, at the texel's center, and never f
     CHECK(plane_reference(T(0.5), slope, coord, vec(2, 7), greater_equal{}) == T(0.5));
 }
 
+TEST_CASE_TEMPLATE("corner_reference: plane_reference where four texels meet", T, float, double) {
+    using vec = glm::vec<2, T>;
+    const vec slope(T(0.25), T(-0.125)), coord(T(3.25), T(7.5));
+    for (const vec corner : {vec(3, 7), vec(4, 8), vec(2, 9)})
+        for (const depth_direction direction : {depth_direction::forward, depth_direction::reversed})
+            CHECK(corner_reference(T(0.5), slope, corner - coord, comparison{direction}) ==
+                  plane_reference(T(0.5), slope, coord, corner - T(0.5), comparison{direction}));
+    CHECK(corner_reference(T(0.5), slope, vec(T(-0.25), T(0.5))) == T(0.375));
+    CHECK(corner_reference(T(0.5), slope, vec(T(0.25), T(-0.5)), greater_equal{}) == T(0.625));
+    CHECK(corner_reference(T(0.5), vec(std::numeric_limits<T>::quiet_NaN()), vec(1)) == T(0.5));
+}
+
 TEST_CASE_TEMPLATE("bordered_plane_reference: inside as plane_reference, outside before every depth", T, float,
                    double) {
     using vec = glm::vec<2, T>;

@@ -59,7 +59,8 @@ TEST_CASE_TEMPLATE("receiver_slope: of a plane, not clamped; none without a norm
     }
     const glm::mat<4, 4, T> identity(T(1));
     CHECK(receiver_slope(identity, vec(T(-3), T(5), 1), vec(7, 8, 9)) == glm::vec<2, T>(T(3), T(-5)));
-    CHECK(!is_finite(receiver_slope(identity, vec(1, 0, 0), vec(0)).x));  // edge-on
+    CHECK(receiver_slope(identity, vec(1, 0, 0), vec(0)).x < T(-1e24));  // edge-on
+    CHECK(receiver_slope(identity, vec(1, 0, 0), vec(0)).y == 0);
 }
 
 TEST_CASE_TEMPLATE("cascade_slope: plane_slope of a map that is a rotation, a scale and an offset", T, float, double) {
@@ -71,7 +72,7 @@ TEST_CASE_TEMPLATE("cascade_slope: plane_slope of a map that is a rotation, a sc
     const auto expected = plane_slope(plane_matrix(to_texels), normal, glm::vec<3, T>(T(0.3), T(2), T(1)));
     CHECK(glm::length(got - expected) < T(1e-6));
     CHECK(cascade_slope(glm::vec<3, T>(0), scale) == glm::vec<2, T>(0));
-    CHECK(!is_finite(cascade_slope(glm::vec<3, T>(1, 1, 0), scale).x));  // edge-on
+    CHECK(std::abs(cascade_slope(glm::vec<3, T>(1, 1, 0), scale).x) > T(1e12));  // edge-on
 }
 
 TEST_CASE_TEMPLATE("plane_slope: the plane through three projected points", T, float, double) {

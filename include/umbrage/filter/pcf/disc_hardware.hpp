@@ -103,7 +103,7 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
+        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", coord, receiver);\n");
     append(text,
            R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;

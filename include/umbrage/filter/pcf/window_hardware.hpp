@@ -61,32 +61,70 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-/// Weight of the texels 2 k and 2 k + 1 of an axis together (w), and of the second alone (b).
-[[nodiscard]] inline std::string pair_weights(int size, int k) {
-    const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
-        here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
-    if (k == 0)
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-            "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
-            {number, here, after});
-    if (2 * k + 1 == size)
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
-            "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
-            {number, before, here});
-    if (2 * k == size / 2)  // the two central weights, wherever the kernel is
-        return filled(
-            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-            "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
-            {number, here, after});
-    return filled(
-        "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
-        "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
-        {number, before, here, after});
+/// A multiple of 1/2 in GLSL.
+[[nodiscard]] inline std::string in_halves(double number) {
+    const int halves = static_cast<int>(number < 0 ? -number * 2 : number * 2);
+    return filled("$s$w.$h", {{'s', 0, number < 0 ? "-" : ""}, {'w', halves / 2}, {'h', halves % 2 * 5}});
 }
 
-/// Weights and position of each fetch along an axis: weight of the farther texel, weight of both, position.
+/// Center of the first texel of a fetch along an axis, in texels from the corner of the receiver's texel.
+constexpr double first_center(int size, int k) { return 2 * k - size / 2 + 0.5; }
+
+/// Multiples of a kernel's weights, which are "k0" and so on from its edge, added up in GLSL.
+class weighted_sum {
+public:
+    explicit weighted_sum(int size) : size_(size) {}
+
+    /// Adds a multiple of the weight at an index. There is none outside the kernel.
+    weighted_sum& add(double factor, int index) {
+        if (index >= 0 && index < size_) factors_[window_parameter(size_, index)] += factor;
+        return *this;
+    }
+    /// @return   the sum; "0.0" if it has no terms
+    [[nodiscard]] std::string str() const {
+        std::string text;
+        for (int i = 0; i < 4; ++i) {
+            if (factors_[i] == 0) continue;
+            const double factor = factors_[i] < 0 ? -factors_[i] : factors_[i];
+            const char* sign = factors_[i] < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+            text += sign;
+            append(text, "k$i", {{'i', i}});
+            if (factor != 1) text += " * " + in_halves(factor);
+        }
+        return text.empty() ? "0.0" : text;
+    }
+    /// @return   the sum as a factor, in brackets if it has several terms
+    [[nodiscard]] std::string as_factor() const {
+        const std::string sum = str();
+        return sum.find(' ') == sum.npos ? sum : '(' + sum + ')';
+    }
+
+private:
+    int size_;
+    double factors_[4]{};
+};
+
+/// Lines for the fetch of the texels 2 k and 2 k + 1 along an axis: the weight w of both, the point p between them at
+/// which a sampler gives each its share, and v, what of w lies in the map. The weight of texel i is
+/// K_i + s (K_(i-1) - K_i). So p is their center of mass, a sum of moments over w.
+[[nodiscard]] inline std::string pair_weights(int size, int k) {
+    const int one = 2 * k, other = one + 1;
+    const double nearer = first_center(size, k), farther = nearer + 1;
+    weighted_sum weight(size), change(size), moment(size), moves(size);
+    weight.add(1, one).add(1, other);
+    change.add(1, one - 1).add(-1, other);
+    moment.add(nearer, one).add(farther, other);
+    moves.add(nearer, one - 1).add(-nearer, one).add(farther, one).add(-farther, other);
+    const std::string both = weight.str(), changes = change.as_factor(), first = moment.str(), then = moves.as_factor();
+    return filled(changes == "0.0" ? "    UMBRAGE_HIGHP vec2 w$k = vec2($w, $w);\n"
+                                   : "    UMBRAGE_HIGHP vec2 w$k = $w + s * $c;\n",
+                  {{'k', k}, {'w', 0, both}, {'c', 0, changes}}) +
+           filled(
+               "    UMBRAGE_HIGHP vec2 p$k = (texel + ($m + s * $t) / w$k) / size;\n"
+               "    UMBRAGE_HIGHP vec2 v$k = w$k * umbrage_covered(size, p$k);\n",
+               {{'k', k}, {'m', 0, first}, {'t', 0, then}});
+}
+
 [[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: PCF under a kernel that slides over the map, by the sampler
@@ -108,21 +146,24 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
     UMBRAGE_HIGHP float whole = k0)GLSL";
     for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
     text += ";\n";
-    for (int k = 0; 2 * k <= size; ++k) {
-        const int texel = 2 * k - size / 2;
-        text += pair_weights(size, k);
-        append(text, "    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
-               {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
-    }
+    for (int k = 0; 2 * k <= size; ++k) text += pair_weights(size, k);
+    text += "    UMBRAGE_HIGHP vec2 inside = v0";
+    for (int k = 1; 2 * k <= size; ++k) append(text, " + v$k", {{'k', k}});
+    text += ";\n    // ... - s: from the receiver to where the four texels of a fetch meet\n";
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (int j = 0; 2 * j <= size; ++j) {
         append(text, "    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
-        for (int i = 0; 2 * i <= size; ++i)
-            append(text, "    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
-                   {{'i', i}, {'j', j}});
-        append(text, "    n += w$j.y * row;\n", {{'j', j}});
+        for (int i = 0; 2 * i <= size; ++i) {
+            const std::string x = in_halves(first_center(size, i)), y = in_halves(first_center(size, j));
+            append(
+                text,
+                "    row += v$i.x * umbrage_lit_between(map, size, vec2(p$i.x, p$j.y), vec2($x, $y) - s, receiver);\n",
+                {{'i', i}, {'j', j}, {'x', 0, x}, {'y', 0, y}});
+        }
+        append(text, "    n += v$j.y * row;\n", {{'j', j}});
     }
-    text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    text += R"GLSL(    n += whole * whole - inside.x * inside.y;  // texels outside are lit
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
@@ -140,7 +181,7 @@ inline constexpr snippet window_hardware{
                            : "7x7 kernel, 16 fetches from a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
+    .needs = list<&in_filter_domain, &within_far_plane, &covered, &lit_between>,
     .source = {detail::window_hardware_text, Size}};
 
 inline constexpr const snippet* window_hardware_snippets[]{&window_hardware<3>, &window_hardware<5>,

@@ -116,8 +116,9 @@ template <real T = float>
 /// @param border             as make_dual_paraboloid_light takes it
 /// @return                   angle from end to end, radians
 /// @edge                     map_size of 2 border or less, which no light has: NaN
-/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = 1 + 2 sqrt(2) border / n. Over the
-///                           chord of an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r circles out
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = 1 + 2 sqrt(2) border / n.
+///                           Over the chord of an angle a, arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, at r
+///                           circles out
 template <real T = float>
 [[nodiscard]] T paraboloid_edge_angle(int map_size, int border = dual_paraboloid_light<T>{}.border) {
     const T inner = T(map_size - 2 * border), rim = T(1) + T(2) * std::sqrt(T(2)) * T(border) / inner;

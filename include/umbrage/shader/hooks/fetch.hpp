@@ -7,7 +7,7 @@
 //   UMBRAGE_DEPTH     the depth of a `value`, or the far plane's where the receiver's plane is lit
 //   UMBRAGE_STORED    the depth of a `value`
 //   UMBRAGE_REFERENCE the depth of the receiver's plane that a `texel` is compared with
-//   UMBRAGE_CORNER    the same where four texels meet, a `texel` between them
+//   UMBRAGE_CORNER    the same where four texels meet, a `way` from the receiver
 //   UMBRAGE_BORDER    the depth outside
 //   UMBRAGE_COMPARE   a user's own comparison
 //   UMBRAGE_UV        texture coordinates for `at`

@@ -53,22 +53,18 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 // A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
-inline constexpr snippet sampled_bordered_lit{.name = "lit_at",
-                                              .summary = "lit_at, sampled and bordered",
-                                              .exactness = tier::c,
-                                              .within = 1.0f / 128.0f,
-                                              .needs = list<&compare>,
-                                              .role = hook::chosen,
-                                              .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the far plane outside the map
-//   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
-//   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return outside + inside.x * inside.y * (lit - outside);
+// Texels outside the map are lit, or compared with the far plane.
+
+inline constexpr snippet bordered_covered{.name = "covered",
+                                          .summary = "covered, bordered",
+                                          .exactness = tier::c,
+                                          .operations = 6,
+                                          .role = hook::chosen,
+                                          .source = R"GLSL(
+// umbrage_covered: share of the texels around a point that lie in the map, along each axis
+//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP vec2 umbrage_covered(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
 }
 )GLSL"};
 
@@ -87,17 +83,17 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 }
 )GLSL"};
 
-inline constexpr snippet sampled_lit{.name = "lit_at",
-                                     .summary = "lit_at, sampled",
+inline constexpr snippet sampled_lit{.name = "lit_between",
+                                     .summary = "lit_between, sampled",
                                      .exactness = tier::c,
                                      .within = 1.0f / 128.0f,
                                      .role = hook::chosen,
                                      .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler
 //   uv         over the map, (0.0, 0.0) to (1.0, 1.0)
 //   receiver   no NaN
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
     return UMBRAGE_LIT_FILTERED;
 }
 )GLSL"};
@@ -111,39 +107,20 @@ UMBRAGE_HIGHP float umbrage_lit_sampled(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 )GLSL"};
 
-inline constexpr snippet planed_lit_at{.name = "lit_at",
-                                       .summary = "lit_at, along a plane",
-                                       .exactness = tier::c,
-                                       .within = 1.0f / 128.0f,
-                                       .needs = list<&plane_reference, &planed_lit_sampled>,
-                                       .role = hook::chosen,
-                                       .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
+inline constexpr snippet planed_lit_between{.name = "lit_between",
+                                            .summary = "lit_between, along a plane",
+                                            .exactness = tier::c,
+                                            .within = 1.0f / 128.0f,
+                                            .needs = list<&corner_reference, &planed_lit_sampled>,
+                                            .role = hook::chosen,
+                                            .source = R"GLSL(
+// umbrage_lit_between: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four
+// texels meet
+//   uv    over the map, (0.0, 0.0) to (1.0, 1.0)
+//   way   from the receiver to where the four texels meet, in texels
+UMBRAGE_HIGHP float umbrage_lit_between(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                        UMBRAGE_HIGHP vec2 way, UMBRAGE_HIGHP float receiver) {
     return umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-}
-)GLSL"};
-
-inline constexpr snippet planed_bordered_lit_at{.name = "lit_at",
-                                                .summary = "lit_at, bordered along a plane",
-                                                .exactness = tier::c,
-                                                .within = 1.0f / 128.0f,
-                                                .needs = list<&plane_reference, &planed_lit_sampled>,
-                                                .role = hook::chosen,
-                                                .source = R"GLSL(
-// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler, with the plane's depth where the four texels
-// meet. Lit outside the map
-//   uv   over the map, (0.0, 0.0) to (1.0, 1.0)
-UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 texel = floor(uv * size + 0.5) - 0.5;
-    UMBRAGE_HIGHP float lit = umbrage_lit_sampled(map, size, uv, UMBRAGE_CORNER);
-    UMBRAGE_HIGHP vec2 inside = clamp((0.5 + size * 0.5) - abs(uv - 0.5) * size, vec2(0.0, 0.0), vec2(1.0, 1.0));
-    return 1.0 + inside.x * inside.y * (lit - 1.0);
 }
 )GLSL"};
 

@@ -63,6 +63,15 @@ void add_bias_receiver_plane(std::vector<entry>& all) {
                        .call = "vec4(umbrage_plane_reference(vec2(x1.x, x1.y), vec3(x0.y, x0.z, x0.x), "
                                "vec2(x1.z, x1.w)))",
                        .map_kind = {.direction = direction}});
+        all.push_back({.primitive = &glsl::corner_reference,
+                       .variant = forward ? "" : "reversed",
+                       .classes = placed,
+                       .twin =
+                           [is_lit = comparison{direction}](const sample& s) {
+                               return vec4(corner_reference(s.x[0].x, vec2(s.x[1]), vec2(s.x[0].y, s.x[0].z), is_lit));
+                           },
+                       .call = "vec4(umbrage_corner_reference(vec2(x1.x, x1.y), vec2(x0.y, x0.z), x0.x))",
+                       .map_kind = {.direction = direction}});
         all.push_back({.primitive = &glsl::bordered_plane_reference,
                        .variant = forward ? "" : "reversed",
                        .classes = placed,

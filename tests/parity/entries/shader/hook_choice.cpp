@@ -257,7 +257,7 @@ void add_four_maps(std::vector<entry>& all) {
 const std::set<const snippet*> along_planes{&glsl::hooks::planed_lit,          &glsl::hooks::planed_lit_texel,
                                             &glsl::hooks::planed_compared_lit, &glsl::hooks::planed_compare,
                                             &glsl::hooks::planed_gathered_lit, &glsl::hooks::planed_lit_sampled,
-                                            &glsl::hooks::planed_lit_at,       &glsl::hooks::planed_bordered_lit_at};
+                                            &glsl::hooks::planed_lit_between};
 
 /// Every other snippet of hooks::all is in some text.
 void expect_all(const std::vector<entry>& all) {

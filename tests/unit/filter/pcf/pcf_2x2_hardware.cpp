@@ -45,5 +45,8 @@ TEST_CASE("pcf_2x2_hardware: the sampler weighs where there is one, else we do")
     CHECK(text({.texture = texture::shadow}).find("textureLod(map, vec3(uv, receiver), 0.0)") != std::string::npos);
     CHECK(text({.texture = texture::shadow}).find("umbrage_pcf_2x2_sun(") == std::string::npos);
     CHECK(text({.texture = texture::array}).find("return umbrage_pcf_2x2_sun(map, layer, size, ") != std::string::npos);
-    CHECK(text({.texture = texture::shadow_array}).find("umbrage_compare_sun(receiver, 1.0)") != std::string::npos);
+    const binding whole{.texture = texture::shadow_array},
+        clamped{.texture = texture::shadow_array, .outside = outside_map::clamped};
+    CHECK(text(whole).find("abs(uv - 0.5) * size") != std::string::npos);  // the share of the map in what is fetched
+    CHECK(text(clamped).find("abs(uv - 0.5) * size") == std::string::npos);
 }

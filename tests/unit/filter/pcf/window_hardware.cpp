@@ -127,8 +127,8 @@ TEST_CASE("window_hardware: so many look-ups") {
     const auto look_ups = [](const snippet& s) {
         const std::string text = glsl::text({bind(s, "sun", {.texture = texture::shadow})});
         int found = 0;
-        for (auto at = text.find("umbrage_lit_at_sun(map, "); at != text.npos;
-             at = text.find("umbrage_lit_at_sun(map, ", at + 1))
+        for (auto at = text.find("umbrage_lit_between_sun(map, "); at != text.npos;
+             at = text.find("umbrage_lit_between_sun(map, ", at + 1))
             ++found;
         return found;
     };
