@@ -23,7 +23,8 @@ export function frame_in(w, calls, is) {
     const counted = numbers(w, filter.arguments), steep = ['x', 'y'].map(axis => `${w.builtin('abs')}(slope.${axis})`);
     const reach = filter.disc ? `filter_terms.${'xyzw'[counted.length]}` : 'terms.z';
     const bias = linear => [
-        w.precise('float', 'error', `terms.w + slope.z${linear ? ` + 0.5 * (${steep.join(' + ')})` : ''}`),
+        (linear ? constant : w.precise)('float', 'error',
+            `terms.w + slope.z${linear ? ` + 0.5 * (${steep.join(' + ')})` : ''}`),
         ...along_plane
             ? [`${w.flag('is_seen', `${steep.join(' + ')} < 2.0`)}  // not edge-on by the light`,
                 constant('float', 'bias', `${w.builtin('clamp')}(error, 0.0, 1.0)`)]

@@ -13,7 +13,7 @@
 
 using namespace umbrage;
 
-TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in every convention, to a kernel's corner behind the rim") {
+TEST_CASE("rasterize_dual_paraboloid: a room's walls at their distances, in every convention, behind the rim too") {
     const glm::vec3 position(0.5f, -0.3f, 0.2f), low(-3, -2, -4), high(2, 3, 4);
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 8; ++i)
