@@ -59,6 +59,7 @@ void scan(std::string_view s, std::size_t at, std::size_t stop, std::vector<toke
             add(what::word, from(at, in_word));
         } else if (digit(c)) {
             std::size_t end = from(from(at, digit), [](char x) { return x == '.' || digit(x); });
+            if (end + 1 < stop && s[end] == 'e') end = from(end + (s[end + 1] == '-' ? 2 : 1), digit);
             if (end < stop && s[end] == 'u') ++end;
             if (end < stop && in_word(s[end])) throw std::runtime_error("mutants: a number of another kind");
             add(what::number, end);
