@@ -105,7 +105,8 @@ template <real T>
 /// @param normal         surface normal, any length. Pass zero if there is none and the depth pass has the bias
 /// @param world          point on the surface, world units
 /// @return               slope of any size
-/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: above 1e24, infinite or NaN
+/// @edge                 zero normal: (0, 0). Plane seen edge-on by the light: far above 2, infinite or NaN,
+///                       but for q.xy near 1e-30, which counts as no normal
 /// @formula              as plane_slope, but over 1e-30 where q.z is 0: q.xy are 0 without a normal, and not with one
 /// @exactness            C, n = 27: S as plane_slope
 template <real T>
@@ -120,7 +121,8 @@ template <real T>
 /// @param normal   surface normal, rotated into the light's axes, any length. Pass zero if there is none
 /// @param scale    scale of the cascade
 /// @return         slope of any size
-/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: above 1e12, infinite or NaN
+/// @edge           zero normal: (0, 0). Plane seen edge-on by the light: far above 2, infinite or NaN,
+///                 but for a normal of length near 1e-18, which counts as none
 /// @formula        -normal.xy scale.z / (normal.z scale.xy), with 1e-18 for a normal.z of 0
 /// @exactness      C, n = 6: a division; hardware may take products below 2^-126 for 0
 template <real T>

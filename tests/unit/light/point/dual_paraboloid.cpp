@@ -118,6 +118,20 @@ TEST_CASE("paraboloid_edge_angle: edges at the rim are half a texel off, untesse
     };
     for (const int size : {256, 512, 1024, 2048})
         CHECK(off(paraboloid_edge_angle<double>(size, 0), size) == doctest::Approx(0.5).epsilon(0.002));
+    for (const int border : {2, 8, 64}) {  // at a kernel's corner in a diagonal, a tangent of that circle
+        constexpr double size = 512;
+        const double inner = size - 2 * border, rim = 1 + 2 * std::numbers::sqrt2 * border / inner;
+        const glm::dvec3 corner = glm::dvec3(2 * rim, 0, 1 - rim * rim) / (1 + rim * rim), across(0, 1, 0);
+        const auto texel = [&](double turn) {
+            const glm::dvec4 h = dual_paraboloid_position(corner * std::cos(turn) + across * std::sin(turn), 0.0);
+            return glm::dvec2(h) / h.w * (inner / 2);
+        };
+        const double half = paraboloid_edge_angle<double>(static_cast<int>(size), border) / 2;
+        CAPTURE(border);
+        CHECK(glm::length(texel(0)) == doctest::Approx(inner / 2 + std::numbers::sqrt2 * border));
+        CHECK(glm::distance(texel(0), (texel(-half) + texel(half)) / 2.0) <= 0.5);
+        CHECK(glm::distance(texel(0), (texel(-half) + texel(half)) / 2.0) > 0.4);
+    }
     CHECK(off(30 * degree, 1024) == doctest::Approx(17).epsilon(0.03));
     CHECK(off(60 * degree, 1024) == doctest::Approx(69).epsilon(0.01));
     CHECK(off(90 * degree, 1024) == doctest::Approx(150).epsilon(0.002));
