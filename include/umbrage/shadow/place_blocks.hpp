@@ -53,9 +53,9 @@ UMBRAGE_INLINE inline void place_anchored_block(const anchored_map& map, const s
 
         const float w = coordinate(3);
         const std::int32_t before = -std::int32_t(w > 0.0f) & number_mask(w);
-        const float inverse = masked(1.0f / w, before), depth = coordinate(2) * inverse, far = magnitude(depth);
+        const float inverse = masked(1.0f / w, before), depth = coordinate(2) * inverse, reach = magnitude(depth);
         const float moves = rounding.x + rounding.y * inverse, beside = moves * rounding.z + slack.x;
-        const float off = moves * (rounding.w + far) + (far * slack.y + slack.z), at = depth + slack.w;
+        const float off = moves * (rounding.w + reach) + (reach * slack.y + slack.z), at = depth + slack.w;
 
         const std::int32_t seen = -std::int32_t(steep < 2.0f) & number_mask(steep);
         const std::int32_t compared = before & seen & ~beyond_far_plane_mask<Forward>(at);
