@@ -3,8 +3,8 @@
 // Whole shadows of random parts against rays: setup x filter x encoding x clip space x map size x scale x place x
 // scene. Prints a line a setup; fails when a receiver is wrong, and says which draw.
 //
-//     joints --draws 400             draws of the seeds from 0 on, by as many threads as there are cores
-//     joints --receivers 1e8         as many draws as it takes
+//     joints --draws 400 [1000]      draws of the seeds from 0 on, or from 1000, by as many threads as there are cores
+//     joints --receivers 1e8 [1000]  as many draws as it takes
 //     joints --seed 1234             one draw again, with its wrong receivers
 //     joints --faults 200            plants each fault, and looks for a draw of so many that shows it
 #include <atomic>
@@ -87,15 +87,15 @@ bool print(const table& all) {
     return sum.found.wrong() == 0 && share <= 0.05 && sum.found.lit > 0 && sum.found.dark > 0;
 }
 
-bool prove(std::uint64_t draws, std::uint64_t receivers_wanted) {
+bool prove(std::uint64_t draws, std::uint64_t receivers_wanted, std::uint64_t first_seed) {
     table all;
     std::mutex adding;
-    std::atomic<std::uint64_t> next = 0, receivers = 0;
+    std::atomic<std::uint64_t> next = first_seed, receivers = 0;
     std::vector<std::jthread> threads(std::max(1u, std::thread::hardware_concurrency()));
     for (std::jthread& thread : threads)
         thread = std::jthread([&] {
             table own;
-            for (std::uint64_t seed; (seed = next++) < draws && receivers < receivers_wanted;)
+            for (std::uint64_t seed; (seed = next++) - first_seed < draws && receivers < receivers_wanted;)
                 add_draw(seed, own, receivers);
             const std::lock_guard lock(adding);
             for (const auto& [setup, l] : own) all[setup] += l;
@@ -134,13 +134,15 @@ bool repeat(std::uint64_t seed) {
 
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);  // what was found of a run that is stopped
-    const std::string_view what = argc == 3 ? argv[1] : "";
-    const double number = argc == 3 ? std::strtod(argv[2], nullptr) : 0;
-    const auto count = static_cast<std::uint64_t>(number);
-    if (what == "--draws" && count > 0) return prove(count, ~std::uint64_t(0)) ? 0 : 1;
-    if (what == "--receivers" && count > 0) return prove(~std::uint64_t(0), count) ? 0 : 1;
+    const std::string_view what = argc > 2 ? argv[1] : "";
+    const auto argument = [&](int i) {
+        return i < argc ? static_cast<std::uint64_t>(std::strtod(argv[i], nullptr)) : std::uint64_t(0);
+    };
+    const std::uint64_t count = argument(2), first_seed = argument(3), all = ~std::uint64_t(0);
+    if (what == "--draws" && count > 0) return prove(count, all, first_seed) ? 0 : 1;
+    if (what == "--receivers" && count > 0) return prove(all, count, first_seed) ? 0 : 1;
     if (what == "--seed") return repeat(count) ? 0 : 1;
     if (what == "--faults" && count > 0) return plant_faults(count) ? 0 : 1;
-    std::puts("usage: joints --draws N | --receivers N | --seed N | --faults N");
+    std::puts("usage: joints --draws N [first seed] | --receivers N [first seed] | --seed N | --faults N");
     return 2;
 }
