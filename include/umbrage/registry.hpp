@@ -63,6 +63,7 @@
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/cascade_choice.hpp>
 #include <umbrage/shadow/cascade_places.hpp>
 #include <umbrage/shadow/cube_maps.hpp>
 #include <umbrage/shadow/map_tile.hpp>
@@ -154,9 +155,9 @@ template <class Use = umbrage::detail::on_use>
                       normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets, probe_color_snippets})
             // shadow
-            .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_places_snippets,
-                      cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets, warped_places_snippets,
-                      page_places_snippets, softness_snippets})
+            .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_choice_snippets,
+                      cascade_places_snippets, cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets,
+                      warped_places_snippets, page_places_snippets, softness_snippets})
             .members();
     }();
     return all;

@@ -220,15 +220,20 @@
 // anchored_place, tier C: within 121 x 2^-23 x S of the exact result.
 // single_map_places, tier C: within 121 x 2^-23 x S of the exact result.
 // parallel_map_places, tier C: within 121 x 2^-23 x S of the exact result.
-// cascade_edge, tier B: within 11 x 2^-23 x S of the exact result.
-// cascade_pair, tier C: within 14 x 2^-23 x S of the exact result.
-// cascaded_maps_places, tier C: within 38 x 2^-23 x S of the exact result.
-// cascaded_maps_places_8, tier C: within 38 x 2^-23 x S of the exact result.
+// cascade_edge, tier C: within 13 x 2^-23 x S of the exact result.
+// cascade_edges, tier C: within 13 x 2^-23 x S of the exact result.
+// next_cascade_weight, tier B: within 3 x 2^-23 x S of the exact result.
+// cascaded_maps_choice, tier C: within 38 x 2^-23 x S of the exact result.
+// cascaded_maps_choice_8, tier C: within 38 x 2^-23 x S of the exact result.
+// cascade_place, tier C: within 14 x 2^-23 x S of the exact result.
+// cascaded_maps_place, tier C: within 38 x 2^-23 x S of the exact result.
+// cascaded_maps_place_8, tier C: within 38 x 2^-23 x S of the exact result.
 // cube_maps_places, tier C: within 121 x 2^-23 x S of the exact result.
 // tetrahedron_map_places, tier C: within 121 x 2^-23 x S of the exact result.
 // paraboloid_maps_places, tier C: within 57 x 2^-23 x S of the exact result.
 // paraboloid_vertex, tier C: within 51 x 2^-23 x S of the exact result.
-// warped_maps_places, tier C: within 121 x 2^-23 x S of the exact result.
+// warped_maps_choice, tier C: within 10 x 2^-23 x S of the exact result.
+// warped_maps_place, tier C: within 121 x 2^-23 x S of the exact result.
 // adaptive_maps_places, tier C: within 68 x 2^-23 x S of the exact result.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5_shadow, tier B: within 80 x 2^-23 x S of the exact result.
@@ -1980,135 +1985,183 @@ inline metal::float4x4 umbrage_parallel_map_places(metal::float4x4 to_texels, me
 #ifndef UMBRAGE_HAS_CASCADE_EDGE
 #define UMBRAGE_HAS_CASCADE_EDGE
 // umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
-//   coordinate   position in the cascade's map: texels, texels, depth
-//   size, reach  size of the map and filter radius, in texels
-// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
-inline float umbrage_cascade_edge(float3 coordinate, float2 size, float reach) {
+//   light          the point, rotated into the light's axes
+//   scale, offset  those of the cascade
+//   size, reach    size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], and for NaN there
+inline float umbrage_cascade_edge(float3 light, float4 scale, float4 offset, float2 size, float reach) {
+    float3 at = light * float3(scale.x, scale.y, scale.z) + float3(offset.x, offset.y, offset.z);
     float2 half_size = size * 0.5;
-    float2 beyond = metal::abs(float2(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
-    bool near_map = beyond.x + beyond.y < 65536.0;  // false for NaN
-    return coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map ? metal::max(beyond.x, beyond.y) : 65536.0;
+    float2 beyond = metal::abs(float2(at.x, at.y) - half_size) - (half_size - reach);
+    return metal::abs(at.z - 0.5) <= 0.5 ? metal::max(beyond.x, beyond.y) : 65536.0;
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CASCADE_PAIR
-#define UMBRAGE_HAS_CASCADE_PAIR
-// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
-//   across                    normal, rotated into the light's axes
-//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
-//   there                     (texels, texels, depth) in the next one
-//   edges                     umbrage_cascade_edge of both
-//   slacks                    w of the offsets of both: slack of a plane in depth
-//   scale                     scale of the cascade; w: slack of a plane in texels of slope
-//   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-inline metal::float4x4 umbrage_cascade_pair(float3 across, float4 found, float3 there, float2 edges, float2 slacks,
-                                            float4 scale, float4 next_scale, float4 blending) {
-    bool last = found.w >= blending.y;
-    float2 v = edges * blending.x + 1.0;
-    float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
-    float held = edges.y <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
-    float weight = last ? leaves : metal::min(leaves, held);
-    float3 next = last ? float3(-65536.0, -65536.0, 0.0) : there;
-    float2 slope = umbrage_cascade_slope(across, scale);
-    float2 next_slope = umbrage_cascade_slope(across, next_scale);
-    float slack = (metal::abs(slope.x) + metal::abs(slope.y)) * scale.w + slacks.x;
-    float next_slack = (metal::abs(next_slope.x) + metal::abs(next_slope.y)) * next_scale.w + slacks.y;
-    return metal::float4x4(float4(found.x, found.y, found.z, metal::min(found.w, blending.y)),
-                           float4(slope, 1.0, slack), float4(next, metal::min(found.w + 1.0, blending.y)),
-                           float4(next_slope, weight, next_slack));
+#ifndef UMBRAGE_HAS_CASCADE_EDGES
+#define UMBRAGE_HAS_CASCADE_EDGES
+// umbrage_cascade_edges: umbrage_cascade_edge of four cascades
+//   scales, offsets   one column per cascade
+inline float4 umbrage_cascade_edges(float3 light, metal::float4x4 scales, metal::float4x4 offsets, float2 size,
+                                    float reach) {
+    return float4(umbrage_cascade_edge(light, scales[0], offsets[0], size, reach),
+                  umbrage_cascade_edge(light, scales[1], offsets[1], size, reach),
+                  umbrage_cascade_edge(light, scales[2], offsets[2], size, reach),
+                  umbrage_cascade_edge(light, scales[3], offsets[3], size, reach));
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CASCADED_MAPS_PLACES
-#define UMBRAGE_HAS_CASCADED_MAPS_PLACES
-// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+#ifndef UMBRAGE_HAS_FIRST_CASCADE
+#define UMBRAGE_HAS_FIRST_CASCADE
+// umbrage_first_cascade: number of the first of four cascades that holds a point and its filter, its edge, and the edge
+// of the next one; (4.0, 65536.0, 65536.0) for none
+//   edges   umbrage_cascade_edge of each
+inline float3 umbrage_first_cascade(float4 edges) {
+    float3 found = edges.w <= 0.0 ? float3(3.0, edges.w, 65536.0) : float3(4.0, 65536.0, 65536.0);
+    found = edges.z <= 0.0 ? float3(2.0, edges.z, edges.w) : found;
+    found = edges.y <= 0.0 ? float3(1.0, edges.y, edges.z) : found;
+    return edges.x <= 0.0 ? float3(0.0, edges.x, edges.y) : found;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_NEXT_CASCADE_WEIGHT
+#define UMBRAGE_HAS_NEXT_CASCADE_WEIGHT
+// umbrage_next_cascade_weight: weight of the next cascade, which grows towards the border of a cascade's map
+//   found      of umbrage_first_cascade
+//   blending   1.0 / width of the band in texels, or 0.0; number of the last cascade, after which comes light
+inline float umbrage_next_cascade_weight(float3 found, float4 blending) {
+    float2 v = float2(found.y, found.z) * blending.x + 1.0;
+    float leaves = umbrage_cascade_weight(v.x);
+    float held = found.z <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
+    float weight = found.x >= blending.y ? leaves : metal::min(leaves, held);
+    return blending.x > 0.0 && found.x <= blending.y ? weight : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADED_MAPS_CHOICE
+#define UMBRAGE_HAS_CASCADED_MAPS_CHOICE
+// umbrage_cascaded_maps_choice: number of the first of up to four cascades that holds a point, and weight of the next
 //   rotation          rotation from the world to the light's axes
 //   scales, offsets   scales and offsets of the cascades
 //   anchor            position that is subtracted from world
-//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
-inline metal::float4x4 umbrage_cascaded_maps_places(metal::float4x4 rotation, metal::float4x4 scales,
-                                                    metal::float4x4 offsets, float4 anchor, float4 blending,
-                                                    float4 terms, float3 world, float3 normal) {
+//   blending, terms   as for umbrage_next_cascade_weight; size of a map and reach of the filter
+inline float2 umbrage_cascaded_maps_choice(metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                                           float4 anchor, float4 blending, float4 terms, float3 world) {
     float2 size = float2(terms.x, terms.y);
     float3 way = world - float3(anchor.x, anchor.y, anchor.z);
-    float4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
-    float4 across = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
-    float4 a = light * scales[0] + offsets[0];
-    float4 b = light * scales[1] + offsets[1];
-    float4 c = light * scales[2] + offsets[2];
-    float4 d = light * scales[3] + offsets[3];
-    float edge_a = umbrage_cascade_edge(float3(a.x, a.y, a.z), size, terms.z);
-    float edge_b = umbrage_cascade_edge(float3(b.x, b.y, b.z), size, terms.z);
-    float edge_c = umbrage_cascade_edge(float3(c.x, c.y, c.z), size, terms.z);
-    float edge_d = umbrage_cascade_edge(float3(d.x, d.y, d.z), size, terms.z);
-    bool in_a = edge_a <= 0.0;
-    bool in_b = edge_b <= 0.0;
-    bool in_c = edge_c <= 0.0;
-    float4 none = float4(65536.0, 65536.0, 0.0, 4.0);
-    float4 found = edge_d <= 0.0 ? float4(d.x, d.y, d.z, 3.0) : none;
-    found = in_c ? float4(c.x, c.y, c.z, 2.0) : found;
-    found = in_b ? float4(b.x, b.y, b.z, 1.0) : found;
-    found = in_a ? float4(a.x, a.y, a.z, 0.0) : found;
-    // the next cascade is already looked at; no column is chosen by number
-    float4 there = in_a ? b : (in_b ? c : d);
-    float edge = in_a ? edge_a : (in_b ? edge_b : (in_c ? edge_c : edge_d));
-    float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
-    float4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
-    float4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
-    float next_slack = in_a ? offsets[1].w : (in_b ? offsets[2].w : offsets[3].w);
-    float slack = in_a ? offsets[0].w : (in_b ? offsets[1].w : (in_c ? offsets[2].w : offsets[3].w));
-    return umbrage_cascade_pair(float3(across.x, across.y, across.z), found, float3(there.x, there.y, there.z),
-                                float2(edge, next_edge), float2(slack, next_slack), scale, next_scale, blending);
+    float4 turned = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    float3 light = float3(turned.x, turned.y, turned.z);
+    float3 found = umbrage_first_cascade(umbrage_cascade_edges(light, scales, offsets, size, terms.z));
+    return float2(found.x, umbrage_next_cascade_weight(found, blending));
 }
 #endif
 
-#ifndef UMBRAGE_HAS_CASCADED_MAPS_PLACES_8
-#define UMBRAGE_HAS_CASCADED_MAPS_PLACES_8
-// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+#ifndef UMBRAGE_HAS_CASCADED_MAPS_CHOICE_8
+#define UMBRAGE_HAS_CASCADED_MAPS_CHOICE_8
+// umbrage_cascaded_maps_choice_8: umbrage_cascaded_maps_choice for up to eight cascades
 //   farther_scales, farther_offsets   those of the fifth cascade and of those after it
-//   the others, and what it returns   as umbrage_cascaded_maps_places
-inline metal::float4x4 umbrage_cascaded_maps_places_8(metal::float4x4 rotation, metal::float4x4 scales,
-                                                      metal::float4x4 offsets, metal::float4x4 farther_scales,
-                                                      metal::float4x4 farther_offsets, float4 anchor, float4 blending,
-                                                      float4 terms, float3 world, float3 normal) {
+inline float2 umbrage_cascaded_maps_choice_8(metal::float4x4 rotation, metal::float4x4 scales, metal::float4x4 offsets,
+                                             metal::float4x4 farther_scales, metal::float4x4 farther_offsets,
+                                             float4 anchor, float4 blending, float4 terms, float3 world) {
     float2 size = float2(terms.x, terms.y);
     float3 way = world - float3(anchor.x, anchor.y, anchor.z);
-    float4 turned = umbrage_shadow_coordinate(rotation, way);
-    float4 turned_normal = umbrage_shadow_coordinate(rotation, normal);
+    float4 turned = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
     float3 light = float3(turned.x, turned.y, turned.z);
-    float3 across = float3(turned_normal.x, turned_normal.y, turned_normal.z);
-    float4 found =
-        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
-    float number = metal::min(found.w, blending.y);
-    float next = metal::min(number + 1.0, blending.y);
-    float4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    float4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
-    float3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
-    float4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
-    float edge = umbrage_cascade_edge(float3(found.x, found.y, found.z), size, terms.z);
-    float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, float2(edge, next_edge), float2(offset.w, next_offset.w),
-                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+    float4 nearer = umbrage_cascade_edges(light, scales, offsets, size, terms.z);
+    float4 farther = umbrage_cascade_edges(light, farther_scales, farther_offsets, size, terms.z);
+    float3 found = umbrage_first_cascade(nearer);
+    float3 after = umbrage_first_cascade(farther);
+    float next = found.x == 3.0 ? farther.x : found.z;
+    found = found.x < 3.5 ? float3(found.x, found.y, next) : float3(after.x + 4.0, after.y, after.z);
+    return float2(found.x, umbrage_next_cascade_weight(found, blending));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_PLACE
+#define UMBRAGE_HAS_CASCADE_PLACE
+// umbrage_cascade_place: place of a point in one cascade
+//   light, across   the point and its normal, rotated into the light's axes
+//   scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
+//   number, last    number of the cascade and of the last one; above it the place is outside all maps, where all is lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+inline metal::float4x4 umbrage_cascade_place(float3 light, float3 across, float4 scale, float4 offset, float number,
+                                             float last) {
+    float4 none = float4(0.0, 0.0, 0.0, 0.0);
+    float3 at = light * float3(scale.x, scale.y, scale.z) + float3(offset.x, offset.y, offset.z);
+    float x = number <= last ? at.x : -65536.0;
+    float2 slope = umbrage_cascade_slope(across, scale);
+    float slack = (metal::abs(slope.x) + metal::abs(slope.y)) * scale.w + offset.w;
+    return metal::float4x4(float4(x, at.y, at.z, metal::min(number, last)), float4(slope, 1.0, slack), none, none);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADED_MAPS_PLACE
+#define UMBRAGE_HAS_CASCADED_MAPS_PLACE
+// umbrage_cascaded_maps_place: umbrage_cascade_place of a point of the world, in one of up to four cascades
+//   number   number of the cascade
+//   the others as for umbrage_cascaded_maps_choice
+inline metal::float4x4 umbrage_cascaded_maps_place(metal::float4x4 rotation, metal::float4x4 scales,
+                                                   metal::float4x4 offsets, float4 anchor, float4 blending,
+                                                   float4 terms, float3 world, float3 normal, float number) {
+    float3 way = world - float3(anchor.x, anchor.y, anchor.z);
+    float4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    float4 across = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    float own = metal::min(number, blending.y);
+    return umbrage_cascade_place(float3(light.x, light.y, light.z), float3(across.x, across.y, across.z),
+                                 umbrage_cascade_column(scales, own), umbrage_cascade_column(offsets, own), number,
+                                 blending.y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADED_MAPS_PLACE_8
+#define UMBRAGE_HAS_CASCADED_MAPS_PLACE_8
+// umbrage_cascaded_maps_place_8: umbrage_cascaded_maps_place for up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+inline metal::float4x4 umbrage_cascaded_maps_place_8(metal::float4x4 rotation, metal::float4x4 scales,
+                                                     metal::float4x4 offsets, metal::float4x4 farther_scales,
+                                                     metal::float4x4 farther_offsets, float4 anchor, float4 blending,
+                                                     float4 terms, float3 world, float3 normal, float number) {
+    float3 way = world - float3(anchor.x, anchor.y, anchor.z);
+    float4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    float4 across = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    float own = metal::min(number, blending.y);
+    return umbrage_cascade_place(float3(light.x, light.y, light.z), float3(across.x, across.y, across.z),
+                                 umbrage_cascade_column_8(scales, farther_scales, own),
+                                 umbrage_cascade_column_8(offsets, farther_offsets, own), number, blending.y);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_CUBE_MAPS_PLACES
 #define UMBRAGE_HAS_CUBE_MAPS_PLACES
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
-//   anchor                               position of the light
+//   face              texels a unit across the face's axis, at distance 1 along it; middle of a map; depth over
+//                     1.0 / distance, and that by texels
+//   anchor            position of the light
+//   rounding, slack   of umbrage_anchored_place, from a face's axes
 //   returns (texels, texels, depth, number), (slope, slope, weight, slack)
-inline metal::float4x4 umbrage_cube_maps_places(metal::float4x4 to_texels, metal::float4x4 planes, float4 anchor,
-                                                float4 rounding, float4 slack, float4 terms, float3 world,
-                                                float3 normal) {
+inline metal::float4x4 umbrage_cube_maps_places(float4 face, float4 anchor, float4 rounding, float4 slack, float4 terms,
+                                                float3 world, float3 normal) {
+    float4 none = float4(0.0, 0.0, 0.0, 0.0);
     float3 way = world - float3(anchor.x, anchor.y, anchor.z);
-    float face = umbrage_cube_face(way);
-    metal::float4x4 place =
-        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
-                               umbrage_cube_face_point(face, normal));
-    return metal::float4x4(float4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+    float3 m = metal::abs(way);
+    bool on_x = m.x >= m.y ? m.x >= m.z : false;
+    bool on_y = on_x ? false : m.y >= m.z;
+    float along = on_x ? way.x : (on_y ? way.y : way.z);
+    float flip = along < 0.0 ? -1.0 : 1.0;
+    float number = (on_x ? 0.5 : (on_y ? 2.5 : 4.5)) - 0.5 * flip;
+    float2 signs = float2(on_x ? -flip : (on_y ? 1.0 : flip), on_y ? flip : -1.0);
+    float2 there = float2(on_x ? way.z : way.x, on_y ? way.z : way.y) * signs;
+    float2 across = float2(on_x ? normal.z : normal.x, on_y ? normal.z : normal.y) * signs;
+    float off_plane = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    float rise = face.w / (off_plane == 0.0 ? 1.0e-30 : off_plane);  // as umbrage_receiver_slope
+    float2 slope = across * rise;
+    float i = 1.0 / metal::max(metal::abs(along), 1.0e-30);
+    float z = face.z * i;
+    float2 at = there * (face.x * i) + face.y;
+    float steep = metal::abs(slope.x) + metal::abs(slope.y);
+    float moves = rounding.x + rounding.y * i;
+    float off = metal::abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    float all = (moves * rounding.z + slack.x) * steep + off;
+    return metal::float4x4(float4(at, z + slack.w, number), float4(slope, 1.0, all), none, none);
 }
 #endif
 
@@ -2167,59 +2220,61 @@ inline float4 umbrage_paraboloid_vertex(metal::float4x4 to_clip, float3 world, f
 }
 #endif
 
-#ifndef UMBRAGE_HAS_WARPED_MAPS_PLACES
-#define UMBRAGE_HAS_WARPED_MAPS_PLACES
-// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
-//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding, slack           one column per map: its rounding and slack there
-//   fades                     one column per map: scale and offset of the next one's weight
-//   anchor                    the one anchor of all maps
-//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
-//   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-inline metal::float4x4 umbrage_warped_maps_places(metal::float4x4 to_texels_0, metal::float4x4 to_texels_1,
-                                                  metal::float4x4 to_texels_2, metal::float4x4 to_texels_3,
-                                                  metal::float4x4 planes_0, metal::float4x4 planes_1,
-                                                  metal::float4x4 planes_2, metal::float4x4 planes_3,
-                                                  metal::float4x4 rounding, metal::float4x4 slack,
-                                                  metal::float4x4 fades, float4 anchor, float4 ahead, float4 ends,
-                                                  float4 terms, float3 world, float3 normal) {
+#ifndef UMBRAGE_HAS_WARPED_MAPS_CHOICE
+#define UMBRAGE_HAS_WARPED_MAPS_CHOICE
+// umbrage_warped_maps_choice: number of the warped cascade that holds a point of the world, and weight of the next one
+//   fades    one column per map: scale and offset of the next one's weight
+//   anchor   the one anchor of all maps
+//   ahead    distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends     ends of the first three cascades, number of the last one
+inline float2 umbrage_warped_maps_choice(metal::float4x4 fades, float4 anchor, float4 ahead, float4 ends,
+                                         float3 world) {
     float3 way = world - float3(anchor.x, anchor.y, anchor.z);
     float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     float number = umbrage_cascade_by_depth(depth, float3(ends.x, ends.y, ends.z));
     float4 own = umbrage_cascade_column(fades, number);
-    float weight = umbrage_cascade_fade(depth, own.x, own.y);
+    return float2(number, umbrage_cascade_fade(depth, own.x, own.y));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARPED_MAPS_PLACE
+#define UMBRAGE_HAS_WARPED_MAPS_PLACE
+// umbrage_warped_maps_place: place of a point of the world in one of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding, slack           one column per map: its rounding and slack there
+//   fades, ahead              of umbrage_warped_maps_choice, not read
+//   anchor                    the one anchor of all maps
+//   ends                      w: number of the last cascade, after which the place is outside all maps, and lit
+//   number                    number of the cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+inline metal::float4x4 umbrage_warped_maps_place(metal::float4x4 to_texels_0, metal::float4x4 to_texels_1,
+                                                 metal::float4x4 to_texels_2, metal::float4x4 to_texels_3,
+                                                 metal::float4x4 planes_0, metal::float4x4 planes_1,
+                                                 metal::float4x4 planes_2, metal::float4x4 planes_3,
+                                                 metal::float4x4 rounding, metal::float4x4 slack, metal::float4x4 fades,
+                                                 float4 anchor, float4 ahead, float4 ends, float4 terms, float3 world,
+                                                 float3 normal, float number) {
+    float3 way = world - float3(anchor.x, anchor.y, anchor.z);
+    float own = metal::min(number, ends.w);
     metal::float4x4 to_texels = to_texels_0;
     metal::float4x4 planes = planes_0;
-    metal::float4x4 to_next = to_texels_1;
-    metal::float4x4 next_planes = planes_1;
-    if (number > 0.5) {
+    if (own > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
-        to_next = to_texels_2;
-        next_planes = planes_2;
     }
-    if (number > 1.5) {
+    if (own > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
-        to_next = to_texels_3;
-        next_planes = planes_3;
     }
-    if (number > 2.5) {
+    if (own > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
     }
     metal::float4x4 at =
-        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
-                               umbrage_cascade_column(slack, number), way, normal);
-    metal::float4x4 there =
-        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
-                               umbrage_cascade_column(slack, number + 1.0), way, normal);
-    float3 after = float3(there[0].x, there[0].y, there[0].z);
-    float3 next = number >= ends.w ? float3(-65536.0, -65536.0, 0.0) : after;
-    return metal::float4x4(float4(at[0].x, at[0].y, at[0].z, number), at[1],
-                           float4(next, metal::min(number + 1.0, ends.w)),
-                           float4(there[1].x, there[1].y, weight, there[1].w));
+        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, own),
+                               umbrage_cascade_column(slack, own), way, normal);
+    float x = number <= ends.w ? at[0].x : -65536.0;
+    return metal::float4x4(float4(x, at[0].y, at[0].z, own), at[1], at[2], at[3]);
 }
 #endif
 
@@ -2693,11 +2748,19 @@ inline float umbrage_decode_float_bits(float4 c) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE
+#define UMBRAGE_HAS_TEXEL_INSIDE
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+inline float2 umbrage_texel_inside(float2 size, float2 texel) {
+    return metal::min(metal::abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_BORDERED
 #define UMBRAGE_HAS_FETCH_BORDERED
 // umbrage_fetch_bordered: texel of a map, or border outside it
 inline float4 umbrage_fetch_bordered(metal::texture2d<float> map, float2 size, float2 texel, float4 border) {
-    float2 at = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float2 at = umbrage_texel_inside(size, texel);
     float4 value = umbrage_texel(map, size, at);
     return at.x == texel.x && at.y == texel.y ? value : border;
 }
@@ -2707,7 +2770,7 @@ inline float4 umbrage_fetch_bordered(metal::texture2d<float> map, float2 size, f
 #define UMBRAGE_HAS_FETCH_DEPTH
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
-    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float2 inside = umbrage_texel_inside(size, texel);
     float4 value = umbrage_texel(map, size, inside);
     float depth = value.x;
     return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;
@@ -4621,7 +4684,7 @@ inline float umbrage_plane_reference(float2 slope, float3 at, float2 texel) {
 #define UMBRAGE_HAS_BORDERED_PLANE_REFERENCE
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 inline float umbrage_bordered_plane_reference(float2 slope, float3 at, float2 texel, float2 inside) {
     float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;
     float2 moves = slope * (texel - (float2(at.x, at.y) - 0.5));
@@ -4675,8 +4738,8 @@ inline float3 umbrage_false_color(float v) {
 //   bias    bias of the receiver, in depth
 //   number  index of the map, an integer
 //   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
+//   black    behind the light
+//   white    outside the map, or all cascades
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
@@ -4722,6 +4785,14 @@ inline bool umbrage_in_filter_domain_shadow(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE_SHADOW
+#define UMBRAGE_HAS_TEXEL_INSIDE_SHADOW
+// umbrage_texel_inside_shadow: texel of the map, itself if the map has it; otherwise any, whose value does not count
+inline float2 umbrage_texel_inside_shadow(float2 size, float2 texel) {
+    return metal::min(metal::abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
@@ -4745,7 +4816,7 @@ inline float umbrage_compare_shadow(float receiver, float stored) {
 // umbrage_lit_shadow: compares the receiver with one texel. Outside the map it compares with the far plane
 inline float umbrage_lit_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 texel,
                                 float receiver) {
-    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float2 inside = umbrage_texel_inside_shadow(size, texel);
     float lit = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
     float outside = umbrage_compare_shadow(receiver, 1.0);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
@@ -5378,11 +5449,19 @@ inline float4 umbrage_texel_depths(metal::depth2d<float> map, float2 size, float
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE_DEPTHS
+#define UMBRAGE_HAS_TEXEL_INSIDE_DEPTHS
+// umbrage_texel_inside_depths: texel of the map, itself if the map has it; otherwise any, whose value does not count
+inline float2 umbrage_texel_inside_depths(float2 size, float2 texel) {
+    return metal::min(metal::abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 // umbrage_fetch_depth_depths: stored depth of a texel, or the far plane's depth outside the map
 inline float umbrage_fetch_depth_depths(metal::depth2d<float> map, float2 size, float2 texel) {
-    float2 inside = metal::clamp(texel, float2(0.0, 0.0), size - 1.0);
+    float2 inside = umbrage_texel_inside_depths(size, texel);
     float4 value = umbrage_texel_depths(map, size, inside);
     float depth = value.x;
     return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;

@@ -269,6 +269,7 @@ enum class hook {
     compare,
     covered,
     texel,
+    texel_inside,
     fetch_depth,
     lit,
     lit_2x2,
@@ -3324,6 +3325,17 @@ template <class T>
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
+/// Texel at which shaders read a map with a border: the texel itself if the map has it. Outside it is any other one of
+/// the map, whose value does not count. That takes one operation less an axis than the nearest.
+/// @param size    size of the map, in texels
+/// @param at      texel index, integers above -2^31
+/// @formula       min(|at|, size - 1)
+/// @exactness     A
+[[nodiscard]] constexpr glm::ivec2 texel_inside(glm::ivec2 size, glm::ivec2 at) {
+    const auto inside = [](int v, int length) { return (v < 0 ? -v : v) < length ? (v < 0 ? -v : v) : length - 1; };
+    return {inside(at.x, size.x), inside(at.y, size.y)};
+}
+
 /// Texel of the map, or the nearest one inside for coordinates outside. The map must not be empty.
 /// @exactness   A
 template <class T>
@@ -3409,6 +3421,20 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 )GLSL",
 };
 
+/// Text for a bordered map. For other maps bind() replaces it.
+inline constexpr snippet texel_inside{
+    .name = "texel_inside",
+    .summary = "texel of the map, itself if the map has it",
+    .exactness = tier::a,
+    .role = hook::texel_inside,
+    .source = R"GLSL(
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+)GLSL",
+};
+
 inline constexpr snippet fetch_clamped{
     .name = "fetch_clamped",
     .summary = "texel of a map, clamped to the nearest one inside",
@@ -3426,19 +3452,19 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, or a border value outside it",
     .exactness = tier::a,
-    .needs = list<&texel>,
+    .needs = list<&texel, &texel_inside>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 at = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
     return at.x == texel.x && at.y == texel.y ? value : border;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &texel_inside, &fetch_clamped, &fetch_bordered};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -3615,12 +3641,12 @@ inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&texel>,
+    .needs = list<&texel, &texel_inside>,
     .role = hook::fetch_depth,
     .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
     UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
     return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;
@@ -3773,7 +3799,7 @@ template <real T, class Compare = less_equal>
 }
 
 /// `plane_reference` in a map whose border is lit. Outside the map it is nearer to the light than every stored depth.
-/// @param inside     index of the nearest texel in the map
+/// @param inside     texel if the map has it, otherwise any other
 /// Other parameters as for plane_reference.
 /// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which
 ///                   inside is not texel
@@ -3875,7 +3901,7 @@ inline constexpr snippet bordered_plane_reference{
     .source = R"GLSL(
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
                                                      UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
     UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;
@@ -4180,7 +4206,7 @@ template <real T>
 /// @param direction   depth direction of the map
 /// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
 ///                    next seven, again gray in map 8.
-///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                    Magenta: not a number. Black: behind the light. White: outside the map, or all cascades.
 ///                    Cyan: beyond the far plane. Blue: in front of the near plane.
 ///                    Red: bias at its limit of 1, which removes all shadows
 /// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
@@ -4235,8 +4261,8 @@ inline constexpr snippet probe_color{
 //   bias    bias of the receiver, in depth
 //   number  index of the map, an integer
 //   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
+//   black    behind the light
+//   white    outside the map, or all cascades
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
@@ -23557,8 +23583,8 @@ struct map_place {
     float slack = 0;      ///< depth by which texels of the receiver's own surface may lie before its plane
 };
 
-/// Position outside all maps, in texels and depth. Every filter takes it as lit.
-inline const glm::vec3 outside_all_maps{-65536.0f, -65536.0f, 0.0f};
+/// First coordinate of a place outside all maps, in texels. Every filter takes it as lit.
+inline constexpr float outside_all_maps = -65536.0f;
 
 /// Maps of one size, row by row.
 struct map_grid {
@@ -23568,9 +23594,12 @@ struct map_grid {
 /// Setup of a light's maps.
 ///
 /// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
-/// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
-/// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
-/// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
+/// alike. `places` is a function of the fields, the terms, a world position and its normal: an array of one or two
+/// places. The snippet `placing` is its GLSL version, which returns one place as columns of a mat4:
+/// (texels, texels, depth, number), (slope, slope, weight, slack).
+///
+/// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
+/// argument. In C++ chosen_places joins the two.
 ///
 /// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
@@ -23597,6 +23626,13 @@ struct vertex_function {
     std::array<glsl::interface_function::argument, 2> arguments;
 };
 
+/// Function that chooses the maps of a receiver. The snippet takes (arguments..., vec3 world). It returns a vec2: the
+/// number of the first map, and the weight of the next one, or 0.
+struct choice_function {
+    const glsl::snippet* calls = nullptr;
+    std::string_view arguments{};  ///< names of fields, and `terms`, each with a comma behind it
+};
+
 /// Maps that bend straight lines and planes: their errors, and how they draw vertices. Contact hardening compares along
 /// planes, so a shadow with such maps does not take it.
 struct bent_lines {
@@ -23616,6 +23652,15 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
+/// Places in a chosen map and in the next one.
+/// @param choice     (number of the map, weight of the next one), as the snippet `choosing` returns it
+/// @param place_in   (number) -> place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> chosen_places(glm::vec2 choice, const auto& place_in) {
+    std::array<map_place, 2> both{place_in(choice.x), map_place{.weight = 0.0f}};
+    if (choice.y > 0.0f) both[1] = place_in(choice.x + 1.0f), both[1].weight = choice.y;
+    return both;
+}
+
 /// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
 struct setup_for {
@@ -23628,6 +23673,17 @@ namespace detail {
 template <class Setup>
 inline constexpr int most_places = std::tuple_size_v<decltype(Setup::places(
     std::declval<const typename Setup::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+
+/// A setup's choice of maps; none where a receiver has one place.
+template <class Setup>
+[[nodiscard]] constexpr choice_function choosing_of() {
+    if constexpr (most_places<Setup> == 1) return {};
+    else {
+        constexpr bool chooses = requires { Setup::choosing; };
+        static_assert(chooses, "a setup of two places has `choosing`, a choice_function");
+        return Setup::choosing;
+    }
+}
 
 /// True when a setup's `uniforms` have the size of its `fields`.
 template <class Setup>
@@ -24062,121 +24118,119 @@ inline constexpr const snippet* anchored_map_snippets[]{&anchored_vertex, &ancho
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/shadow/cascade_places.hpp
-// Places of a receiver in cascaded shadow maps (CSM). It has one in the first map that holds it and its filter. Where
-// two maps blend it has another in the next one. Near the border of the last map the second place lies outside, so
-// shadows fade to light.
+// ---- umbrage/shadow/cascade_choice.hpp
+// Choice of a receiver's cascades by projection: the first whose map holds it and its filter, and the weight of the
+// next one. The weight grows towards the border of the first map, as far as the next one holds the receiver. After the
+// last cascade comes light.
 //
-// See also: cascaded_maps.hpp, the setup; light/cascades, the search and the weights alone.
+// See also: cascade_places.hpp, a place in each; light/cascades, the search and the weights alone.
 
 namespace umbrage {
 
 /// Distance of a point beyond the part of a cascade's map in which a filter stays inside the map.
-/// @param coordinate   position in the cascade's map: texels, texels, depth
-/// @param size         size of the map, in texels
-/// @param reach        filter radius, in texels
-/// @return             texels, at most 0 inside that part. 65536 for a depth outside [0, 1], for NaN, and where the
-///                     distances along x and y add up to 65536 or more
-/// @formula            max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
-/// @exactness          B, n = 11
-[[nodiscard]] UMBRAGE_INLINE inline float cascade_edge(glm::vec3 coordinate, glm::vec2 size, float reach) {
+/// @param light           the point, rotated into the light's axes
+/// @param scale, offset   those of the cascade, as for cascade_coordinate
+/// @param size            size of the map, in texels
+/// @param reach           filter radius, in texels
+/// @return                texels, at most 0 inside that part. 65536 for a depth outside [0, 1], and for NaN there
+/// @edge                  a NaN in x or y alone: either NaN or the other one's distance. A NaN position has NaN in all
+/// @formula               max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
+/// @exactness             C, n = 13
+[[nodiscard]] UMBRAGE_INLINE inline float cascade_edge(glm::vec3 light, const glm::vec4& scale, const glm::vec4& offset,
+                                                       glm::vec2 size, float reach) {
+    const glm::vec3 at = cascade_coordinate(light, scale, offset);
     const glm::vec2 half_size = size * 0.5f;
-    const float x = glm::abs(coordinate.x - half_size.x) - (half_size.x - reach);
-    const float y = glm::abs(coordinate.y - half_size.y) - (half_size.y - reach);
-    const bool between = !is_nan(coordinate.z) && coordinate.z >= 0.0f && coordinate.z <= 1.0f;
-    const bool near_map = !is_nan(x + y) && x + y < 65536.0f;
-    return between && near_map ? (glm::max)(x, y) : 65536.0f;
+    const glm::vec2 beyond = glm::abs(glm::vec2(at) - half_size) - (half_size - reach);
+    const bool between = !is_nan(at.z) && glm::abs(at.z - 0.5f) <= 0.5f;
+    return between ? (glm::max)(beyond.x, beyond.y) : 65536.0f;
 }
 
-/// Places in a cascade and in the next one, whose weight grows towards the border of the map.
-/// @param across                    normal, rotated into the light's axes
-/// @param found                     (texels, texels, depth, index) in the cascade, as cascade_by_projection has it
-/// @param there                     (texels, texels, depth) in the next cascade
-/// @param edges                     cascade_edge of both
-/// @param slacks                    w of the offsets of both: slack of a plane in depth
-/// @param scale                     scale of that cascade, or of the last one; w: slack of a plane in texels of slope
-/// @param next_scale                scale of the next cascade
-/// @param blending                  x: weight per texel, 1 / width of the band, or 0; y: index of the last cascade
-/// @return                          both places. The second has a weight of 0 where only the first counts
-/// @exactness                       C, n = 14: as cascade_border_fade and cascade_slope. S of each
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascade_pair(glm::vec3 across, glm::vec4 found,
-                                                                          glm::vec3 there, glm::vec2 edges,
-                                                                          glm::vec2 slacks, const glm::vec4& scale,
-                                                                          const glm::vec4& next_scale,
-                                                                          const glm::vec4& blending) {
-    const bool last = !(found.w < blending.y);
-    const int number = static_cast<int>(last ? blending.y : found.w);
-    const auto place = [&](int map, glm::vec3 at, const glm::vec4& of, float slack, float weight) {
-        const glm::vec2 slope = cascade_slope(across, of);
-        const float steep = glm::abs(slope.x) + glm::abs(slope.y);
-        return map_place{map, at, slope, weight, steep * of.w + slack};
-    };
-    std::array<map_place, 2> both{place(number, glm::vec3(found), scale, slacks.x, 1.0f), map_place{.weight = 0.0f}};
-    if (!(blending.x > 0.0f && found.w <= blending.y)) return both;
-    const float leaves = cascade_weight(edges.x * blending.x + 1.0f);
-    if (!(leaves > 0.0f)) return both;
-    if (last) {
-        both[1] = place(number, outside_all_maps, next_scale, slacks.y, leaves);
-        return both;
+/// cascade_edge of four cascades.
+/// @param scales, offsets   one column per cascade
+/// @exactness               C, n = 13, each
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec4 cascade_edges(glm::vec3 light, const glm::mat4& scales,
+                                                            const glm::mat4& offsets, glm::vec2 size, float reach) {
+    return {cascade_edge(light, scales[0], offsets[0], size, reach),
+            cascade_edge(light, scales[1], offsets[1], size, reach),
+            cascade_edge(light, scales[2], offsets[2], size, reach),
+            cascade_edge(light, scales[3], offsets[3], size, reach)};
+}
+
+/// First of four cascades that holds a point and its filter.
+/// @param edges   cascade_edge of each
+/// @return        (number, its edge, edge of the next one). An edge of a cascade after the fourth is 65536
+/// @edge          no cascade holds them: (4, 65536, 65536)
+/// @exactness     A: comparisons
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec3 first_cascade(const glm::vec4& edges) {
+    for (glm::length_t i = 0; i < 4; ++i)
+        if (edges[i] <= 0.0f) return {float(i), edges[i], i < 3 ? edges[i + 1] : 65536.0f};
+    return {4.0f, 65536.0f, 65536.0f};
+}
+
+/// Weight of the next cascade, which grows towards the border of a cascade's map as far as the next one holds the
+/// point. After the last cascade comes light.
+/// @param found      of first_cascade
+/// @param blending   x: weight per texel, 1 / width of the band, or 0; y: number of the last cascade
+/// @return           0 to 1 in steps of 1/256
+/// @formula          min(1 + edge x, 1 - (1 + next edge x)), each rounded down to a step
+/// @exactness        B, n = 3: S = |edge| x + 1. As cascade_border_fade
+[[nodiscard]] UMBRAGE_INLINE inline float next_cascade_weight(glm::vec3 found, const glm::vec4& blending) {
+    if (!(blending.x > 0.0f && found.x <= blending.y)) return 0.0f;
+    const float leaves = cascade_weight(found.y * blending.x + 1.0f);
+    if (found.x >= blending.y) return leaves;
+    const float held = found.z <= 0.0f ? 1.0f - cascade_weight(found.z * blending.x + 1.0f) : 0.0f;
+    return (glm::min)(leaves, held);
+}
+
+namespace detail {
+
+/// cascade_edges as far as first_cascade needs them: up to the one behind the first cascade that holds the point.
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec4 first_edges(glm::vec3 light, const glm::mat4& scales,
+                                                          const glm::mat4& offsets, const shadow_terms& terms) {
+    glm::vec4 edges(65536.0f);
+    for (glm::length_t i = 0; i < 4; ++i) {
+        edges[i] = cascade_edge(light, scales[i], offsets[i], terms.map_size, terms.reach);
+        if (i > 0 && edges[i - 1] <= 0.0f) break;
     }
-    if (!(edges.y <= 0.0f)) return both;
-    const float held = 1.0f - cascade_weight(edges.y * blending.x + 1.0f);
-    both[1] = place(number + 1, there, next_scale, slacks.y, (glm::min)(leaves, held));
-    return both;
+    return edges;
 }
 
-/// Places of a point of the world in up to four cascades.
+}  // namespace detail
+
+/// Cascades that hold a point of the world.
 /// @param rotation          rotation from the world to the light's axes
-/// @param scales            one column per cascade, as for cascade_by_projection; w as for cascade_pair
-/// @param offsets           likewise
+/// @param scales, offsets   one column per cascade, as for cascade_place. Four of each
 /// @param anchor            xyz: position that is subtracted from the point's
-/// @param blending          as for cascade_pair
+/// @param blending          as for next_cascade_weight
 /// @param terms             size of a map and reach of the filter, texels
 /// @param world             position of the point
-/// @param normal            its normal
-/// @return                  places of cascade_pair. In no cascade: a place that every filter takes as lit
-/// @exactness               C, n = 38: as cascade_pair, of rotated vectors
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places(
-    const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::vec4& anchor,
-    const glm::vec4& blending, const shadow_terms& terms, glm::vec3 world, glm::vec3 normal) {
-    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
-        across(shadow_coordinate(rotation, normal));
-    glm::vec3 at(0.0f);
-    float edge = 65536.0f;
-    glm::length_t i = 0;
-    for (; i < 4; ++i) {
-        at = cascade_coordinate(light, scales[i], offsets[i]);
-        edge = cascade_edge(at, terms.map_size, terms.reach);
-        if (edge <= 0.0f) break;
-    }
-    const glm::vec4 found = i < 4 ? glm::vec4(at, float(i)) : glm::vec4(65536.0f, 65536.0f, 0.0f, 4.0f);
-    const glm::length_t last = 3, here = (glm::min)(i, last), next = (glm::min)(i + 1, last);
-    const glm::vec3 there = cascade_coordinate(light, scales[next], offsets[next]);
-    const glm::vec2 edges(edge, cascade_edge(there, terms.map_size, terms.reach));
-    const glm::vec2 slacks(offsets[here].w, offsets[next].w);
-    return cascade_pair(across, found, there, edges, slacks, scales[here], scales[next], blending);
+/// @return                  (number of the first one, weight of the next). In no cascade: (4, 0)
+/// @exactness               C, n = 38: as cascade_edge, of a rotated vector
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec2 cascaded_maps_choice(const glm::mat4& rotation, const glm::mat4& scales,
+                                                                   const glm::mat4& offsets, const glm::vec4& anchor,
+                                                                   const glm::vec4& blending, const shadow_terms& terms,
+                                                                   glm::vec3 world) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor)));
+    const glm::vec3 found = first_cascade(detail::first_edges(light, scales, offsets, terms));
+    return {found.x, next_cascade_weight(found, blending)};
 }
 
-/// Places of a world position in up to eight cascades. As cascaded_maps_places, with further columns for the cascades
-/// from the fifth on.
-/// @exactness   C, n = 38: as cascade_pair, of rotated vectors
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> cascaded_maps_places_8(
-    const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::mat4& farther_scales,
-    const glm::mat4& farther_offsets, const glm::vec4& anchor, const glm::vec4& blending, const shadow_terms& terms,
-    glm::vec3 world, glm::vec3 normal) {
-    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
-        across(shadow_coordinate(rotation, normal));
-    const glm::vec4 found =
-        cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, terms.map_size, terms.reach);
-    const float number = (glm::min)(found.w, blending.y), next = (glm::min)(number + 1.0f, blending.y);
-    const glm::vec4 next_scale = cascade_column_8(scales, farther_scales, next),
-                    next_offset = cascade_column_8(offsets, farther_offsets, next);
-    const glm::vec3 there = cascade_coordinate(light, next_scale, next_offset);
-    const glm::vec2 edges(cascade_edge(glm::vec3(found), terms.map_size, terms.reach),
-                          cascade_edge(there, terms.map_size, terms.reach));
-    const glm::vec2 slacks(cascade_column_8(offsets, farther_offsets, number).w, next_offset.w);
-    return cascade_pair(across, found, there, edges, slacks, cascade_column_8(scales, farther_scales, number),
-                        next_scale, blending);
+/// cascaded_maps_choice for up to eight cascades, with further columns for those from the fifth on.
+/// @return      in no cascade: (8, 0)
+/// @exactness   C, n = 38: as cascade_edge, of a rotated vector
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec2 cascaded_maps_choice_8(const glm::mat4& rotation, const glm::mat4& scales,
+                                                                     const glm::mat4& offsets,
+                                                                     const glm::mat4& farther_scales,
+                                                                     const glm::mat4& farther_offsets,
+                                                                     const glm::vec4& anchor, const glm::vec4& blending,
+                                                                     const shadow_terms& terms, glm::vec3 world) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor)));
+    const glm::vec4 nearer = cascade_edges(light, scales, offsets, terms.map_size, terms.reach),
+                    farther = cascade_edges(light, farther_scales, farther_offsets, terms.map_size, terms.reach);
+    glm::vec3 found = first_cascade(nearer);
+    if (found.x == 3.0f) found.z = farther.x;
+    if (found.x == 4.0f) found = first_cascade(farther) + glm::vec3(4, 0, 0);
+    return {found.x, next_cascade_weight(found, blending)};
 }
 
 namespace glsl {
@@ -24184,354 +24238,282 @@ namespace glsl {
 inline constexpr snippet cascade_edge{
     .name = "cascade_edge",
     .summary = "texels beyond the part of a cascade where a filter stays inside",
-    .exactness = tier::b,
-    .operations = 11,
+    .exactness = tier::c,
+    .operations = 13,
     .source = R"GLSL(
 // umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
-//   coordinate   position in the cascade's map: texels, texels, depth
-//   size, reach  size of the map and filter radius, in texels
-// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
-UMBRAGE_HIGHP float umbrage_cascade_edge(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size,
-                                         UMBRAGE_HIGHP float reach) {
+//   light          the point, rotated into the light's axes
+//   scale, offset  those of the cascade
+//   size, reach    size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], and for NaN there
+UMBRAGE_HIGHP float umbrage_cascade_edge(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 offset,
+                                         UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + vec3(offset.x, offset.y, offset.z);
     UMBRAGE_HIGHP vec2 half_size = size * 0.5;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond =
-        abs(vec2(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
-    bool near_map = beyond.x + beyond.y < 65536.0;  // false for NaN
-    return coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map ? max(beyond.x, beyond.y) : 65536.0;
+    UMBRAGE_HIGHP vec2 beyond = abs(vec2(at.x, at.y) - half_size) - (half_size - reach);
+    return abs(at.z - 0.5) <= 0.5 ? max(beyond.x, beyond.y) : 65536.0;
 }
 )GLSL",
 };
 
-inline constexpr snippet cascade_pair{
-    .name = "cascade_pair",
-    .summary = "places in a cascade and in the next one, with their weights",
+inline constexpr snippet cascade_edges{
+    .name = "cascade_edges",
+    .summary = "cascade_edge of four cascades",
     .exactness = tier::c,
-    .operations = 14,
-    .needs = list<&cascade_slope, &cascade_weight>,
+    .operations = 13,
+    .needs = list<&cascade_edge>,
     .source = R"GLSL(
-// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
-//   across                    normal, rotated into the light's axes
-//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
-//   there                     (texels, texels, depth) in the next one
-//   edges                     umbrage_cascade_edge of both
-//   slacks                    w of the offsets of both: slack of a plane in depth
-//   scale                     scale of the cascade; w: slack of a plane in texels of slope
-//   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-UMBRAGE_HIGHP mat4 umbrage_cascade_pair(UMBRAGE_HIGHP vec3 across, UMBRAGE_HIGHP vec4 found, UMBRAGE_HIGHP vec3 there,
-                                        UMBRAGE_HIGHP vec2 edges, UMBRAGE_HIGHP vec2 slacks,
-                                        UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 next_scale,
-                                        UMBRAGE_HIGHP vec4 blending) {
-    bool last = found.w >= blending.y;
-    UMBRAGE_HIGHP vec2 v = edges * blending.x + 1.0;
-    UMBRAGE_HIGHP float leaves = blending.x > 0.0 && found.w <= blending.y ? umbrage_cascade_weight(v.x) : 0.0;
-    UMBRAGE_HIGHP float held = edges.y <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
-    UMBRAGE_HIGHP float weight = last ? leaves : min(leaves, held);
-    UMBRAGE_HIGHP vec3 next = last ? vec3(-65536.0, -65536.0, 0.0) : there;
-    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
-    UMBRAGE_HIGHP vec2 next_slope = umbrage_cascade_slope(across, next_scale);
-    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
-    UMBRAGE_HIGHP float next_slack = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
-    return mat4(vec4(found.x, found.y, found.z, min(found.w, blending.y)), vec4(slope, 1.0, slack),
-                vec4(next, min(found.w + 1.0, blending.y)), vec4(next_slope, weight, next_slack));
+// umbrage_cascade_edges: umbrage_cascade_edge of four cascades
+//   scales, offsets   one column per cascade
+UMBRAGE_HIGHP vec4 umbrage_cascade_edges(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                         UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
+                                         UMBRAGE_HIGHP float reach) {
+    return vec4(umbrage_cascade_edge(light, scales[0], offsets[0], size, reach),
+                umbrage_cascade_edge(light, scales[1], offsets[1], size, reach),
+                umbrage_cascade_edge(light, scales[2], offsets[2], size, reach),
+                umbrage_cascade_edge(light, scales[3], offsets[3], size, reach));
 }
 )GLSL",
 };
 
-inline constexpr snippet cascaded_maps_places{
-    .name = "cascaded_maps_places",
-    .summary = "places of a point of the world in up to four cascades",
+inline constexpr snippet first_cascade{
+    .name = "first_cascade",
+    .summary = "first of four cascades that holds a point and its filter",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_first_cascade: number of the first of four cascades that holds a point and its filter, its edge, and the edge
+// of the next one; (4.0, 65536.0, 65536.0) for none
+//   edges   umbrage_cascade_edge of each
+UMBRAGE_HIGHP vec3 umbrage_first_cascade(UMBRAGE_HIGHP vec4 edges) {
+    UMBRAGE_HIGHP vec3 found = edges.w <= 0.0 ? vec3(3.0, edges.w, 65536.0) : vec3(4.0, 65536.0, 65536.0);
+    found = edges.z <= 0.0 ? vec3(2.0, edges.z, edges.w) : found;
+    found = edges.y <= 0.0 ? vec3(1.0, edges.y, edges.z) : found;
+    return edges.x <= 0.0 ? vec3(0.0, edges.x, edges.y) : found;
+}
+)GLSL",
+};
+
+inline constexpr snippet next_cascade_weight{
+    .name = "next_cascade_weight",
+    .summary = "weight of the next cascade, by both edges",
+    .exactness = tier::b,
+    .operations = 3,
+    .needs = list<&cascade_weight>,
+    .source = R"GLSL(
+// umbrage_next_cascade_weight: weight of the next cascade, which grows towards the border of a cascade's map
+//   found      of umbrage_first_cascade
+//   blending   1.0 / width of the band in texels, or 0.0; number of the last cascade, after which comes light
+UMBRAGE_HIGHP float umbrage_next_cascade_weight(UMBRAGE_HIGHP vec3 found, UMBRAGE_HIGHP vec4 blending) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 v = vec2(found.y, found.z) * blending.x + 1.0;
+    UMBRAGE_HIGHP float leaves = umbrage_cascade_weight(v.x);
+    UMBRAGE_HIGHP float held = found.z <= 0.0 ? 1.0 - umbrage_cascade_weight(v.y) : 0.0;
+    UMBRAGE_HIGHP float weight = found.x >= blending.y ? leaves : min(leaves, held);
+    return blending.x > 0.0 && found.x <= blending.y ? weight : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascaded_maps_choice{
+    .name = "cascaded_maps_choice",
+    .summary = "those of up to four cascades that hold a point of the world",
     .exactness = tier::c,
     .operations = 38,
-    .needs = list<&cascade_edge, &cascade_pair>,
+    .needs = list<&cascade_edges, &first_cascade, &next_cascade_weight>,
     .source = R"GLSL(
-// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+// umbrage_cascaded_maps_choice: number of the first of up to four cascades that holds a point, and weight of the next
 //   rotation          rotation from the world to the light's axes
 //   scales, offsets   scales and offsets of the cascades
 //   anchor            position that is subtracted from world
-//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
-UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+//   blending, terms   as for umbrage_next_cascade_weight; size of a map and reach of the filter
+UMBRAGE_HIGHP vec2 umbrage_cascaded_maps_choice(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor,
                                                 UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
-                                                UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP vec4 light = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
-    UMBRAGE_HIGHP vec4 across =
-        rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
-    UMBRAGE_HIGHP vec4 a = light * scales[0] + offsets[0];
-    UMBRAGE_HIGHP vec4 b = light * scales[1] + offsets[1];
-    UMBRAGE_HIGHP vec4 c = light * scales[2] + offsets[2];
-    UMBRAGE_HIGHP vec4 d = light * scales[3] + offsets[3];
-    UMBRAGE_HIGHP float edge_a = umbrage_cascade_edge(vec3(a.x, a.y, a.z), size, terms.z);
-    UMBRAGE_HIGHP float edge_b = umbrage_cascade_edge(vec3(b.x, b.y, b.z), size, terms.z);
-    UMBRAGE_HIGHP float edge_c = umbrage_cascade_edge(vec3(c.x, c.y, c.z), size, terms.z);
-    UMBRAGE_HIGHP float edge_d = umbrage_cascade_edge(vec3(d.x, d.y, d.z), size, terms.z);
-    bool in_a = edge_a <= 0.0;
-    bool in_b = edge_b <= 0.0;
-    bool in_c = edge_c <= 0.0;
-    UMBRAGE_HIGHP vec4 none = vec4(65536.0, 65536.0, 0.0, 4.0);
-    UMBRAGE_HIGHP vec4 found = edge_d <= 0.0 ? vec4(d.x, d.y, d.z, 3.0) : none;
-    found = in_c ? vec4(c.x, c.y, c.z, 2.0) : found;
-    found = in_b ? vec4(b.x, b.y, b.z, 1.0) : found;
-    found = in_a ? vec4(a.x, a.y, a.z, 0.0) : found;
-    // the next cascade is already looked at; no column is chosen by number
-    UMBRAGE_HIGHP vec4 there = in_a ? b : (in_b ? c : d);
-    UMBRAGE_HIGHP float edge = in_a ? edge_a : (in_b ? edge_b : (in_c ? edge_c : edge_d));
-    UMBRAGE_HIGHP float next_edge = in_a ? edge_b : (in_b ? edge_c : edge_d);
-    UMBRAGE_HIGHP vec4 scale = in_a ? scales[0] : (in_b ? scales[1] : (in_c ? scales[2] : scales[3]));
-    UMBRAGE_HIGHP vec4 next_scale = in_a ? scales[1] : (in_b ? scales[2] : scales[3]);
-    UMBRAGE_HIGHP float next_slack = in_a ? offsets[1].w : (in_b ? offsets[2].w : offsets[3].w);
-    UMBRAGE_HIGHP float slack = in_a ? offsets[0].w : (in_b ? offsets[1].w : (in_c ? offsets[2].w : offsets[3].w));
-    return umbrage_cascade_pair(vec3(across.x, across.y, across.z), found, vec3(there.x, there.y, there.z),
-                                vec2(edge, next_edge), vec2(slack, next_slack), scale, next_scale, blending);
+    UMBRAGE_HIGHP vec4 turned =
+        rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_first_cascade(umbrage_cascade_edges(light, scales, offsets, size, terms.z));
+    return vec2(found.x, umbrage_next_cascade_weight(found, blending));
 }
 )GLSL",
 };
 
-inline constexpr snippet cascaded_maps_places_8{
-    .name = "cascaded_maps_places_8",
-    .summary = "places of a point of the world in up to eight cascades",
+inline constexpr snippet cascaded_maps_choice_8{
+    .name = "cascaded_maps_choice_8",
+    .summary = "those of up to eight cascades that hold a point of the world",
     .exactness = tier::c,
     .operations = 38,
-    .needs = list<&shadow_coordinate, &cascade_by_projection_8, &cascade_column_8, &cascade_coordinate, &cascade_edge,
-                  &cascade_pair>,
+    .needs = list<&cascade_edges, &first_cascade, &next_cascade_weight>,
     .source = R"GLSL(
-// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+// umbrage_cascaded_maps_choice_8: umbrage_cascaded_maps_choice for up to eight cascades
 //   farther_scales, farther_offsets   those of the fifth cascade and of those after it
-//   the others, and what it returns   as umbrage_cascaded_maps_places
-UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_places_8(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+UMBRAGE_HIGHP vec2 umbrage_cascaded_maps_choice_8(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
                                                   UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
                                                   UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor,
                                                   UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
-                                                  UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+                                                  UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_HIGHP vec2 size = vec2(terms.x, terms.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP vec4 turned = umbrage_shadow_coordinate(rotation, way);
-    UMBRAGE_HIGHP vec4 turned_normal = umbrage_shadow_coordinate(rotation, normal);
+    UMBRAGE_HIGHP vec4 turned =
+        rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
     UMBRAGE_HIGHP vec3 light = vec3(turned.x, turned.y, turned.z);
-    UMBRAGE_HIGHP vec3 across = vec3(turned_normal.x, turned_normal.y, turned_normal.z);
-    UMBRAGE_HIGHP vec4 found = umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets,
-                                                               size, terms.z);
-    UMBRAGE_HIGHP float number = min(found.w, blending.y);
-    UMBRAGE_HIGHP float next = min(number + 1.0, blending.y);
-    UMBRAGE_HIGHP vec4 next_scale = umbrage_cascade_column_8(scales, farther_scales, next);
-    UMBRAGE_HIGHP vec4 next_offset = umbrage_cascade_column_8(offsets, farther_offsets, next);
-    UMBRAGE_HIGHP vec3 there = umbrage_cascade_coordinate(light, next_scale, next_offset);
-    UMBRAGE_HIGHP vec4 offset = umbrage_cascade_column_8(offsets, farther_offsets, number);
-    UMBRAGE_HIGHP float edge = umbrage_cascade_edge(vec3(found.x, found.y, found.z), size, terms.z);
-    UMBRAGE_HIGHP float next_edge = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2(edge, next_edge), vec2(offset.w, next_offset.w),
-                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+    UMBRAGE_HIGHP vec4 nearer = umbrage_cascade_edges(light, scales, offsets, size, terms.z);
+    UMBRAGE_HIGHP vec4 farther = umbrage_cascade_edges(light, farther_scales, farther_offsets, size, terms.z);
+    UMBRAGE_HIGHP vec3 found = umbrage_first_cascade(nearer);
+    UMBRAGE_HIGHP vec3 after = umbrage_first_cascade(farther);
+    UMBRAGE_HIGHP float next = found.x == 3.0 ? farther.x : found.z;
+    found = found.x < 3.5 ? vec3(found.x, found.y, next) : vec3(after.x + 4.0, after.y, after.z);
+    return vec2(found.x, umbrage_next_cascade_weight(found, blending));
 }
 )GLSL",
 };
 
-inline constexpr const snippet* cascade_places_snippets[]{&cascade_edge, &cascade_pair, &cascaded_maps_places,
-                                                          &cascaded_maps_places_8};
+inline constexpr const snippet* cascade_choice_snippets[]{&cascade_edge,         &cascade_edges,
+                                                          &first_cascade,        &next_cascade_weight,
+                                                          &cascaded_maps_choice, &cascaded_maps_choice_8};
 
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/shadow/place_blocks.hpp
-// Places of a block of 64 receivers in a light's one map, biased along their planes. It is anchored_place and
-// receiver_of, with the same bits, as a loop that compilers vectorize: an image under tent<3> takes 0.4 of the time.
-// See also: place_images.hpp, which calls it row by row.
-
-namespace umbrage::detail {
-
-/// Memory for a block of places: x and y in texels, depth with the bias applied, and slopes.
-struct place_row {
-    float *x, *y, *depth, *slope_x, *slope_y;
-};
-
-/// Places of a block. Receivers that are not compared lie outside the map.
-/// @tparam Forward   depth direction of the map
-/// @param points     of `block` receivers
-/// @param normals    likewise
-/// @param to         memory for `block` places, other than that of the receivers
-template <bool Forward>
-UMBRAGE_INLINE inline void place_anchored_block(const anchored_map& map, const shadow_terms& terms,
-                                                const glm::vec3* points, const glm::vec3* normals,
-                                                const place_row& to) {
-    // copies, which the loop cannot write
-    const glm::mat4 to_texels = map.to_texels, planes = map.planes;
-    const glm::vec4 anchor = map.anchor, rounding = map.rounding, slack = map.slack;
-    const float error = terms.error;
-    UMBRAGE_NO_OVERLAP
-    for (int i = 0; i < block; ++i) {
-        const float x = points[i].x - anchor.x, y = points[i].y - anchor.y, z = points[i].z - anchor.z;
-        const float nx = normals[i].x, ny = normals[i].y, nz = normals[i].z, d = -(nx * x + ny * y + nz * z);
-        const auto coordinate = [&](glm::length_t k) UMBRAGE_INLINE {
-            return to_texels[3][k] + to_texels[0][k] * x + to_texels[1][k] * y + to_texels[2][k] * z;
-        };
-        const auto of_plane = [&](glm::length_t k) UMBRAGE_INLINE {
-            return planes[3][k] * d + planes[0][k] * nx + planes[1][k] * ny + planes[2][k] * nz;
-        };
-        const float along = of_plane(2), rise = select(-std::int32_t(along == 0.0f), 1e-30f, along);
-        const float slope_x = -of_plane(0) / rise, slope_y = -of_plane(1) / rise;
-        const float steep = magnitude(slope_x) + magnitude(slope_y);
-
-        const float w = coordinate(3);
-        const std::int32_t before = -std::int32_t(w > 0.0f) & number_mask(w);
-        const float inverse = masked(1.0f / w, before), depth = coordinate(2) * inverse, reach = magnitude(depth);
-        const float moves = rounding.x + rounding.y * inverse, beside = moves * rounding.z + slack.x;
-        const float off = moves * (rounding.w + reach) + (reach * slack.y + slack.z), at = depth + slack.w;
-
-        const std::int32_t seen = -std::int32_t(steep < 2.0f) & number_mask(steep);
-        const std::int32_t compared = before & seen & ~beyond_far_plane_mask<Forward>(at);
-        const float bias = select(seen, clamped_to_one(error + (beside * steep + off)), 1.0f);
-        const float by = masked(bias, number_mask(bias));
-        to.x[i] = select(compared, coordinate(0) * inverse, 65536.0f);
-        to.y[i] = coordinate(1) * inverse;
-        to.depth[i] = Forward ? at - by : at + by;
-        to.slope_x[i] = slope_x;
-        to.slope_y[i] = slope_y;
-    }
-}
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/shadow/single_map.hpp
-// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
+// ---- umbrage/shadow/cascade_places.hpp
+// Place of a receiver in one map of cascaded shadow maps (CSM). A shader chooses the maps first and finds a place in
+// each, so that it has the instructions of a place once.
 //
-//     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
-//
+// See also: cascade_choice.hpp, the choice; cascaded_maps.hpp, the setup.
 
 namespace umbrage {
 
-/// Place of a point of the world in a light's one map.
-/// @param to_texels                             make_anchored_map of the light
-/// @param planes                                likewise
-/// @param anchor                                likewise
-/// @param rounding                              likewise
-/// @param slack                                 likewise
-/// @param world                                 position of the point
-/// @param normal                                its normal
-/// @return                                      its place, with weight 1
-/// @exactness                                   C, n = 121: as anchored_place
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
-    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
-    return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
+/// Place of a point in one cascade.
+/// @param light           the point, rotated into the light's axes
+/// @param across          its normal, rotated likewise
+/// @param scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
+/// @param number          number of the cascade. Above `last` the place is outside all maps, where filters are lit
+/// @param last            number of the last cascade
+/// @exactness             C, n = 14: as cascade_slope. S of each
+[[nodiscard]] UMBRAGE_INLINE inline map_place cascade_place(glm::vec3 light, glm::vec3 across, const glm::vec4& scale,
+                                                            const glm::vec4& offset, float number, float last) {
+    glm::vec3 at = cascade_coordinate(light, scale, offset);
+    if (!(number <= last)) at.x = outside_all_maps;
+    const glm::vec2 slope = cascade_slope(across, scale);
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y);
+    return {static_cast<int>((glm::min)(number, last)), at, slope, 1.0f, steep * scale.w + offset.w};
 }
 
-/// single_map_places under parallel rays, where w is 1, with the same result.
-/// @param to_texels                             make_anchored_map of a light with parallel rays
-/// @param planes                                likewise
-/// @param anchor                                likewise
-/// @param slack                                 likewise
-/// @param world                                 position of the point
-/// @param normal                                its normal
-/// @return                                      its place, with weight 1
-/// @formula     place = to_texels way + (0, 0, a); slack = t steep + p |z| + q, as anchored_place
-/// @exactness   C, n = 121: as anchored_place
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> parallel_map_places(
-    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4&,
-    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
-    const glm::vec4 c = shadow_coordinate(to_texels, world - glm::vec3(anchor));
-    const glm::vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
-    const glm::vec2 slope = cascade_slope(glm::vec3(q), glm::vec4(1));
-    const float steep = glm::abs(slope.x) + glm::abs(slope.y), off = glm::abs(c.z) * slack.y + slack.z;
-    return {map_place{.at = {c.x, c.y, c.z + slack.w}, .slope = slope, .slack = slack.x * steep + off}};
+/// Place of a point of the world in one of up to four cascades.
+/// @param normal   normal of the point's surface; the others as for cascaded_maps_choice
+/// @param number   as for cascade_place
+/// @exactness      C, n = 38: as cascade_place, of rotated vectors
+[[nodiscard]] UMBRAGE_INLINE inline map_place cascaded_maps_place(const glm::mat4& rotation, const glm::mat4& scales,
+                                                                  const glm::mat4& offsets, const glm::vec4& anchor,
+                                                                  const glm::vec4& blending, const shadow_terms&,
+                                                                  glm::vec3 world, glm::vec3 normal, float number) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
+        across(shadow_coordinate(rotation, normal));
+    const float own = (glm::min)(number, blending.y);
+    return cascade_place(light, across, cascade_column(scales, own), cascade_column(offsets, own), number, blending.y);
+}
+
+/// cascaded_maps_place for up to eight cascades.
+/// @exactness   C, n = 38: as cascade_place, of rotated vectors
+[[nodiscard]] UMBRAGE_INLINE inline map_place cascaded_maps_place_8(
+    const glm::mat4& rotation, const glm::mat4& scales, const glm::mat4& offsets, const glm::mat4& farther_scales,
+    const glm::mat4& farther_offsets, const glm::vec4& anchor, const glm::vec4& blending, const shadow_terms&,
+    glm::vec3 world, glm::vec3 normal, float number) {
+    const glm::vec3 light(shadow_coordinate(rotation, world - glm::vec3(anchor))),
+        across(shadow_coordinate(rotation, normal));
+    const float own = (glm::min)(number, blending.y);
+    return cascade_place(light, across, cascade_column_8(scales, farther_scales, own),
+                         cascade_column_8(offsets, farther_offsets, own), number, blending.y);
 }
 
 namespace glsl {
 
-inline constexpr snippet single_map_places{
-    .name = "single_map_places",
-    .summary = "place of a point of the world in a light's one map",
+inline constexpr snippet cascade_place{
+    .name = "cascade_place",
+    .summary = "place of a point in one cascade",
     .exactness = tier::c,
-    .operations = 121,
-    .needs = list<&anchored_place>,
-    .source = R"GLSL(
-// umbrage_single_map_places: place of a point of the world in a light's one map
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
-//   anchor                               position that is subtracted from world
-UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                             UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
-                                             UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
-}
-)GLSL",
-};
-
-inline constexpr snippet parallel_map_places{
-    .name = "parallel_map_places",
-    .summary = "place of a point of the world in the one map of a light with parallel rays",
-    .exactness = tier::c,
-    .operations = 121,
+    .operations = 14,
     .needs = list<&cascade_slope>,
     .source = R"GLSL(
-// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
-UMBRAGE_HIGHP mat4 umbrage_parallel_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                               UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
-                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+// umbrage_cascade_place: place of a point in one cascade
+//   light, across   the point and its normal, rotated into the light's axes
+//   scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
+//   number, last    number of the cascade and of the last one; above it the place is outside all maps, where all is lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+UMBRAGE_HIGHP mat4 umbrage_cascade_place(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec3 across,
+                                         UMBRAGE_HIGHP vec4 scale, UMBRAGE_HIGHP vec4 offset,
+                                         UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float last) {
     UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
-    UMBRAGE_HIGHP vec4 one = vec4(1.0, 1.0, 1.0, 1.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
-    UMBRAGE_HIGHP vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
-    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(vec3(q.x, q.y, q.z), one);
-    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
-    UMBRAGE_HIGHP float off = abs(c.z) * slack.y + slack.z;
-    return mat4(vec4(c.x, c.y, c.z + slack.w, 0.0), vec4(slope, 1.0, slack.x * steep + off), none, none);
+    UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_HIGHP float x = number <= last ? at.x : -65536.0;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(across, scale);
+    UMBRAGE_HIGHP float slack = (abs(slope.x) + abs(slope.y)) * scale.w + offset.w;
+    return mat4(vec4(x, at.y, at.z, min(number, last)), vec4(slope, 1.0, slack), none, none);
 }
 )GLSL",
 };
 
-inline constexpr const snippet* single_map_snippets[]{&single_map_places, &parallel_map_places};
+inline constexpr snippet cascaded_maps_place{
+    .name = "cascaded_maps_place",
+    .summary = "place of a point of the world in one of up to four cascades",
+    .exactness = tier::c,
+    .operations = 38,
+    .needs = list<&cascade_column, &cascade_place>,
+    .source = R"GLSL(
+// umbrage_cascaded_maps_place: umbrage_cascade_place of a point of the world, in one of up to four cascades
+//   number   number of the cascade
+//   the others as for umbrage_cascaded_maps_choice
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_place(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                               UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec4 anchor,
+                                               UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal,
+                                               UMBRAGE_HIGHP float number) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 light =
+        rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    UMBRAGE_HIGHP vec4 across =
+        rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    UMBRAGE_HIGHP float own = min(number, blending.y);
+    return umbrage_cascade_place(vec3(light.x, light.y, light.z), vec3(across.x, across.y, across.z),
+                                 umbrage_cascade_column(scales, own), umbrage_cascade_column(offsets, own), number,
+                                 blending.y);
+}
+)GLSL",
+};
+
+inline constexpr snippet cascaded_maps_place_8{
+    .name = "cascaded_maps_place_8",
+    .summary = "place of a point of the world in one of up to eight cascades",
+    .exactness = tier::c,
+    .operations = 38,
+    .needs = list<&cascade_column_8, &cascade_place>,
+    .source = R"GLSL(
+// umbrage_cascaded_maps_place_8: umbrage_cascaded_maps_place for up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+UMBRAGE_HIGHP mat4 umbrage_cascaded_maps_place_8(UMBRAGE_HIGHP mat4 rotation, UMBRAGE_HIGHP mat4 scales,
+                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP mat4 farther_scales,
+                                                 UMBRAGE_HIGHP mat4 farther_offsets, UMBRAGE_HIGHP vec4 anchor,
+                                                 UMBRAGE_HIGHP vec4 blending, UMBRAGE_HIGHP vec4 terms,
+                                                 UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal,
+                                                 UMBRAGE_HIGHP float number) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 light =
+        rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    UMBRAGE_HIGHP vec4 across =
+        rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    UMBRAGE_HIGHP float own = min(number, blending.y);
+    return umbrage_cascade_place(vec3(light.x, light.y, light.z), vec3(across.x, across.y, across.z),
+                                 umbrage_cascade_column_8(scales, farther_scales, own),
+                                 umbrage_cascade_column_8(offsets, farther_offsets, own), number, blending.y);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* cascade_places_snippets[]{&cascade_place, &cascaded_maps_place, &cascaded_maps_place_8};
 
 }  // namespace glsl
-
-/// Setup of one map.
-struct single_map {
-    light_space<double> light;
-    const glsl::snippet* placing;  ///< that of parallel rays costs less
-
-    /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
-    template <real T>
-    explicit single_map(const light_space<T>& space)
-        : light(detail::in_double(space)),
-          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
-        const glm::dmat4 m = light.projection * light.view;
-        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
-                        "light.parallel", "false for a projection with perspective", light.parallel);
-    }
-
-    using uniforms = anchored_map;
-    static constexpr uniform_field fields[]{
-        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"slack", false}};
-    static constexpr map_grid grid{1, 1};
-    static constexpr outside_map outside = outside_map::bordered;
-
-    [[nodiscard]] clip_space clip() const { return light.clip; }
-    [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
-    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
-        return make_anchored_map(light, map_size, origin);
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
-                                                                        glm::vec3 world, glm::vec3 normal) {
-        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
-    }
-    template <bool Forward>
-    UMBRAGE_INLINE static void place_block(const uniforms& u, const shadow_terms& terms, const glm::vec3* points,
-                                           const glm::vec3* normals, const detail::place_row& to) {
-        detail::place_anchored_block<Forward>(u, terms, points, normals, to);
-    }
-};
-
-/// Setup of a light with one map.
-template <real T>
-struct setup_for<light_space<T>> {
-    using type = single_map;
-};
-
 }  // namespace umbrage
 
 // ---- umbrage/shadow/cube_maps.hpp
@@ -24544,25 +24526,32 @@ struct setup_for<light_space<T>> {
 namespace umbrage {
 
 /// Place of a point of the world in a cube's six maps.
-/// @param to_texels                             anchored_map from a face's axes to texels of its map; the anchor is the
-///                                              light
-/// @param planes                                likewise
-/// @param anchor                                likewise
-/// @param rounding                              likewise
-/// @param slack                                 likewise
-/// @param world                                 position of the point
-/// @param normal                                its normal
-/// @return                                      its place on the face that it lies before, with weight 1
-/// @exactness                                   C, n = 121: as anchored_place
+/// @param face       x: texels a unit across the face's axis, at distance 1 along it; y: middle of a map, texels; z:
+///                   depth over 1 / distance; w: z / x
+/// @param anchor     xyz: position of the light
+/// @param rounding   of the anchored_map from a face's axes to texels of its map
+/// @param slack      likewise
+/// @param world      position of the point
+/// @param normal     its normal
+/// @return           its place on the face that it lies before, with weight 1
+/// @formula          as anchored_place. With w = |way| along the face's axis, place = (x (sc, tc) / w + y, z / w), and
+///                   slope = w (normal's sc, tc) / (normal . way)
+/// @exactness        C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
-    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& face, const glm::vec4& anchor, const glm::vec4& rounding, const glm::vec4& slack,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
-    const int face = cube_face(way);
-    const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
-    place.number = face;
-    return {place};
+    const int number = cube_face(way);
+    const glm::vec3 there = cube_face_point(float(number), way), across = cube_face_point(float(number), normal);
+    const float off_plane = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    const float rise = face.w / (off_plane == 0.0f ? 1e-30f : off_plane);
+    const glm::vec2 slope = glm::vec2(across) * rise;
+    const float i = 1.0f / (there.z > 1e-30f ? there.z : 1e-30f), z = face.z * i;
+    const glm::vec2 at = glm::vec2(there) * (face.x * i) + face.y;
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y), moves = rounding.x + rounding.y * i;
+    const float off = glm::abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    const float all = (moves * rounding.z + slack.x) * steep + off;
+    return {map_place{number, {at, z + slack.w}, slope, 1.0f, all}};
 }
 
 namespace glsl {
@@ -24572,22 +24561,39 @@ inline constexpr snippet cube_maps_places{
     .summary = "place of a point of the world in a cube's six maps",
     .exactness = tier::c,
     .operations = 121,
-    .needs = list<&cube_face, &cube_face_point, &anchored_place>,
     .source = R"GLSL(
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
-//   anchor                               position of the light
+//   face              texels a unit across the face's axis, at distance 1 along it; middle of a map; depth over
+//                     1.0 / distance, and that by texels
+//   anchor            position of the light
+//   rounding, slack   of umbrage_anchored_place, from a face's axes
 //   returns (texels, texels, depth, number), (slope, slope, weight, slack)
-UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                            UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                            UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
-                                            UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP vec4 face, UMBRAGE_HIGHP vec4 anchor,
+                                            UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
+                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                            UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
-    UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
-                               umbrage_cube_face_point(face, normal));
-    return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+    UMBRAGE_HIGHP vec3 m = abs(way);
+    bool on_x = m.x >= m.y ? m.x >= m.z : false;
+    bool on_y = on_x ? false : m.y >= m.z;
+    UMBRAGE_HIGHP float along = on_x ? way.x : (on_y ? way.y : way.z);
+    UMBRAGE_HIGHP float flip = along < 0.0 ? -1.0 : 1.0;
+    UMBRAGE_HIGHP float number = (on_x ? 0.5 : (on_y ? 2.5 : 4.5)) - 0.5 * flip;
+    UMBRAGE_HIGHP vec2 signs = vec2(on_x ? -flip : (on_y ? 1.0 : flip), on_y ? flip : -1.0);
+    UMBRAGE_HIGHP vec2 there = vec2(on_x ? way.z : way.x, on_y ? way.z : way.y) * signs;
+    UMBRAGE_HIGHP vec2 across = vec2(on_x ? normal.z : normal.x, on_y ? normal.z : normal.y) * signs;
+    UMBRAGE_HIGHP float off_plane = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_HIGHP float rise = face.w / (off_plane == 0.0 ? 1.0e-30 : off_plane);  // as umbrage_receiver_slope
+    UMBRAGE_HIGHP vec2 slope = across * rise;
+    UMBRAGE_HIGHP float i = 1.0 / max(abs(along), 1.0e-30);
+    UMBRAGE_HIGHP float z = face.z * i;
+    UMBRAGE_HIGHP vec2 at = there * (face.x * i) + face.y;
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
+    UMBRAGE_HIGHP float off = abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(at, z + slack.w, number), vec4(slope, 1.0, all), none, none);
 }
 )GLSL",
 };
@@ -24606,8 +24612,12 @@ struct cube_maps {
         static_cast<void>(make_point_light(light));  // checks the light
     }
 
-    using uniforms = anchored_map;  ///< from a face's axes (cube_face_point) to texels of its map
-    static constexpr const auto& fields = single_map::fields;
+    struct uniforms {
+        glm::vec4 face;             ///< of cube_maps_places
+        glm::vec4 anchor{0};        ///< xyz: position of the light
+        glm::vec4 rounding, slack;  ///< those of the anchored_map from a face's axes to texels of its map
+    };
+    static constexpr uniform_field fields[]{{"face", false}, {"anchor", false}, {"rounding", false}, {"slack", false}};
     static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
 
@@ -24618,7 +24628,7 @@ struct cube_maps {
     }
     /// @throws std::invalid_argument  a filter's reach above the border
     void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
-    /// @throws std::invalid_argument  a map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's; a near plane whose depths underflow
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
         const glm::dmat4 projection = make_point_light(light)[0].projection;
@@ -24630,12 +24640,16 @@ struct cube_maps {
         m[0][0] = m[1][1] = inner;
         m[2] = {half, half, depth.x, 1.0};
         m[3][2] = depth.y;
-        return detail::anchored_axes(m, map_size, light.clip, light.position - origin);
+        const anchored_map of = detail::anchored_axes(m, map_size, light.clip, light.position - origin);
+        const float texels = of.to_texels[0][0], over = of.to_texels[3][2];
+        detail::require(std::abs(over / texels) >= 0x1p-126f, "shadow", "light.z_near",
+                        "far enough for depths in float", light.z_near);
+        return {{texels, of.to_texels[2][0], over, over / texels}, of.anchor, of.rounding, of.slack};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
+        return cube_maps_places(u.face, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
 };
@@ -24991,6 +25005,206 @@ struct setup_for<dual_paraboloid_light<T>> {
 
 }  // namespace umbrage
 
+// ---- umbrage/shadow/place_blocks.hpp
+// Places of a block of 64 receivers in a light's one map, biased along their planes. It is anchored_place and
+// receiver_of, with the same bits, as a loop that compilers vectorize: an image under tent<3> takes 0.4 of the time.
+// See also: place_images.hpp, which calls it row by row.
+
+namespace umbrage::detail {
+
+/// Memory for a block of places: x and y in texels, depth with the bias applied, and slopes.
+struct place_row {
+    float *x, *y, *depth, *slope_x, *slope_y;
+};
+
+/// Places of a block. Receivers that are not compared lie outside the map.
+/// @tparam Forward   depth direction of the map
+/// @param points     of `block` receivers
+/// @param normals    likewise
+/// @param to         memory for `block` places, other than that of the receivers
+template <bool Forward>
+UMBRAGE_INLINE inline void place_anchored_block(const anchored_map& map, const shadow_terms& terms,
+                                                const glm::vec3* points, const glm::vec3* normals,
+                                                const place_row& to) {
+    // copies, which the loop cannot write
+    const glm::mat4 to_texels = map.to_texels, planes = map.planes;
+    const glm::vec4 anchor = map.anchor, rounding = map.rounding, slack = map.slack;
+    const float error = terms.error;
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) {
+        const float x = points[i].x - anchor.x, y = points[i].y - anchor.y, z = points[i].z - anchor.z;
+        const float nx = normals[i].x, ny = normals[i].y, nz = normals[i].z, d = -(nx * x + ny * y + nz * z);
+        const auto coordinate = [&](glm::length_t k) UMBRAGE_INLINE {
+            return to_texels[3][k] + to_texels[0][k] * x + to_texels[1][k] * y + to_texels[2][k] * z;
+        };
+        const auto of_plane = [&](glm::length_t k) UMBRAGE_INLINE {
+            return planes[3][k] * d + planes[0][k] * nx + planes[1][k] * ny + planes[2][k] * nz;
+        };
+        const float along = of_plane(2), rise = select(-std::int32_t(along == 0.0f), 1e-30f, along);
+        const float slope_x = -of_plane(0) / rise, slope_y = -of_plane(1) / rise;
+        const float steep = magnitude(slope_x) + magnitude(slope_y);
+
+        const float w = coordinate(3);
+        const std::int32_t before = -std::int32_t(w > 0.0f) & number_mask(w);
+        const float inverse = masked(1.0f / w, before), depth = coordinate(2) * inverse, reach = magnitude(depth);
+        const float moves = rounding.x + rounding.y * inverse, beside = moves * rounding.z + slack.x;
+        const float off = moves * (rounding.w + reach) + (reach * slack.y + slack.z), at = depth + slack.w;
+
+        const std::int32_t seen = -std::int32_t(steep < 2.0f) & number_mask(steep);
+        const std::int32_t compared = before & seen & ~beyond_far_plane_mask<Forward>(at);
+        const float bias = select(seen, clamped_to_one(error + (beside * steep + off)), 1.0f);
+        const float by = masked(bias, number_mask(bias));
+        to.x[i] = select(compared, coordinate(0) * inverse, 65536.0f);
+        to.y[i] = coordinate(1) * inverse;
+        to.depth[i] = Forward ? at - by : at + by;
+        to.slope_x[i] = slope_x;
+        to.slope_y[i] = slope_y;
+    }
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/shadow/single_map.hpp
+// Shadow with one map, of a spot light or of a directional light, whose map may be fitted or warped.
+//
+//     umbrage::shadow lamp(umbrage::make_spot_light({...}), {1024, 1024}, umbrage::filters::tent<3>);
+//
+
+namespace umbrage {
+
+/// Place of a point of the world in a light's one map.
+/// @param to_texels                             make_anchored_map of the light
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param rounding                              likewise
+/// @param slack                                 likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @exactness                                   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> single_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    return {anchored_place(to_texels, planes, rounding, slack, world - glm::vec3(anchor), normal)};
+}
+
+/// single_map_places under parallel rays, where w is 1, with the same result.
+/// @param to_texels                             make_anchored_map of a light with parallel rays
+/// @param planes                                likewise
+/// @param anchor                                likewise
+/// @param slack                                 likewise
+/// @param world                                 position of the point
+/// @param normal                                its normal
+/// @return                                      its place, with weight 1
+/// @formula     place = to_texels way + (0, 0, a); slack = t steep + p |z| + q, as anchored_place
+/// @exactness   C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> parallel_map_places(
+    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4&,
+    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4 c = shadow_coordinate(to_texels, world - glm::vec3(anchor));
+    const glm::vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    const glm::vec2 slope = cascade_slope(glm::vec3(q), glm::vec4(1));
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y), off = glm::abs(c.z) * slack.y + slack.z;
+    return {map_place{.at = {c.x, c.y, c.z + slack.w}, .slope = slope, .slack = slack.x * steep + off}};
+}
+
+namespace glsl {
+
+inline constexpr snippet single_map_places{
+    .name = "single_map_places",
+    .summary = "place of a point of the world in a light's one map",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&anchored_place>,
+    .source = R"GLSL(
+// umbrage_single_map_places: place of a point of the world in a light's one map
+//   to_texels, planes, rounding, slack   of umbrage_anchored_place, which has what it returns
+//   anchor                               position that is subtracted from world
+UMBRAGE_HIGHP mat4 umbrage_single_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                             UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                             UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                             UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    return umbrage_anchored_place(to_texels, planes, rounding, slack, way, normal);
+}
+)GLSL",
+};
+
+inline constexpr snippet parallel_map_places{
+    .name = "parallel_map_places",
+    .summary = "place of a point of the world in the one map of a light with parallel rays",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&cascade_slope>,
+    .source = R"GLSL(
+// umbrage_parallel_map_places: umbrage_single_map_places under parallel rays, where w is 1
+UMBRAGE_HIGHP mat4 umbrage_parallel_map_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
+                                               UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
+                                               UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
+                                               UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP vec4 one = vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP vec4 c = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
+    UMBRAGE_HIGHP vec4 q = planes[0] * normal.x + planes[1] * normal.y + planes[2] * normal.z;
+    UMBRAGE_HIGHP vec2 slope = umbrage_cascade_slope(vec3(q.x, q.y, q.z), one);
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float off = abs(c.z) * slack.y + slack.z;
+    return mat4(vec4(c.x, c.y, c.z + slack.w, 0.0), vec4(slope, 1.0, slack.x * steep + off), none, none);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* single_map_snippets[]{&single_map_places, &parallel_map_places};
+
+}  // namespace glsl
+
+/// Setup of one map.
+struct single_map {
+    light_space<double> light;
+    const glsl::snippet* placing;  ///< that of parallel rays costs less
+
+    /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
+    template <real T>
+    explicit single_map(const light_space<T>& space)
+        : light(detail::in_double(space)),
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
+        const glm::dmat4 m = light.projection * light.view;
+        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
+                        "light.parallel", "false for a projection with perspective", light.parallel);
+    }
+
+    using uniforms = anchored_map;
+    static constexpr uniform_field fields[]{
+        {"to_texels"}, {"planes"}, {"anchor", false}, {"rounding", false}, {"slack", false}};
+    static constexpr map_grid grid{1, 1};
+    static constexpr outside_map outside = outside_map::bordered;
+
+    [[nodiscard]] clip_space clip() const { return light.clip; }
+    [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
+    [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
+        return make_anchored_map(light, map_size, origin);
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
+                                                                        glm::vec3 world, glm::vec3 normal) {
+        return single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
+    }
+    template <bool Forward>
+    UMBRAGE_INLINE static void place_block(const uniforms& u, const shadow_terms& terms, const glm::vec3* points,
+                                           const glm::vec3* normals, const detail::place_row& to) {
+        detail::place_anchored_block<Forward>(u, terms, points, normals, to);
+    }
+};
+
+/// Setup of a light with one map.
+template <real T>
+struct setup_for<light_space<T>> {
+    using type = single_map;
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/shader/binding.hpp
 // Description of a shadow map for shaders: its texture type, the conversion of texels to depths, and the comparison.
 //
@@ -25109,6 +25323,14 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
+inline constexpr snippet clamped_texel_inside{
+    .name = "texel_inside", .summary = "texel_inside, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_texel_inside: texel of the map, or the nearest one for coordinates outside
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return clamp(texel, vec2(0.0, 0.0), size - 1.0);
+}
+)GLSL"};
+
 inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: true when a receiver is beyond the far plane
@@ -25200,13 +25422,13 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &compare>,
+                                      .needs = list<&texel_inside, &lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
@@ -25217,13 +25439,13 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet planed_lit{.name = "lit",
                                     .summary = "lit, along a plane",
-                                    .needs = list<&texel, &compare>,
+                                    .needs = list<&texel, &texel_inside, &compare>,
                                     .role = hook::chosen,
                                     .source = R"GLSL(
 // umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
     return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
 }
@@ -25242,13 +25464,13 @@ UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet planed_compared_lit{.name = "lit",
                                              .summary = "lit, compared along a plane",
-                                             .needs = list<&planed_lit_texel>,
+                                             .needs = list<&texel_inside, &planed_lit_texel>,
                                              .role = hook::chosen,
                                              .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;
@@ -25379,13 +25601,13 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet planed_compare{.name = "compare_along",
                                         .summary = "compare_along, along a plane",
-                                        .needs = list<&compare>,
+                                        .needs = list<&texel_inside, &compare>,
                                         .role = hook::chosen,
                                         .source = R"GLSL(
 // umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
 UMBRAGE_HIGHP float umbrage_compare_along(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP float stored) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     return umbrage_compare(UMBRAGE_REFERENCE, stored);
 }
 )GLSL"};
@@ -25588,13 +25810,13 @@ namespace hooks {
 
 /// List of all hooks, for printers and packages.
 inline constexpr const auto& all =
-    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
-         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
-         &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
-         &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
-         &bordered_lit_filtered, &bordered_covered, &sampled_lit, &planed_lit_sampled, &planed_lit_between,
-         &sampled_depth, &sampled_bordered_depth>;
+    list<&reversed_cleared_depth, &clamped_covers, &clamped_texel_inside, &reversed_beyond_far_plane,
+         &no_beyond_far_plane, &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare,
+         &decode, &clamped_depth, &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel,
+         &planed_compared_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped,
+         &gather_in_region, &gather_lit, &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered,
+         &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered, &bordered_covered, &sampled_lit,
+         &planed_lit_sampled, &planed_lit_between, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -25639,6 +25861,7 @@ template <class = umbrage::detail::on_use>
         case hook::compare:
             if (!b.compare.empty()) return hooks::own_compare;
             return forward ? s : hooks::reversed_compare;
+        case hook::texel_inside: return is_bordered(b) ? s : hooks::clamped_texel_inside;
         case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
         case hook::lit:
             if (b.receiver_plane) return compares(b.texture) ? hooks::planed_compared_lit : hooks::planed_lit;
@@ -26471,107 +26694,124 @@ struct setup_for<tetrahedron_light<T>> {
 
 namespace umbrage {
 
-/// Places of a point of the world in up to four warped cascades.
-/// @param to_texels           of the anchored_map of each map
-/// @param planes              likewise
-/// @param rounding            one column per map: rounding of its anchored_map
-/// @param slack               likewise
-/// @param fades               one column per map: scale and offset for cascade_fade
-/// @param anchor              xyz: the one anchor of all maps
-/// @param ahead               distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
-/// @param ends                xyz: ends of the first three cascades; w: number of the last one
-/// @param world               position of the point
-/// @param normal              its normal
-/// @return                    both places. The second has a weight of 0 where only the first counts
-/// @exactness                 C, n = 121: as anchored_place
-[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> warped_maps_places(
-    const std::array<glm::mat4, 4>& to_texels, const std::array<glm::mat4, 4>& planes, const glm::mat4& rounding,
-    const glm::mat4& slack, const glm::mat4& fades, const glm::vec4& anchor, const glm::vec4& ahead,
-    const glm::vec4& ends, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+/// warped cascade that holds a point of the world, and weight of the next one.
+/// @param fades    one column per map: scale and offset for cascade_fade
+/// @param anchor   xyz: the one anchor of all maps
+/// @param ahead    distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+/// @param ends     xyz: ends of the first three cascades
+/// @param world    position of the point
+/// @return         (number of the cascade, 0 to 3; weight of the next one)
+/// @exactness      C, n = 10: as cascade_fade
+[[nodiscard]] UMBRAGE_INLINE inline glm::vec2 warped_maps_choice(const glm::mat4& fades, const glm::vec4& anchor,
+                                                                 const glm::vec4& ahead, const glm::vec4& ends,
+                                                                 glm::vec3 world) {
     const glm::vec3 way = world - glm::vec3(anchor);
-    const auto in_map = [&](std::size_t i, float weight) {
-        const auto column = static_cast<glm::length_t>(i);
-        map_place place = anchored_place(to_texels[i], planes[i], rounding[column], slack[column], way, normal);
-        place.number = static_cast<int>(i), place.weight = weight;
-        return place;
-    };
     const float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     const float number = cascade_by_depth(depth, glm::vec3(ends));
     const glm::vec4 own = cascade_column(fades, number);
-    const float weight = cascade_fade(depth, own.x, own.y);
-    const auto own_map = static_cast<std::size_t>(number);
-    std::array<map_place, 2> both{in_map(own_map, 1.0f), map_place{.weight = 0.0f}};
-    if (!(weight > 0.0f)) return both;
-    both[1] = in_map(own_map < 3 ? own_map + 1 : 3, weight);
-    if (!(number < ends.w)) both[1].number = static_cast<int>(ends.w), both[1].at = outside_all_maps;
-    return both;
+    return {number, cascade_fade(depth, own.x, own.y)};
+}
+
+/// Place of a point of the world in one of up to four warped cascades.
+/// @param to_texels   of the anchored_map of each map
+/// @param planes      likewise
+/// @param rounding    one column per map: rounding of its anchored_map
+/// @param slack       likewise
+/// @param anchor      xyz: the one anchor of all maps
+/// @param ends        w: number of the last cascade
+/// @param world       position of the point
+/// @param normal      its normal
+/// @param number      number of the cascade. After the last one the place is outside all maps, where filters are lit
+/// @exactness         C, n = 121: as anchored_place
+[[nodiscard]] UMBRAGE_INLINE inline map_place warped_maps_place(const std::array<glm::mat4, 4>& to_texels,
+                                                                const std::array<glm::mat4, 4>& planes,
+                                                                const glm::mat4& rounding, const glm::mat4& slack,
+                                                                const glm::vec4& anchor, const glm::vec4& ends,
+                                                                glm::vec3 world, glm::vec3 normal, float number) {
+    const auto own = static_cast<int>((glm::min)(number, ends.w));
+    const auto i = static_cast<std::size_t>(own);
+    map_place place =
+        anchored_place(to_texels[i], planes[i], rounding[own], slack[own], world - glm::vec3(anchor), normal);
+    place.number = own;
+    if (!(number <= ends.w)) place.at.x = outside_all_maps;
+    return place;
 }
 
 namespace glsl {
 
-inline constexpr snippet warped_maps_places{
-    .name = "warped_maps_places",
-    .summary = "places of a point of the world in up to four warped cascades",
+inline constexpr snippet warped_maps_choice{
+    .name = "warped_maps_choice",
+    .summary = "warped cascade that holds a point of the world, and weight of the next one",
     .exactness = tier::c,
-    .operations = 121,
-    .needs = list<&anchored_place, &cascade_by_depth, &cascade_column, &cascade_fade>,
+    .operations = 10,
+    .needs = list<&cascade_by_depth, &cascade_column, &cascade_fade>,
     .source = R"GLSL(
-// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
-//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding, slack           one column per map: its rounding and slack there
-//   fades                     one column per map: scale and offset of the next one's weight
-//   anchor                    the one anchor of all maps
-//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
-//   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-UMBRAGE_HIGHP mat4 umbrage_warped_maps_places(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
-                                              UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
-                                              UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
-                                              UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
-                                              UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
-                                              UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
+// umbrage_warped_maps_choice: number of the warped cascade that holds a point of the world, and weight of the next one
+//   fades    one column per map: scale and offset of the next one's weight
+//   anchor   the one anchor of all maps
+//   ahead    distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends     ends of the first three cascades, number of the last one
+UMBRAGE_HIGHP vec2 umbrage_warped_maps_choice(UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
                                               UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
-                                              UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
-                                              UMBRAGE_HIGHP vec3 normal) {
+                                              UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     UMBRAGE_HIGHP float number = umbrage_cascade_by_depth(depth, vec3(ends.x, ends.y, ends.z));
     UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(fades, number);
-    UMBRAGE_HIGHP float weight = umbrage_cascade_fade(depth, own.x, own.y);
-    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
-    UMBRAGE_HIGHP mat4 planes = planes_0;
-    UMBRAGE_HIGHP mat4 to_next = to_texels_1;
-    UMBRAGE_HIGHP mat4 next_planes = planes_1;
-    if (number > 0.5) {
-        to_texels = to_texels_1;
-        planes = planes_1;
-        to_next = to_texels_2;
-        next_planes = planes_2;
-    }
-    if (number > 1.5) {
-        to_texels = to_texels_2;
-        planes = planes_2;
-        to_next = to_texels_3;
-        next_planes = planes_3;
-    }
-    if (number > 2.5) {
-        to_texels = to_texels_3;
-        planes = planes_3;
-    }
-    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
-                                                   umbrage_cascade_column(slack, number), way, normal);
-    UMBRAGE_HIGHP mat4 there =
-        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
-                               umbrage_cascade_column(slack, number + 1.0), way, normal);
-    UMBRAGE_HIGHP vec3 after = vec3(there[0].x, there[0].y, there[0].z);
-    UMBRAGE_HIGHP vec3 next = number >= ends.w ? vec3(-65536.0, -65536.0, 0.0) : after;
-    return mat4(vec4(at[0].x, at[0].y, at[0].z, number), at[1], vec4(next, min(number + 1.0, ends.w)),
-                vec4(there[1].x, there[1].y, weight, there[1].w));
+    return vec2(number, umbrage_cascade_fade(depth, own.x, own.y));
 }
 )GLSL",
 };
 
-inline constexpr const snippet* warped_places_snippets[]{&warped_maps_places};
+inline constexpr snippet warped_maps_place{
+    .name = "warped_maps_place",
+    .summary = "place of a point of the world in one of up to four warped cascades",
+    .exactness = tier::c,
+    .operations = 121,
+    .needs = list<&anchored_place, &cascade_column>,
+    .source = R"GLSL(
+// umbrage_warped_maps_place: place of a point of the world in one of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding, slack           one column per map: its rounding and slack there
+//   fades, ahead              of umbrage_warped_maps_choice, not read
+//   anchor                    the one anchor of all maps
+//   ends                      w: number of the last cascade, after which the place is outside all maps, and lit
+//   number                    number of the cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+UMBRAGE_HIGHP mat4 umbrage_warped_maps_place(UMBRAGE_HIGHP mat4 to_texels_0, UMBRAGE_HIGHP mat4 to_texels_1,
+                                             UMBRAGE_HIGHP mat4 to_texels_2, UMBRAGE_HIGHP mat4 to_texels_3,
+                                             UMBRAGE_HIGHP mat4 planes_0, UMBRAGE_HIGHP mat4 planes_1,
+                                             UMBRAGE_HIGHP mat4 planes_2, UMBRAGE_HIGHP mat4 planes_3,
+                                             UMBRAGE_HIGHP mat4 rounding, UMBRAGE_HIGHP mat4 slack,
+                                             UMBRAGE_HIGHP mat4 fades, UMBRAGE_HIGHP vec4 anchor,
+                                             UMBRAGE_HIGHP vec4 ahead, UMBRAGE_HIGHP vec4 ends,
+                                             UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                             UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP float number) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
+    UMBRAGE_HIGHP float own = min(number, ends.w);
+    UMBRAGE_HIGHP mat4 to_texels = to_texels_0;
+    UMBRAGE_HIGHP mat4 planes = planes_0;
+    if (own > 0.5) {
+        to_texels = to_texels_1;
+        planes = planes_1;
+    }
+    if (own > 1.5) {
+        to_texels = to_texels_2;
+        planes = planes_2;
+    }
+    if (own > 2.5) {
+        to_texels = to_texels_3;
+        planes = planes_3;
+    }
+    UMBRAGE_HIGHP mat4 at = umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, own),
+                                                   umbrage_cascade_column(slack, own), way, normal);
+    UMBRAGE_HIGHP float x = number <= ends.w ? at[0].x : -65536.0;
+    return mat4(vec4(x, at[0].y, at[0].z, own), at[1], at[2], at[3]);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* warped_places_snippets[]{&warped_maps_choice, &warped_maps_place};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -26663,9 +26903,9 @@ template <class Use = umbrage::detail::on_use>
                       normal_offset_snippets, kernel_snippets, receiver_plane_snippets, acne_free_snippets})
             .add_all({lighting_snippets, false_color_snippets, overlay_texel_snippets, probe_color_snippets})
             // shadow
-            .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_places_snippets,
-                      cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets, warped_places_snippets,
-                      page_places_snippets, softness_snippets})
+            .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_choice_snippets,
+                      cascade_places_snippets, cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets,
+                      warped_places_snippets, page_places_snippets, softness_snippets})
             .members();
     }();
     return all;
@@ -28787,11 +29027,16 @@ struct cascade_block {
 
     static constexpr uniform_field fields[]{
         {"rotation"}, {"scales"}, {"offsets"}, {"anchor", false}, {"blending", false}};
-    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places;
+    static constexpr choice_function choosing{&glsl::cascaded_maps_choice,
+                                              "rotation, scales, offsets, anchor, blending, terms, "};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_place;
 
     [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
                                                                  glm::vec3 normal) const {
-        return cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+        const glm::vec2 choice = cascaded_maps_choice(rotation, scales, offsets, anchor, blending, terms, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return cascaded_maps_place(rotation, scales, offsets, anchor, blending, terms, world, normal, number);
+        });
     }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
 };
@@ -28805,12 +29050,19 @@ struct cascade_block<2> {
     static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
                                             {"farther_scales"}, {"farther_offsets"}, {"anchor", false},
                                             {"blending", false}};
-    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places_8;
+    static constexpr choice_function choosing{
+        &glsl::cascaded_maps_choice_8,
+        "rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, "};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_place_8;
 
     [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
                                                                  glm::vec3 normal) const {
-        return cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
-                                      terms, world, normal);
+        const glm::vec2 choice = cascaded_maps_choice_8(rotation, scales, offsets, farther_scales, farther_offsets,
+                                                        anchor, blending, terms, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return cascaded_maps_place_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                         terms, world, normal, number);
+        });
     }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) {
         (i < 4 ? scales : farther_scales)[i % 4] = scale, (i < 4 ? offsets : farther_offsets)[i % 4] = offset;
@@ -28886,6 +29138,7 @@ struct cascaded_maps {
                                                                         glm::vec3 world, glm::vec3 normal) {
         return u.places(terms, world, normal);
     }
+    static constexpr choice_function choosing = uniforms::choosing;
     static constexpr const glsl::snippet* placing = uniforms::placing;
 
 private:
@@ -28976,8 +29229,8 @@ template <class Look>
 
 /// A shadow in the frame's text: declarations and names that its function passes on.
 struct frame_words {
-    const glsl::snippet* placing = nullptr;  ///< the setup's
-    int most_places = 1;
+    const glsl::snippet* placing = nullptr;       ///< the setup's
+    choice_function choosing{};                   ///< the setup's; none where a receiver has one place
     std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
     std::string of_setup{};                       ///< the setup's own, as arguments
     std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
@@ -28986,8 +29239,8 @@ struct frame_words {
 
     /// Snippets that the text calls, but for those of the choice.
     [[nodiscard]] std::vector<const glsl::snippet*> needs() const {
-        if (most_places == 1) return {placing};
-        return {placing, &glsl::blend_cascades};
+        if (choosing.calls == nullptr) return {placing};
+        return {choosing.calls, placing, &glsl::blend_cascades};
     }
 };
 
@@ -28998,7 +29251,7 @@ struct frame_words {
 /// @param soft     softness of each map
 template <class Setup>
 [[nodiscard]] frame_words frame_words_of(const Setup& setup, bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = setup.placing, .most_places = most_places<Setup>};
+    frame_words w{.placing = setup.placing, .choosing = choosing_of<Setup>()};
     for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
         w.of_setup.append(f.name).append(", ");
@@ -29024,7 +29277,7 @@ struct frame_result {
     std::string_view type;   ///< float or vec3
     std::string_view lit;    ///< value of the type before any map is looked up
     std::string look;        ///< result at `at` and `slope`
-    std::string_view blend;  ///< blend of `sum` and `next` by `slope.z`
+    std::string_view blend;  ///< blend of `sum` and `next` by `weight`
 };
 
 /// GLSL version of blended: the one text of all shadows.
@@ -29035,33 +29288,37 @@ struct frame_result {
     std::string text = std::string(of.head) + w.fields +
                        "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
                        "UMBRAGE_HIGHP vec3 normal" +
-                       w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
-                       w.of_setup +
-                       "terms, world, normal);\n"
-                       "    UMBRAGE_HIGHP vec4 at = places[0];\n"
-                       "    UMBRAGE_HIGHP vec4 slope = places[1];\n";
+                       w.pixel + ") {\n";
     const auto add = [&](const char* margin, std::string_view line) { text.append(margin).append(line) += '\n'; };
-    const auto look_up = [&](const char* margin, const char* name) {
-        add(margin, "UMBRAGE_HIGHP float number = at.w;");
+    const auto look_up = [&](const char* margin, const char* of_map, const char* name) {
+        add(margin, "UMBRAGE_HIGHP mat4 place = umbrage_" + std::string(w.placing->name) + '(' + w.of_setup +
+                        "terms, world, normal" + of_map + ");");
+        for (const char* line : {"UMBRAGE_HIGHP vec4 at = place[0];", "UMBRAGE_HIGHP vec4 slope = place[1];",
+                                 "UMBRAGE_HIGHP float number = at.w;"})
+            add(margin, line);
         for (const std::string& line : statements) add(margin, line);
         add(margin, type + name + " = " + of.look + ';');
     };
-    if (w.most_places == 1) look_up("    ", "sum");
+    if (w.choosing.calls == nullptr) look_up("    ", "", "sum");
     else {
-        // Compilers do not know how often the loop turns, so that the filter's instructions stand once.
+        // Compilers do not know how often the loop turns, so that the instructions of a lookup stand once.
+        add("    ", "UMBRAGE_HIGHP vec2 choice = umbrage_" + std::string(w.choosing.calls->name) + '(' +
+                        std::string(w.choosing.arguments) + "world);");
         add("", "#if __VERSION__ >= 130");
-        add("    ", "int count = places[3].z > 0.0 ? 2 : 1;");
+        add("    ", "int count = choice.y > 0.0 ? 2 : 1;");
         add("", "#else");
         add("    ", "const int count = 2;");
         add("", "#endif");
         add("    ", type + "sum = " + std::string(of.lit) + ';');
+        add("    ", "UMBRAGE_HIGHP float chosen = choice.x;");
+        add("    ", "UMBRAGE_HIGHP float weight = 1.0;");
         add("    ", "for (int i = 0; i < count; ++i) {");
-        add("        ", "if (slope.z > 0.0) {");
-        look_up("            ", "next");
+        add("        ", "if (weight > 0.0) {");
+        look_up("            ", ", chosen", "next");
         add("            ", "sum = " + std::string(of.blend) + ';');
         add("        ", "}");
-        add("        ", "at = places[2];");
-        add("        ", "slope = places[3];");
+        add("        ", "chosen = choice.x + 1.0;");
+        add("        ", "weight = choice.y;");
         add("    ", "}");
     }
     return text + "    return sum;\n}\n";
@@ -30079,9 +30336,9 @@ template <class Setup, class Filter>
                              .lit = "vec3(1.0, 1.0, 1.0)",
                              .look = "umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w))",
                              .blend =
-                                 "vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), "
-                                 "umbrage_blend_cascades(sum.y, next.y, slope.z), "
-                                 "umbrage_blend_cascades(sum.z, next.z, slope.z))"};
+                                 "vec3(umbrage_blend_cascades(sum.x, next.x, weight), "
+                                 "umbrage_blend_cascades(sum.y, next.y, weight), "
+                                 "umbrage_blend_cascades(sum.z, next.z, weight))"};
     std::vector<const glsl::snippet*> calls{&glsl::probe_color};
     if (!along_plane<Setup, Filter>) calls.push_back(&kernel_bias_snippet<Filter>());
     return {{"place_color",
@@ -30185,7 +30442,7 @@ template <class Setup, class Filter, class Encoding>
         .lit = "1.0",
         .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
                 words.of_pixel + ")",
-        .blend = "umbrage_blend_cascades(sum, next, slope.z)"};
+        .blend = "umbrage_blend_cascades(sum, next, weight)"};
     std::vector<std::string> statements = words.chooses_map;
     statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
@@ -30372,12 +30629,16 @@ struct warped_maps {
         return u;
     }
 
-    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms&,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.slack, u.fades, u.anchor, u.ahead, u.ends, terms,
-                                  world, normal);
+        const glm::vec2 choice = warped_maps_choice(u.fades, u.anchor, u.ahead, u.ends, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return warped_maps_place(u.to_texels, u.planes, u.rounding, u.slack, u.anchor, u.ends, world, normal,
+                                     number);
+        });
     }
-    static constexpr const glsl::snippet* placing = &glsl::warped_maps_places;
+    static constexpr choice_function choosing{&glsl::warped_maps_choice, "fades, anchor, ahead, ends, "};
+    static constexpr const glsl::snippet* placing = &glsl::warped_maps_place;
 
 private:
     void require_cascades() const {

@@ -126,7 +126,7 @@ template <class Setup, int Matrices>
 [[nodiscard]] place_list places_of(const umbrage::shadow_uniforms<Setup, Matrices>& u) {
     return [u](glm::vec3 p, glm::vec3 n, const auto& use) {
         return umbrage::detail::blended(Setup::places(u.maps, u.terms, p, n), [&](const auto& place) {
-            if (place.at == umbrage::outside_all_maps) return 1.0f;
+            if (place.at.x == umbrage::outside_all_maps) return 1.0f;
             return use(place), 0.0f;
         });
     };

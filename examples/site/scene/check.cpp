@@ -77,7 +77,7 @@ void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
         if (points[i].w == 0.0f) continue;
         const glm::ivec2 pixel(static_cast<int>(i) % width, static_cast<int>(i) / width);
         const auto look = [&](const map_place& place) {
-            if (place.at == umbrage::outside_all_maps) return 1.0f;
+            if (place.at.x == umbrage::outside_all_maps) return 1.0f;
             const auto own = umbrage::image_view<const float>(depths).region(
                 umbrage::detail::first_texel(place.number, Setup::grid, map_size), map_size);
             const glm::vec3 receiver = umbrage::detail::receiver_of<Setup, Filter>(terms, place, direction);

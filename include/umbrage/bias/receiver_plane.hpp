@@ -86,7 +86,7 @@ template <real T, class Compare = less_equal>
 }
 
 /// `plane_reference` in a map whose border is lit. Outside the map it is nearer to the light than every stored depth.
-/// @param inside     index of the nearest texel in the map
+/// @param inside     texel if the map has it, otherwise any other
 /// Other parameters as for plane_reference.
 /// @formula          as plane_reference, but 2^24 towards the light in place of the product of each axis along which
 ///                   inside is not texel
@@ -188,7 +188,7 @@ inline constexpr snippet bordered_plane_reference{
     .source = R"GLSL(
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
                                                      UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
     UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;

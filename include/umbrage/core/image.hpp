@@ -193,6 +193,17 @@ template <class T>
     return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
+/// Texel at which shaders read a map with a border: the texel itself if the map has it. Outside it is any other one of
+/// the map, whose value does not count. That takes one operation less an axis than the nearest.
+/// @param size    size of the map, in texels
+/// @param at      texel index, integers above -2^31
+/// @formula       min(|at|, size - 1)
+/// @exactness     A
+[[nodiscard]] constexpr glm::ivec2 texel_inside(glm::ivec2 size, glm::ivec2 at) {
+    const auto inside = [](int v, int length) { return (v < 0 ? -v : v) < length ? (v < 0 ? -v : v) : length - 1; };
+    return {inside(at.x, size.x), inside(at.y, size.y)};
+}
+
 /// Texel of the map, or the nearest one inside for coordinates outside. The map must not be empty.
 /// @exactness   A
 template <class T>
@@ -278,6 +289,20 @@ bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 )GLSL",
 };
 
+/// Text for a bordered map. For other maps bind() replaces it.
+inline constexpr snippet texel_inside{
+    .name = "texel_inside",
+    .summary = "texel of the map, itself if the map has it",
+    .exactness = tier::a,
+    .role = hook::texel_inside,
+    .source = R"GLSL(
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+)GLSL",
+};
+
 inline constexpr snippet fetch_clamped{
     .name = "fetch_clamped",
     .summary = "texel of a map, clamped to the nearest one inside",
@@ -295,19 +320,19 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, or a border value outside it",
     .exactness = tier::a,
-    .needs = list<&texel>,
+    .needs = list<&texel, &texel_inside>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 at = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
     return at.x == texel.x && at.y == texel.y ? value : border;
 }
 )GLSL",
 };
 
-inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &fetch_clamped, &fetch_bordered};
+inline constexpr const snippet* image_snippets[]{&texel, &inside_map, &texel_inside, &fetch_clamped, &fetch_bordered};
 
 }  // namespace glsl
 }  // namespace umbrage

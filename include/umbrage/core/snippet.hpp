@@ -69,6 +69,7 @@ enum class hook {
     compare,
     covered,
     texel,
+    texel_inside,
     fetch_depth,
     lit,
     lit_2x2,

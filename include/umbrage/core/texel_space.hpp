@@ -182,12 +182,12 @@ inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
     .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&texel>,
+    .needs = list<&texel, &texel_inside>,
     .role = hook::fetch_depth,
     .source = R"GLSL(
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
     UMBRAGE_HIGHP float depth = UMBRAGE_DEPTH;
     return inside.x == texel.x && inside.y == texel.y ? depth : UMBRAGE_BORDER;

@@ -39,7 +39,7 @@ template <real T>
 /// @param direction   depth direction of the map
 /// @return            RGB in [0, 1]. All is well: squares of one texel, gray in map 0 and in the map's own color in the
 ///                    next seven, again gray in map 8.
-///                    Magenta: not a number. Black: behind the light, or in no cascade. White: outside the map.
+///                    Magenta: not a number. Black: behind the light. White: outside the map, or all cascades.
 ///                    Cyan: beyond the far plane. Blue: in front of the near plane.
 ///                    Red: bias at its limit of 1, which removes all shadows
 /// @formula           bits of number choose 0.875 or 0.375 for red, green and blue. Every other square is times 0.75
@@ -94,8 +94,8 @@ inline constexpr snippet probe_color{
 //   bias    bias of the receiver, in depth
 //   number  index of the map, an integer
 //   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
+//   black    behind the light
+//   white    outside the map, or all cascades
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0

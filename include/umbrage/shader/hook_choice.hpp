@@ -17,13 +17,13 @@ namespace hooks {
 
 /// List of all hooks, for printers and packages.
 inline constexpr const auto& all =
-    list<&reversed_cleared_depth, &clamped_covers, &reversed_beyond_far_plane, &no_beyond_far_plane,
-         &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare, &decode, &clamped_depth,
-         &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel, &planed_compared_lit,
-         &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped, &gather_in_region, &gather_lit,
-         &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered, &gathered_bordered, &clamped_lit_filtered,
-         &bordered_lit_filtered, &bordered_covered, &sampled_lit, &planed_lit_sampled, &planed_lit_between,
-         &sampled_depth, &sampled_bordered_depth>;
+    list<&reversed_cleared_depth, &clamped_covers, &clamped_texel_inside, &reversed_beyond_far_plane,
+         &no_beyond_far_plane, &reversed_within_far_plane, &any_within_far_plane, &reversed_compare, &own_compare,
+         &decode, &clamped_depth, &lit_texel, &clamped_lit, &bordered_lit, &planed_lit, &planed_lit_texel,
+         &planed_compared_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gather_clamped,
+         &gather_in_region, &gather_lit, &gathered_lit, &planed_compare, &planed_gathered_lit, &gathered,
+         &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered, &bordered_covered, &sampled_lit,
+         &planed_lit_sampled, &planed_lit_between, &sampled_depth, &sampled_bordered_depth>;
 
 }  // namespace hooks
 
@@ -68,6 +68,7 @@ template <class = umbrage::detail::on_use>
         case hook::compare:
             if (!b.compare.empty()) return hooks::own_compare;
             return forward ? s : hooks::reversed_compare;
+        case hook::texel_inside: return is_bordered(b) ? s : hooks::clamped_texel_inside;
         case hook::fetch_depth: return is_bordered(b) ? s : hooks::clamped_depth;
         case hook::lit:
             if (b.receiver_plane) return compares(b.texture) ? hooks::planed_compared_lit : hooks::planed_lit;

@@ -21,6 +21,7 @@
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/cascade_choice.hpp>
 #include <umbrage/shadow/cascade_places.hpp>
 #include <umbrage/shadow/setup.hpp>
 
@@ -38,11 +39,16 @@ struct cascade_block {
 
     static constexpr uniform_field fields[]{
         {"rotation"}, {"scales"}, {"offsets"}, {"anchor", false}, {"blending", false}};
-    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places;
+    static constexpr choice_function choosing{&glsl::cascaded_maps_choice,
+                                              "rotation, scales, offsets, anchor, blending, terms, "};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_place;
 
     [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
                                                                  glm::vec3 normal) const {
-        return cascaded_maps_places(rotation, scales, offsets, anchor, blending, terms, world, normal);
+        const glm::vec2 choice = cascaded_maps_choice(rotation, scales, offsets, anchor, blending, terms, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return cascaded_maps_place(rotation, scales, offsets, anchor, blending, terms, world, normal, number);
+        });
     }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) { scales[i] = scale, offsets[i] = offset; }
 };
@@ -56,12 +62,19 @@ struct cascade_block<2> {
     static constexpr uniform_field fields[]{{"rotation"},       {"scales"},          {"offsets"},
                                             {"farther_scales"}, {"farther_offsets"}, {"anchor", false},
                                             {"blending", false}};
-    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_places_8;
+    static constexpr choice_function choosing{
+        &glsl::cascaded_maps_choice_8,
+        "rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, "};
+    static constexpr const glsl::snippet* placing = &glsl::cascaded_maps_place_8;
 
     [[nodiscard]] UMBRAGE_INLINE std::array<map_place, 2> places(const shadow_terms& terms, glm::vec3 world,
                                                                  glm::vec3 normal) const {
-        return cascaded_maps_places_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
-                                      terms, world, normal);
+        const glm::vec2 choice = cascaded_maps_choice_8(rotation, scales, offsets, farther_scales, farther_offsets,
+                                                        anchor, blending, terms, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return cascaded_maps_place_8(rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending,
+                                         terms, world, normal, number);
+        });
     }
     void set(glm::length_t i, glm::vec4 scale, glm::vec4 offset) {
         (i < 4 ? scales : farther_scales)[i % 4] = scale, (i < 4 ? offsets : farther_offsets)[i % 4] = offset;
@@ -137,6 +150,7 @@ struct cascaded_maps {
                                                                         glm::vec3 world, glm::vec3 normal) {
         return u.places(terms, world, normal);
     }
+    static constexpr choice_function choosing = uniforms::choosing;
     static constexpr const glsl::snippet* placing = uniforms::placing;
 
 private:

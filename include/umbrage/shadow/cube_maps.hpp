@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <umbrage/core/check.hpp>
@@ -17,30 +18,36 @@
 #include <umbrage/light/point/point_light.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/setup.hpp>
-#include <umbrage/shadow/single_map.hpp>
 
 namespace umbrage {
 
 /// Place of a point of the world in a cube's six maps.
-/// @param to_texels                             anchored_map from a face's axes to texels of its map; the anchor is the
-///                                              light
-/// @param planes                                likewise
-/// @param anchor                                likewise
-/// @param rounding                              likewise
-/// @param slack                                 likewise
-/// @param world                                 position of the point
-/// @param normal                                its normal
-/// @return                                      its place on the face that it lies before, with weight 1
-/// @exactness                                   C, n = 121: as anchored_place
+/// @param face       x: texels a unit across the face's axis, at distance 1 along it; y: middle of a map, texels; z:
+///                   depth over 1 / distance; w: z / x
+/// @param anchor     xyz: position of the light
+/// @param rounding   of the anchored_map from a face's axes to texels of its map
+/// @param slack      likewise
+/// @param world      position of the point
+/// @param normal     its normal
+/// @return           its place on the face that it lies before, with weight 1
+/// @formula          as anchored_place. With w = |way| along the face's axis, place = (x (sc, tc) / w + y, z / w), and
+///                   slope = w (normal's sc, tc) / (normal . way)
+/// @exactness        C, n = 121: as anchored_place
 [[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 1> cube_maps_places(
-    const glm::mat4& to_texels, const glm::mat4& planes, const glm::vec4& anchor, const glm::vec4& rounding,
-    const glm::vec4& slack, const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
+    const glm::vec4& face, const glm::vec4& anchor, const glm::vec4& rounding, const glm::vec4& slack,
+    const shadow_terms&, glm::vec3 world, glm::vec3 normal) {
     const glm::vec3 way = world - glm::vec3(anchor);
-    const int face = cube_face(way);
-    const glm::vec3 there = cube_face_point(float(face), way), across = cube_face_point(float(face), normal);
-    map_place place = anchored_place(to_texels, planes, rounding, slack, there, across);
-    place.number = face;
-    return {place};
+    const int number = cube_face(way);
+    const glm::vec3 there = cube_face_point(float(number), way), across = cube_face_point(float(number), normal);
+    const float off_plane = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    const float rise = face.w / (off_plane == 0.0f ? 1e-30f : off_plane);
+    const glm::vec2 slope = glm::vec2(across) * rise;
+    const float i = 1.0f / (there.z > 1e-30f ? there.z : 1e-30f), z = face.z * i;
+    const glm::vec2 at = glm::vec2(there) * (face.x * i) + face.y;
+    const float steep = glm::abs(slope.x) + glm::abs(slope.y), moves = rounding.x + rounding.y * i;
+    const float off = glm::abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    const float all = (moves * rounding.z + slack.x) * steep + off;
+    return {map_place{number, {at, z + slack.w}, slope, 1.0f, all}};
 }
 
 namespace glsl {
@@ -50,22 +57,39 @@ inline constexpr snippet cube_maps_places{
     .summary = "place of a point of the world in a cube's six maps",
     .exactness = tier::c,
     .operations = 121,
-    .needs = list<&cube_face, &cube_face_point, &anchored_place>,
     .source = R"GLSL(
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
-//   anchor                               position of the light
+//   face              texels a unit across the face's axis, at distance 1 along it; middle of a map; depth over
+//                     1.0 / distance, and that by texels
+//   anchor            position of the light
+//   rounding, slack   of umbrage_anchored_place, from a face's axes
 //   returns (texels, texels, depth, number), (slope, slope, weight, slack)
-UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes,
-                                            UMBRAGE_HIGHP vec4 anchor, UMBRAGE_HIGHP vec4 rounding,
-                                            UMBRAGE_HIGHP vec4 slack, UMBRAGE_HIGHP vec4 terms,
-                                            UMBRAGE_HIGHP vec3 world, UMBRAGE_HIGHP vec3 normal) {
+UMBRAGE_HIGHP mat4 umbrage_cube_maps_places(UMBRAGE_HIGHP vec4 face, UMBRAGE_HIGHP vec4 anchor,
+                                            UMBRAGE_HIGHP vec4 rounding, UMBRAGE_HIGHP vec4 slack,
+                                            UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec3 world,
+                                            UMBRAGE_HIGHP vec3 normal) {
+    UMBRAGE_HIGHP vec4 none = vec4(0.0, 0.0, 0.0, 0.0);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 way = world - vec3(anchor.x, anchor.y, anchor.z);
-    UMBRAGE_HIGHP float face = umbrage_cube_face(way);
-    UMBRAGE_HIGHP mat4 place =
-        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
-                               umbrage_cube_face_point(face, normal));
-    return mat4(vec4(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+    UMBRAGE_HIGHP vec3 m = abs(way);
+    bool on_x = m.x >= m.y ? m.x >= m.z : false;
+    bool on_y = on_x ? false : m.y >= m.z;
+    UMBRAGE_HIGHP float along = on_x ? way.x : (on_y ? way.y : way.z);
+    UMBRAGE_HIGHP float flip = along < 0.0 ? -1.0 : 1.0;
+    UMBRAGE_HIGHP float number = (on_x ? 0.5 : (on_y ? 2.5 : 4.5)) - 0.5 * flip;
+    UMBRAGE_HIGHP vec2 signs = vec2(on_x ? -flip : (on_y ? 1.0 : flip), on_y ? flip : -1.0);
+    UMBRAGE_HIGHP vec2 there = vec2(on_x ? way.z : way.x, on_y ? way.z : way.y) * signs;
+    UMBRAGE_HIGHP vec2 across = vec2(on_x ? normal.z : normal.x, on_y ? normal.z : normal.y) * signs;
+    UMBRAGE_HIGHP float off_plane = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_HIGHP float rise = face.w / (off_plane == 0.0 ? 1.0e-30 : off_plane);  // as umbrage_receiver_slope
+    UMBRAGE_HIGHP vec2 slope = across * rise;
+    UMBRAGE_HIGHP float i = 1.0 / max(abs(along), 1.0e-30);
+    UMBRAGE_HIGHP float z = face.z * i;
+    UMBRAGE_HIGHP vec2 at = there * (face.x * i) + face.y;
+    UMBRAGE_HIGHP float steep = abs(slope.x) + abs(slope.y);
+    UMBRAGE_HIGHP float moves = rounding.x + rounding.y * i;
+    UMBRAGE_HIGHP float off = abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    UMBRAGE_HIGHP float all = (moves * rounding.z + slack.x) * steep + off;
+    return mat4(vec4(at, z + slack.w, number), vec4(slope, 1.0, all), none, none);
 }
 )GLSL",
 };
@@ -84,8 +108,12 @@ struct cube_maps {
         static_cast<void>(make_point_light(light));  // checks the light
     }
 
-    using uniforms = anchored_map;  ///< from a face's axes (cube_face_point) to texels of its map
-    static constexpr const auto& fields = single_map::fields;
+    struct uniforms {
+        glm::vec4 face;             ///< of cube_maps_places
+        glm::vec4 anchor{0};        ///< xyz: position of the light
+        glm::vec4 rounding, slack;  ///< those of the anchored_map from a face's axes to texels of its map
+    };
+    static constexpr uniform_field fields[]{{"face", false}, {"anchor", false}, {"rounding", false}, {"slack", false}};
     static constexpr map_grid grid{3, 2};
     static constexpr outside_map outside = outside_map::clamped;
 
@@ -96,7 +124,7 @@ struct cube_maps {
     }
     /// @throws std::invalid_argument  a filter's reach above the border
     void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
-    /// @throws std::invalid_argument  a map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's; a near plane whose depths underflow
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the point light's");
         const glm::dmat4 projection = make_point_light(light)[0].projection;
@@ -108,12 +136,16 @@ struct cube_maps {
         m[0][0] = m[1][1] = inner;
         m[2] = {half, half, depth.x, 1.0};
         m[3][2] = depth.y;
-        return detail::anchored_axes(m, map_size, light.clip, light.position - origin);
+        const anchored_map of = detail::anchored_axes(m, map_size, light.clip, light.position - origin);
+        const float texels = of.to_texels[0][0], over = of.to_texels[3][2];
+        detail::require(std::abs(over / texels) >= 0x1p-126f, "shadow", "light.z_near",
+                        "far enough for depths in float", light.z_near);
+        return {{texels, of.to_texels[2][0], over, over / texels}, of.anchor, of.rounding, of.slack};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return cube_maps_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, terms, world, normal);
+        return cube_maps_places(u.face, u.anchor, u.rounding, u.slack, terms, world, normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::cube_maps_places;
 };

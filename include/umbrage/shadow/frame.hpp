@@ -31,8 +31,8 @@ template <class Look>
 
 /// A shadow in the frame's text: declarations and names that its function passes on.
 struct frame_words {
-    const glsl::snippet* placing = nullptr;  ///< the setup's
-    int most_places = 1;
+    const glsl::snippet* placing = nullptr;       ///< the setup's
+    choice_function choosing{};                   ///< the setup's; none where a receiver has one place
     std::string fields{}, names{};                ///< all uniforms but the terms, as parameters and as arguments
     std::string of_setup{};                       ///< the setup's own, as arguments
     std::string pixel{}, of_pixel{};              ///< the pixel of filters with a rotated disc, in the same two forms
@@ -41,8 +41,8 @@ struct frame_words {
 
     /// Snippets that the text calls, but for those of the choice.
     [[nodiscard]] std::vector<const glsl::snippet*> needs() const {
-        if (most_places == 1) return {placing};
-        return {placing, &glsl::blend_cascades};
+        if (choosing.calls == nullptr) return {placing};
+        return {choosing.calls, placing, &glsl::blend_cascades};
     }
 };
 
@@ -53,7 +53,7 @@ struct frame_words {
 /// @param soft     softness of each map
 template <class Setup>
 [[nodiscard]] frame_words frame_words_of(const Setup& setup, bool layers, bool turns, const softness_words& soft = {}) {
-    frame_words w{.placing = setup.placing, .most_places = most_places<Setup>};
+    frame_words w{.placing = setup.placing, .choosing = choosing_of<Setup>()};
     for (const uniform_field& f : Setup::fields) {
         w.fields.append("UMBRAGE_HIGHP ").append(f.matrix ? "mat4 " : "vec4 ").append(f.name).append(", ");
         w.of_setup.append(f.name).append(", ");
@@ -79,7 +79,7 @@ struct frame_result {
     std::string_view type;   ///< float or vec3
     std::string_view lit;    ///< value of the type before any map is looked up
     std::string look;        ///< result at `at` and `slope`
-    std::string_view blend;  ///< blend of `sum` and `next` by `slope.z`
+    std::string_view blend;  ///< blend of `sum` and `next` by `weight`
 };
 
 /// GLSL version of blended: the one text of all shadows.
@@ -90,33 +90,37 @@ struct frame_result {
     std::string text = std::string(of.head) + w.fields +
                        "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, UMBRAGE_HIGHP vec3 world, "
                        "UMBRAGE_HIGHP vec3 normal" +
-                       w.pixel + ") {\n    UMBRAGE_HIGHP mat4 places = umbrage_" + std::string(w.placing->name) + '(' +
-                       w.of_setup +
-                       "terms, world, normal);\n"
-                       "    UMBRAGE_HIGHP vec4 at = places[0];\n"
-                       "    UMBRAGE_HIGHP vec4 slope = places[1];\n";
+                       w.pixel + ") {\n";
     const auto add = [&](const char* margin, std::string_view line) { text.append(margin).append(line) += '\n'; };
-    const auto look_up = [&](const char* margin, const char* name) {
-        add(margin, "UMBRAGE_HIGHP float number = at.w;");
+    const auto look_up = [&](const char* margin, const char* of_map, const char* name) {
+        add(margin, "UMBRAGE_HIGHP mat4 place = umbrage_" + std::string(w.placing->name) + '(' + w.of_setup +
+                        "terms, world, normal" + of_map + ");");
+        for (const char* line : {"UMBRAGE_HIGHP vec4 at = place[0];", "UMBRAGE_HIGHP vec4 slope = place[1];",
+                                 "UMBRAGE_HIGHP float number = at.w;"})
+            add(margin, line);
         for (const std::string& line : statements) add(margin, line);
         add(margin, type + name + " = " + of.look + ';');
     };
-    if (w.most_places == 1) look_up("    ", "sum");
+    if (w.choosing.calls == nullptr) look_up("    ", "", "sum");
     else {
-        // Compilers do not know how often the loop turns, so that the filter's instructions stand once.
+        // Compilers do not know how often the loop turns, so that the instructions of a lookup stand once.
+        add("    ", "UMBRAGE_HIGHP vec2 choice = umbrage_" + std::string(w.choosing.calls->name) + '(' +
+                        std::string(w.choosing.arguments) + "world);");
         add("", "#if __VERSION__ >= 130");
-        add("    ", "int count = places[3].z > 0.0 ? 2 : 1;");
+        add("    ", "int count = choice.y > 0.0 ? 2 : 1;");
         add("", "#else");
         add("    ", "const int count = 2;");
         add("", "#endif");
         add("    ", type + "sum = " + std::string(of.lit) + ';');
+        add("    ", "UMBRAGE_HIGHP float chosen = choice.x;");
+        add("    ", "UMBRAGE_HIGHP float weight = 1.0;");
         add("    ", "for (int i = 0; i < count; ++i) {");
-        add("        ", "if (slope.z > 0.0) {");
-        look_up("            ", "next");
+        add("        ", "if (weight > 0.0) {");
+        look_up("            ", ", chosen", "next");
         add("            ", "sum = " + std::string(of.blend) + ';');
         add("        ", "}");
-        add("        ", "at = places[2];");
-        add("        ", "slope = places[3];");
+        add("        ", "chosen = choice.x + 1.0;");
+        add("        ", "weight = choice.y;");
         add("    ", "}");
     }
     return text + "    return sum;\n}\n";

@@ -91,7 +91,7 @@ template <class Setup, class Filter, class Encoding>
         .lit = "1.0",
         .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
                 words.of_pixel + ")",
-        .blend = "umbrage_blend_cascades(sum, next, slope.z)"};
+        .blend = "umbrage_blend_cascades(sum, next, weight)"};
     std::vector<std::string> statements = words.chooses_map;
     statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};

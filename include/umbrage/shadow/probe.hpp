@@ -56,9 +56,9 @@ template <class Setup, class Filter>
                              .lit = "vec3(1.0, 1.0, 1.0)",
                              .look = "umbrage_place_color(terms, filter_terms, at, vec3(slope.x, slope.y, slope.w))",
                              .blend =
-                                 "vec3(umbrage_blend_cascades(sum.x, next.x, slope.z), "
-                                 "umbrage_blend_cascades(sum.y, next.y, slope.z), "
-                                 "umbrage_blend_cascades(sum.z, next.z, slope.z))"};
+                                 "vec3(umbrage_blend_cascades(sum.x, next.x, weight), "
+                                 "umbrage_blend_cascades(sum.y, next.y, weight), "
+                                 "umbrage_blend_cascades(sum.z, next.z, weight))"};
     std::vector<const glsl::snippet*> calls{&glsl::probe_color};
     if (!along_plane<Setup, Filter>) calls.push_back(&kernel_bias_snippet<Filter>());
     return {{"place_color",

@@ -43,8 +43,8 @@ struct map_place {
     float slack = 0;      ///< depth by which texels of the receiver's own surface may lie before its plane
 };
 
-/// Position outside all maps, in texels and depth. Every filter takes it as lit.
-inline const glm::vec3 outside_all_maps{-65536.0f, -65536.0f, 0.0f};
+/// First coordinate of a place outside all maps, in texels. Every filter takes it as lit.
+inline constexpr float outside_all_maps = -65536.0f;
 
 /// Maps of one size, row by row.
 struct map_grid {
@@ -54,9 +54,12 @@ struct map_grid {
 /// Setup of a light's maps.
 ///
 /// `uniforms` holds only mat4 and vec4, in the order of `fields`. C++, std140, cbuffers, WGSL and Metal then lay it out
-/// alike. `places` is a function of the fields, the terms, a world position and its normal. The snippet `placing` is
-/// its GLSL version. C++ returns one or two places. GLSL returns a mat4 with two columns for each place:
-/// (texels, texels, depth, number), (slope, slope, weight, slack). Columns of a place without weight may hold anything.
+/// alike. `places` is a function of the fields, the terms, a world position and its normal: an array of one or two
+/// places. The snippet `placing` is its GLSL version, which returns one place as columns of a mat4:
+/// (texels, texels, depth, number), (slope, slope, weight, slack).
+///
+/// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
+/// argument. In C++ chosen_places joins the two.
 ///
 /// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
@@ -83,6 +86,13 @@ struct vertex_function {
     std::array<glsl::interface_function::argument, 2> arguments;
 };
 
+/// Function that chooses the maps of a receiver. The snippet takes (arguments..., vec3 world). It returns a vec2: the
+/// number of the first map, and the weight of the next one, or 0.
+struct choice_function {
+    const glsl::snippet* calls = nullptr;
+    std::string_view arguments{};  ///< names of fields, and `terms`, each with a comma behind it
+};
+
 /// Maps that bend straight lines and planes: their errors, and how they draw vertices. Contact hardening compares along
 /// planes, so a shadow with such maps does not take it.
 struct bent_lines {
@@ -102,6 +112,15 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
+/// Places in a chosen map and in the next one.
+/// @param choice     (number of the map, weight of the next one), as the snippet `choosing` returns it
+/// @param place_in   (number) -> place
+[[nodiscard]] UMBRAGE_INLINE inline std::array<map_place, 2> chosen_places(glm::vec2 choice, const auto& place_in) {
+    std::array<map_place, 2> both{place_in(choice.x), map_place{.weight = 0.0f}};
+    if (choice.y > 0.0f) both[1] = place_in(choice.x + 1.0f), both[1].weight = choice.y;
+    return both;
+}
+
 /// Setup that a shadow makes of a light. It is the light itself, unless a setup's header specializes this.
 template <class Light>
 struct setup_for {
@@ -114,6 +133,17 @@ namespace detail {
 template <class Setup>
 inline constexpr int most_places = std::tuple_size_v<decltype(Setup::places(
     std::declval<const typename Setup::uniforms&>(), shadow_terms(), glm::vec3(), glm::vec3()))>;
+
+/// A setup's choice of maps; none where a receiver has one place.
+template <class Setup>
+[[nodiscard]] constexpr choice_function choosing_of() {
+    if constexpr (most_places<Setup> == 1) return {};
+    else {
+        constexpr bool chooses = requires { Setup::choosing; };
+        static_assert(chooses, "a setup of two places has `choosing`, a choice_function");
+        return Setup::choosing;
+    }
+}
 
 /// True when a setup's `uniforms` have the size of its `fields`.
 template <class Setup>

@@ -96,12 +96,16 @@ struct warped_maps {
         return u;
     }
 
-    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms& terms,
+    [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 2> places(const uniforms& u, const shadow_terms&,
                                                                         glm::vec3 world, glm::vec3 normal) {
-        return warped_maps_places(u.to_texels, u.planes, u.rounding, u.slack, u.fades, u.anchor, u.ahead, u.ends, terms,
-                                  world, normal);
+        const glm::vec2 choice = warped_maps_choice(u.fades, u.anchor, u.ahead, u.ends, world);
+        return chosen_places(choice, [&](float number) UMBRAGE_INLINE {
+            return warped_maps_place(u.to_texels, u.planes, u.rounding, u.slack, u.anchor, u.ends, world, normal,
+                                     number);
+        });
     }
-    static constexpr const glsl::snippet* placing = &glsl::warped_maps_places;
+    static constexpr choice_function choosing{&glsl::warped_maps_choice, "fades, anchor, ahead, ends, "};
+    static constexpr const glsl::snippet* placing = &glsl::warped_maps_place;
 
 private:
     void require_cascades() const {

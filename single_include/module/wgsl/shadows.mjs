@@ -15,6 +15,13 @@ fn umbrage_map_covers(size: vec2f, coord: vec2f) -> bool {
     return true;
 }
 ` };
+const texel_inside_clamped = { name: "texel_inside", role: "chosen", needs: [],
+    text: `
+// umbrage_texel_inside: texel of the map, or the nearest one for coordinates outside
+fn umbrage_texel_inside(size: vec2f, texel: vec2f) -> vec2f {
+    return clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+}
+` };
 const beyond_far_plane_reversed = { name: "beyond_far_plane", role: "chosen", needs: [],
     text: `
 // umbrage_beyond_far_plane: true when a receiver is beyond the far plane
@@ -91,21 +98,21 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
     return umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
 }
 ` };
-const lit_bordered = { name: "lit", role: "chosen", needs: [lit_texel, snippets.compare],
+const lit_bordered = { name: "lit", role: "chosen", needs: [snippets.texel_inside, lit_texel, snippets.compare],
     text: `
 // umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let lit: f32 = umbrage_lit_texel(map, size, inside, receiver);
     let outside: f32 = umbrage_compare(receiver, UMBRAGE_BORDER);
     return select(outside, lit, inside.x == texel.x && inside.y == texel.y);
 }
 ` };
-const lit_along_a_plane = { name: "lit", role: "chosen", needs: [snippets.texel, snippets.compare],
+const lit_along_a_plane = { name: "lit", role: "chosen", needs: [snippets.texel, snippets.texel_inside, snippets.compare],
     text: `
 // umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, inside);
     return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
 }
@@ -119,11 +126,11 @@ fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) 
     return UMBRAGE_LIT_TEXEL;
 }
 ` };
-const lit_compared_along_a_plane = { name: "lit", role: "chosen", needs: [lit_texel_along_a_plane],
+const lit_compared_along_a_plane = { name: "lit", role: "chosen", needs: [snippets.texel_inside, lit_texel_along_a_plane],
     text: `
 // umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
 fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let lit: f32 = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return lit * number;
@@ -208,11 +215,11 @@ fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32)
     return vec4f(a, b, c, d);
 }
 ` };
-const compare_along_along_a_plane = { name: "compare_along", role: "chosen", needs: [snippets.compare],
+const compare_along_along_a_plane = { name: "compare_along", role: "chosen", needs: [snippets.texel_inside, snippets.compare],
     text: `
 // umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
 fn umbrage_compare_along(UMBRAGE_MAP map, size: vec2f, texel: vec2f, stored: f32) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     return umbrage_compare(UMBRAGE_REFERENCE, stored);
 }
 ` };
@@ -358,7 +365,7 @@ fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
         fetch_depth: `
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, inside);
     let depth: f32 = UMBRAGE_DEPTH;
     return select(UMBRAGE_BORDER, depth, inside.x == texel.x && inside.y == texel.y);
@@ -368,6 +375,7 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
     chosen: {
         "cleared_depth, reversed": cleared_depth_reversed,
         "map_covers, clamped": map_covers_clamped,
+        "texel_inside, clamped": texel_inside_clamped,
         "beyond_far_plane, reversed": beyond_far_plane_reversed,
         "beyond_far_plane, without": beyond_far_plane_without,
         "within_far_plane, reversed": within_far_plane_reversed,
@@ -420,47 +428,47 @@ export const calls = {
 const one_map = {
     grid: [1, 1], outside: "bordered", bends: false, softness: 0,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
-    placing: snippets.single_map_places, places: 1,
+    placing: snippets.single_map_places,
 };
 const parallel_map = {
     grid: [1, 1], outside: "bordered", bends: false, softness: 0,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
-    placing: snippets.parallel_map_places, places: 1,
+    placing: snippets.parallel_map_places,
 };
 const cascaded_maps = {
     grid: [2, 2], outside: "bordered", bends: false, softness: 1,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
-    placing: snippets.cascaded_maps_places, places: 2,
+    placing: snippets.cascaded_maps_place, choosing: { calls: snippets.cascaded_maps_choice, arguments: "rotation, scales, offsets, anchor, blending, terms, " },
 };
 const cascaded_maps_8 = {
     grid: [2, 4], outside: "bordered", bends: false, softness: 1,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
-    placing: snippets.cascaded_maps_places_8, places: 2,
+    placing: snippets.cascaded_maps_place_8, choosing: { calls: snippets.cascaded_maps_choice_8, arguments: "rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, " },
 };
 const warped_maps = {
     grid: [2, 2], outside: "bordered", bends: false, softness: 1,
     fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "slack", matrix: true }, { name: "fades", matrix: true }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
-    placing: snippets.warped_maps_places, places: 2,
+    placing: snippets.warped_maps_place, choosing: { calls: snippets.warped_maps_choice, arguments: "fades, anchor, ahead, ends, " },
 };
 const adaptive_maps = {
     grid: [8, 8], outside: "clamped", bends: false, softness: 4,
     fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }, { name: "slack", matrix: false }],
-    placing: snippets.adaptive_maps_places, places: 1,
+    placing: snippets.adaptive_maps_places,
 };
 const cube_maps = {
     grid: [3, 2], outside: "clamped", bends: false, softness: 0,
-    fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
-    placing: snippets.cube_maps_places, places: 1,
+    fields: [{ name: "face", matrix: false }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
+    placing: snippets.cube_maps_places,
 };
 const tetrahedron_map = {
     grid: [1, 1], outside: "clamped", bends: false, softness: 0,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }, { name: "center", matrix: false }],
-    placing: snippets.tetrahedron_map_places, places: 1,
+    placing: snippets.tetrahedron_map_places,
 };
 const paraboloid_maps = {
     grid: [2, 1], outside: "clamped", bends: true, softness: 0,
     fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }, { name: "rounding", matrix: false }],
-    placing: snippets.paraboloid_maps_places, places: 1,
+    placing: snippets.paraboloid_maps_places,
     vertex: { calls: snippets.paraboloid_vertex, arguments: [['vec4', 'anchor'], ['float', 'number']] },
 };
 

@@ -1564,12 +1564,21 @@ fn umbrage_inside_map(size: vec2f, texel: vec2f) -> bool {
 }
 ` };
 
+export const texel_inside = { language, name: "texel_inside", summary: "texel of the map, itself if the map has it",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "texel_inside", scaled: false,
+    needs: [], text: `
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+fn umbrage_texel_inside(size: vec2f, texel: vec2f) -> vec2f {
+    return min(abs(texel), size - 1.0);
+}
+` };
+
 export const fetch_bordered = { language, name: "fetch_bordered", summary: "texel of a map, or a border value outside it",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [texel], text: `
+    needs: [texel, texel_inside], text: `
 // umbrage_fetch_bordered: texel of a map, or border outside it
 fn umbrage_fetch_bordered(map: texture_2d<f32>, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
-    let at: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let at: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, at);
     return select(border, value, at.x == texel.x && at.y == texel.y);
 }
@@ -1577,10 +1586,10 @@ fn umbrage_fetch_bordered(map: texture_2d<f32>, size: vec2f, texel: vec2f, borde
 
 export const fetch_depth = { language, name: "fetch_depth", summary: "stored depth of a texel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "fetch_depth", scaled: false,
-    needs: [texel], text: `
+    needs: [texel, texel_inside], text: `
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, inside);
     let depth: f32 = value.x;
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);
@@ -4212,7 +4221,7 @@ export const bordered_plane_reference = { language, name: "bordered_plane_refere
     needs: [cleared_depth], text: `
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, inside: vec2f) -> f32 {
     let lights: f32 = select(16777216.0, -16777216.0, umbrage_cleared_depth() > 0.5);
     let moves: vec2f = slope * (texel - (vec2f(at.x, at.y) - 0.5));
@@ -4350,8 +4359,8 @@ export const probe_color = { language, name: "probe_color", summary: "debug colo
 //   bias    bias of the receiver, in depth
 //   number  index of the map, an integer
 //   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
+//   black    behind the light
+//   white    outside the map, or all cascades
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0
@@ -4478,138 +4487,191 @@ fn umbrage_parallel_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4
 ` };
 
 export const cascade_edge = { language, name: "cascade_edge", summary: "texels beyond the part of a cascade where a filter stays inside",
-    exactness: "b", operations: 11, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
 // umbrage_cascade_edge: texels beyond the part of a cascade's map where a filter stays inside, at most 0.0 inside
-//   coordinate   position in the cascade's map: texels, texels, depth
-//   size, reach  size of the map and filter radius, in texels
-// Returns 65536.0 for a depth outside [0, 1], far from the map, and for NaN
-fn umbrage_cascade_edge(coordinate: vec3f, size: vec2f, reach: f32) -> f32 {
+//   light          the point, rotated into the light's axes
+//   scale, offset  those of the cascade
+//   size, reach    size of the map and filter radius, in texels
+// Returns 65536.0 for a depth outside [0, 1], and for NaN there
+fn umbrage_cascade_edge(light: vec3f, scale: vec4f, offset: vec4f, size: vec2f, reach: f32) -> f32 {
+    let at: vec3f = light * vec3f(scale.x, scale.y, scale.z) + vec3f(offset.x, offset.y, offset.z);
     let half_size: vec2f = size * 0.5;
-    let beyond: vec2f = abs(vec2f(coordinate.x, coordinate.y) - half_size) - (half_size - reach);
-    let near_map: bool = beyond.x + beyond.y < 65536.0;  // false for NaN
-    return select(65536.0, max(beyond.x, beyond.y), coordinate.z >= 0.0 && coordinate.z <= 1.0 && near_map);
+    let beyond: vec2f = abs(vec2f(at.x, at.y) - half_size) - (half_size - reach);
+    return select(65536.0, max(beyond.x, beyond.y), abs(at.z - 0.5) <= 0.5);
 }
 ` };
 
-export const cascade_pair = { language, name: "cascade_pair", summary: "places in a cascade and in the next one, with their weights",
-    exactness: "c", operations: 14, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [cascade_slope, cascade_weight], text: `
-// umbrage_cascade_pair: places in a cascade and in the next one, whose weight grows towards the border of the map
-//   across                    normal, rotated into the light's axes
-//   found                     (texels, texels, depth, index) in the cascade; an index above the last: in none
-//   there                     (texels, texels, depth) in the next one
-//   edges                     umbrage_cascade_edge of both
-//   slacks                    w of the offsets of both: slack of a plane in depth
-//   scale                     scale of the cascade; w: slack of a plane in texels of slope
-//   next_scale                that of the next one
-//   blending                  1.0 / width of the band in texels, or 0.0; index of the last cascade
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-fn umbrage_cascade_pair(across: vec3f, found: vec4f, there: vec3f, edges: vec2f, slacks: vec2f, scale: vec4f,
-                        next_scale: vec4f, blending: vec4f) -> mat4x4f {
-    let last: bool = found.w >= blending.y;
-    let v: vec2f = edges * blending.x + 1.0;
-    let leaves: f32 = select(0.0, umbrage_cascade_weight(v.x), blending.x > 0.0 && found.w <= blending.y);
-    let held: f32 = select(0.0, 1.0 - umbrage_cascade_weight(v.y), edges.y <= 0.0);
-    let weight: f32 = select(min(leaves, held), leaves, last);
-    let next: vec3f = select(there, vec3f(-65536.0, -65536.0, 0.0), last);
-    let slope: vec2f = umbrage_cascade_slope(across, scale);
-    let next_slope: vec2f = umbrage_cascade_slope(across, next_scale);
-    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + slacks.x;
-    let next_slack: f32 = (abs(next_slope.x) + abs(next_slope.y)) * next_scale.w + slacks.y;
-    return mat4x4f(vec4f(found.x, found.y, found.z, min(found.w, blending.y)), vec4f(slope, 1.0, slack),
-                   vec4f(next, min(found.w + 1.0, blending.y)), vec4f(next_slope, weight, next_slack));
+export const cascade_edges = { language, name: "cascade_edges", summary: "cascade_edge of four cascades",
+    exactness: "c", operations: 13, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_edge], text: `
+// umbrage_cascade_edges: umbrage_cascade_edge of four cascades
+//   scales, offsets   one column per cascade
+fn umbrage_cascade_edges(light: vec3f, scales: mat4x4f, offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
+    return vec4f(umbrage_cascade_edge(light, scales[0], offsets[0], size, reach),
+                 umbrage_cascade_edge(light, scales[1], offsets[1], size, reach),
+                 umbrage_cascade_edge(light, scales[2], offsets[2], size, reach),
+                 umbrage_cascade_edge(light, scales[3], offsets[3], size, reach));
 }
 ` };
 
-export const cascaded_maps_places = { language, name: "cascaded_maps_places", summary: "places of a point of the world in up to four cascades",
+export const first_cascade = { language, name: "first_cascade", summary: "first of four cascades that holds a point and its filter",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_first_cascade: number of the first of four cascades that holds a point and its filter, its edge, and the edge
+// of the next one; (4.0, 65536.0, 65536.0) for none
+//   edges   umbrage_cascade_edge of each
+fn umbrage_first_cascade(edges: vec4f) -> vec3f {
+    var found: vec3f = select(vec3f(4.0, 65536.0, 65536.0), vec3f(3.0, edges.w, 65536.0), edges.w <= 0.0);
+    found = select(found, vec3f(2.0, edges.z, edges.w), edges.z <= 0.0);
+    found = select(found, vec3f(1.0, edges.y, edges.z), edges.y <= 0.0);
+    return select(found, vec3f(0.0, edges.x, edges.y), edges.x <= 0.0);
+}
+` };
+
+export const next_cascade_weight = { language, name: "next_cascade_weight", summary: "weight of the next cascade, by both edges",
+    exactness: "b", operations: 3, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_weight], text: `
+// umbrage_next_cascade_weight: weight of the next cascade, which grows towards the border of a cascade's map
+//   found      of umbrage_first_cascade
+//   blending   1.0 / width of the band in texels, or 0.0; number of the last cascade, after which comes light
+fn umbrage_next_cascade_weight(found: vec3f, blending: vec4f) -> f32 {
+    let v: vec2f = vec2f(found.y, found.z) * blending.x + 1.0;
+    let leaves: f32 = umbrage_cascade_weight(v.x);
+    let held: f32 = select(0.0, 1.0 - umbrage_cascade_weight(v.y), found.z <= 0.0);
+    let weight: f32 = select(min(leaves, held), leaves, found.x >= blending.y);
+    return select(0.0, weight, blending.x > 0.0 && found.x <= blending.y);
+}
+` };
+
+export const cascaded_maps_choice = { language, name: "cascaded_maps_choice", summary: "those of up to four cascades that hold a point of the world",
     exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [cascade_edge, cascade_pair], text: `
-// umbrage_cascaded_maps_places: places of a point of the world in one or two of up to four cascades
+    needs: [cascade_edges, first_cascade, next_cascade_weight], text: `
+// umbrage_cascaded_maps_choice: number of the first of up to four cascades that holds a point, and weight of the next
 //   rotation          rotation from the world to the light's axes
 //   scales, offsets   scales and offsets of the cascades
 //   anchor            position that is subtracted from world
-//   blending, terms   as for umbrage_cascade_pair, whose columns it returns; size of a map and reach of the filter
-fn umbrage_cascaded_maps_places(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
-                                terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+//   blending, terms   as for umbrage_next_cascade_weight; size of a map and reach of the filter
+fn umbrage_cascaded_maps_choice(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                                terms: vec4f, world: vec3f) -> vec2f {
     let size: vec2f = vec2f(terms.x, terms.y);
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    let light: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
-    let across: vec4f = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
-    let a: vec4f = light * scales[0] + offsets[0];
-    let b: vec4f = light * scales[1] + offsets[1];
-    let c: vec4f = light * scales[2] + offsets[2];
-    let d: vec4f = light * scales[3] + offsets[3];
-    let edge_a: f32 = umbrage_cascade_edge(vec3f(a.x, a.y, a.z), size, terms.z);
-    let edge_b: f32 = umbrage_cascade_edge(vec3f(b.x, b.y, b.z), size, terms.z);
-    let edge_c: f32 = umbrage_cascade_edge(vec3f(c.x, c.y, c.z), size, terms.z);
-    let edge_d: f32 = umbrage_cascade_edge(vec3f(d.x, d.y, d.z), size, terms.z);
-    let in_a: bool = edge_a <= 0.0;
-    let in_b: bool = edge_b <= 0.0;
-    let in_c: bool = edge_c <= 0.0;
-    let none: vec4f = vec4f(65536.0, 65536.0, 0.0, 4.0);
-    var found: vec4f = select(none, vec4f(d.x, d.y, d.z, 3.0), edge_d <= 0.0);
-    found = select(found, vec4f(c.x, c.y, c.z, 2.0), in_c);
-    found = select(found, vec4f(b.x, b.y, b.z, 1.0), in_b);
-    found = select(found, vec4f(a.x, a.y, a.z, 0.0), in_a);
-    // the next cascade is already looked at; no column is chosen by number
-    let there: vec4f = select(select(d, c, in_b), b, in_a);
-    let edge: f32 = select(select(select(edge_d, edge_c, in_c), edge_b, in_b), edge_a, in_a);
-    let next_edge: f32 = select(select(edge_d, edge_c, in_b), edge_b, in_a);
-    let scale: vec4f = select(select(select(scales[3], scales[2], in_c), scales[1], in_b), scales[0], in_a);
-    let next_scale: vec4f = select(select(scales[3], scales[2], in_b), scales[1], in_a);
-    let next_slack: f32 = select(select(offsets[3].w, offsets[2].w, in_b), offsets[1].w, in_a);
-    let slack: f32 = select(select(select(offsets[3].w, offsets[2].w, in_c), offsets[1].w, in_b), offsets[0].w, in_a);
-    return umbrage_cascade_pair(vec3f(across.x, across.y, across.z), found, vec3f(there.x, there.y, there.z),
-                                vec2f(edge, next_edge), vec2f(slack, next_slack), scale, next_scale, blending);
+    let turned: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    let light: vec3f = vec3f(turned.x, turned.y, turned.z);
+    let found: vec3f = umbrage_first_cascade(umbrage_cascade_edges(light, scales, offsets, size, terms.z));
+    return vec2f(found.x, umbrage_next_cascade_weight(found, blending));
 }
 ` };
 
-export const cascaded_maps_places_8 = { language, name: "cascaded_maps_places_8", summary: "places of a point of the world in up to eight cascades",
+export const cascaded_maps_choice_8 = { language, name: "cascaded_maps_choice_8", summary: "those of up to eight cascades that hold a point of the world",
     exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [shadow_coordinate, cascade_by_projection_8, cascade_column_8, cascade_coordinate, cascade_edge, cascade_pair], text: `
-// umbrage_cascaded_maps_places_8: places of a point of the world in one or two of up to eight cascades
+    needs: [cascade_edges, first_cascade, next_cascade_weight], text: `
+// umbrage_cascaded_maps_choice_8: umbrage_cascaded_maps_choice for up to eight cascades
 //   farther_scales, farther_offsets   those of the fifth cascade and of those after it
-//   the others, and what it returns   as umbrage_cascaded_maps_places
-fn umbrage_cascaded_maps_places_8(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
-                                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, world: vec3f,
-                                  normal: vec3f) -> mat4x4f {
+fn umbrage_cascaded_maps_choice_8(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                                  farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f,
+                                  world: vec3f) -> vec2f {
     let size: vec2f = vec2f(terms.x, terms.y);
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    let turned: vec4f = umbrage_shadow_coordinate(rotation, way);
-    let turned_normal: vec4f = umbrage_shadow_coordinate(rotation, normal);
+    let turned: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
     let light: vec3f = vec3f(turned.x, turned.y, turned.z);
-    let across: vec3f = vec3f(turned_normal.x, turned_normal.y, turned_normal.z);
-    let found: vec4f =
-        umbrage_cascade_by_projection_8(light, scales, offsets, farther_scales, farther_offsets, size, terms.z);
-    let number: f32 = min(found.w, blending.y);
-    let next: f32 = min(number + 1.0, blending.y);
-    let next_scale: vec4f = umbrage_cascade_column_8(scales, farther_scales, next);
-    let next_offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, next);
-    let there: vec3f = umbrage_cascade_coordinate(light, next_scale, next_offset);
-    let offset: vec4f = umbrage_cascade_column_8(offsets, farther_offsets, number);
-    let edge: f32 = umbrage_cascade_edge(vec3f(found.x, found.y, found.z), size, terms.z);
-    let next_edge: f32 = umbrage_cascade_edge(there, size, terms.z);
-    return umbrage_cascade_pair(across, found, there, vec2f(edge, next_edge), vec2f(offset.w, next_offset.w),
-                                umbrage_cascade_column_8(scales, farther_scales, number), next_scale, blending);
+    let nearer: vec4f = umbrage_cascade_edges(light, scales, offsets, size, terms.z);
+    let farther: vec4f = umbrage_cascade_edges(light, farther_scales, farther_offsets, size, terms.z);
+    var found: vec3f = umbrage_first_cascade(nearer);
+    let after: vec3f = umbrage_first_cascade(farther);
+    let next: f32 = select(found.z, farther.x, found.x == 3.0);
+    found = select(vec3f(after.x + 4.0, after.y, after.z), vec3f(found.x, found.y, next), found.x < 3.5);
+    return vec2f(found.x, umbrage_next_cascade_weight(found, blending));
+}
+` };
+
+export const cascade_place = { language, name: "cascade_place", summary: "place of a point in one cascade",
+    exactness: "c", operations: 14, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_slope], text: `
+// umbrage_cascade_place: place of a point in one cascade
+//   light, across   the point and its normal, rotated into the light's axes
+//   scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
+//   number, last    number of the cascade and of the last one; above it the place is outside all maps, where all is lit
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+fn umbrage_cascade_place(light: vec3f, across: vec3f, scale: vec4f, offset: vec4f, number: f32, last: f32) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
+    let at: vec3f = light * vec3f(scale.x, scale.y, scale.z) + vec3f(offset.x, offset.y, offset.z);
+    let x: f32 = select(-65536.0, at.x, number <= last);
+    let slope: vec2f = umbrage_cascade_slope(across, scale);
+    let slack: f32 = (abs(slope.x) + abs(slope.y)) * scale.w + offset.w;
+    return mat4x4f(vec4f(x, at.y, at.z, min(number, last)), vec4f(slope, 1.0, slack), none, none);
+}
+` };
+
+export const cascaded_maps_place = { language, name: "cascaded_maps_place", summary: "place of a point of the world in one of up to four cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column, cascade_place], text: `
+// umbrage_cascaded_maps_place: umbrage_cascade_place of a point of the world, in one of up to four cascades
+//   number   number of the cascade
+//   the others as for umbrage_cascaded_maps_choice
+fn umbrage_cascaded_maps_place(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, anchor: vec4f, blending: vec4f,
+                               terms: vec4f, world: vec3f, normal: vec3f, number: f32) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let light: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    let across: vec4f = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    let own: f32 = min(number, blending.y);
+    return umbrage_cascade_place(vec3f(light.x, light.y, light.z), vec3f(across.x, across.y, across.z),
+                                 umbrage_cascade_column(scales, own), umbrage_cascade_column(offsets, own), number,
+                                 blending.y);
+}
+` };
+
+export const cascaded_maps_place_8 = { language, name: "cascaded_maps_place_8", summary: "place of a point of the world in one of up to eight cascades",
+    exactness: "c", operations: 38, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column_8, cascade_place], text: `
+// umbrage_cascaded_maps_place_8: umbrage_cascaded_maps_place for up to eight cascades
+//   farther_scales, farther_offsets   those of the fifth cascade and of those after it
+fn umbrage_cascaded_maps_place_8(rotation: mat4x4f, scales: mat4x4f, offsets: mat4x4f, farther_scales: mat4x4f,
+                                 farther_offsets: mat4x4f, anchor: vec4f, blending: vec4f, terms: vec4f, world: vec3f,
+                                 normal: vec3f, number: f32) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let light: vec4f = rotation[3] + rotation[0] * way.x + rotation[1] * way.y + rotation[2] * way.z;
+    let across: vec4f = rotation[3] + rotation[0] * normal.x + rotation[1] * normal.y + rotation[2] * normal.z;
+    let own: f32 = min(number, blending.y);
+    return umbrage_cascade_place(vec3f(light.x, light.y, light.z), vec3f(across.x, across.y, across.z),
+                                 umbrage_cascade_column_8(scales, farther_scales, own),
+                                 umbrage_cascade_column_8(offsets, farther_offsets, own), number, blending.y);
 }
 ` };
 
 export const cube_maps_places = { language, name: "cube_maps_places", summary: "place of a point of the world in a cube's six maps",
     exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [cube_face, cube_face_point, anchored_place], text: `
+    needs: [], text: `
 // umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
-//   anchor                               position of the light
+//   face              texels a unit across the face's axis, at distance 1 along it; middle of a map; depth over
+//                     1.0 / distance, and that by texels
+//   anchor            position of the light
+//   rounding, slack   of umbrage_anchored_place, from a face's axes
 //   returns (texels, texels, depth, number), (slope, slope, weight, slack)
-fn umbrage_cube_maps_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
-                            terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+fn umbrage_cube_maps_places(face: vec4f, anchor: vec4f, rounding: vec4f, slack: vec4f, terms: vec4f, world: vec3f,
+                            normal: vec3f) -> mat4x4f {
+    let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    let face: f32 = umbrage_cube_face(way);
-    let place: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
-                               umbrage_cube_face_point(face, normal));
-    return mat4x4f(vec4f(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+    let m: vec3f = abs(way);
+    let on_x: bool = select(false, (m.x >= m.z), m.x >= m.y);
+    let on_y: bool = select((m.y >= m.z), false, on_x);
+    let along: f32 = select(select(way.z, way.y, on_y), way.x, on_x);
+    let flip: f32 = select(1.0, -1.0, along < 0.0);
+    let number: f32 = select(select(4.5, 2.5, on_y), 0.5, on_x) - 0.5 * flip;
+    let signs: vec2f = vec2f(select(select(flip, 1.0, on_y), -flip, on_x), select(-1.0, flip, on_y));
+    let there: vec2f = vec2f(select(way.x, way.z, on_x), select(way.y, way.z, on_y)) * signs;
+    let across: vec2f = vec2f(select(normal.x, normal.z, on_x), select(normal.y, normal.z, on_y)) * signs;
+    let off_plane: f32 = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    let rise: f32 = face.w / select(off_plane, 1.0e-30, off_plane == 0.0);  // as umbrage_receiver_slope
+    let slope: vec2f = across * rise;
+    let i: f32 = 1.0 / max(abs(along), 1.0e-30);
+    let z: f32 = face.z * i;
+    let at: vec2f = there * (face.x * i) + face.y;
+    let steep: f32 = abs(slope.x) + abs(slope.y);
+    let moves: f32 = rounding.x + rounding.y * i;
+    let off: f32 = abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
+    let all: f32 = (moves * rounding.z + slack.x) * steep + off;
+    return mat4x4f(vec4f(at, z + slack.w, number), vec4f(slope, 1.0, all), none, none);
 }
 ` };
 
@@ -4670,56 +4732,59 @@ fn umbrage_paraboloid_vertex(to_clip: mat4x4f, world: vec3f, anchor: vec4f, numb
 }
 ` };
 
-export const warped_maps_places = { language, name: "warped_maps_places", summary: "places of a point of the world in up to four warped cascades",
-    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [anchored_place, cascade_by_depth, cascade_column, cascade_fade], text: `
-// umbrage_warped_maps_places: places of a point of the world in one or two of up to four warped cascades
-//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
-//   rounding, slack           one column per map: its rounding and slack there
-//   fades                     one column per map: scale and offset of the next one's weight
-//   anchor                    the one anchor of all maps
-//   ahead                     distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
-//   ends                      ends of the first three cascades, number of the last one
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack) of both. After the last: outside, lit
-fn umbrage_warped_maps_places(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
-                              planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
-                              rounding: mat4x4f, slack: mat4x4f, fades: mat4x4f, anchor: vec4f, ahead: vec4f,
-                              ends: vec4f, terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
+export const warped_maps_choice = { language, name: "warped_maps_choice", summary: "warped cascade that holds a point of the world, and weight of the next one",
+    exactness: "c", operations: 10, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_by_depth, cascade_column, cascade_fade], text: `
+// umbrage_warped_maps_choice: number of the warped cascade that holds a point of the world, and weight of the next one
+//   fades    one column per map: scale and offset of the next one's weight
+//   anchor   the one anchor of all maps
+//   ahead    distance along the camera's axis: dot(ahead.xyz, world - anchor) + ahead.w
+//   ends     ends of the first three cascades, number of the last one
+fn umbrage_warped_maps_choice(fades: mat4x4f, anchor: vec4f, ahead: vec4f, ends: vec4f, world: vec3f) -> vec2f {
     let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
     let depth: f32 = ahead.x * way.x + ahead.y * way.y + ahead.z * way.z + ahead.w;
     let number: f32 = umbrage_cascade_by_depth(depth, vec3f(ends.x, ends.y, ends.z));
     let own: vec4f = umbrage_cascade_column(fades, number);
-    let weight: f32 = umbrage_cascade_fade(depth, own.x, own.y);
+    return vec2f(number, umbrage_cascade_fade(depth, own.x, own.y));
+}
+` };
+
+export const warped_maps_place = { language, name: "warped_maps_place", summary: "place of a point of the world in one of up to four warped cascades",
+    exactness: "c", operations: 121, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [anchored_place, cascade_column], text: `
+// umbrage_warped_maps_place: place of a point of the world in one of up to four warped cascades
+//   to_texels_0 to planes_3   matrices of umbrage_anchored_place for each map
+//   rounding, slack           one column per map: its rounding and slack there
+//   fades, ahead              of umbrage_warped_maps_choice, not read
+//   anchor                    the one anchor of all maps
+//   ends                      w: number of the last cascade, after which the place is outside all maps, and lit
+//   number                    number of the cascade
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+fn umbrage_warped_maps_place(to_texels_0: mat4x4f, to_texels_1: mat4x4f, to_texels_2: mat4x4f, to_texels_3: mat4x4f,
+                             planes_0: mat4x4f, planes_1: mat4x4f, planes_2: mat4x4f, planes_3: mat4x4f,
+                             rounding: mat4x4f, slack: mat4x4f, fades: mat4x4f, anchor: vec4f, ahead: vec4f,
+                             ends: vec4f, terms: vec4f, world: vec3f, normal: vec3f, number: f32) -> mat4x4f {
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let own: f32 = min(number, ends.w);
     var to_texels: mat4x4f = to_texels_0;
     var planes: mat4x4f = planes_0;
-    var to_next: mat4x4f = to_texels_1;
-    var next_planes: mat4x4f = planes_1;
-    if (number > 0.5) {
+    if (own > 0.5) {
         to_texels = to_texels_1;
         planes = planes_1;
-        to_next = to_texels_2;
-        next_planes = planes_2;
     }
-    if (number > 1.5) {
+    if (own > 1.5) {
         to_texels = to_texels_2;
         planes = planes_2;
-        to_next = to_texels_3;
-        next_planes = planes_3;
     }
-    if (number > 2.5) {
+    if (own > 2.5) {
         to_texels = to_texels_3;
         planes = planes_3;
     }
     let at: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, number),
-                               umbrage_cascade_column(slack, number), way, normal);
-    let there: mat4x4f =
-        umbrage_anchored_place(to_next, next_planes, umbrage_cascade_column(rounding, number + 1.0),
-                               umbrage_cascade_column(slack, number + 1.0), way, normal);
-    let after: vec3f = vec3f(there[0].x, there[0].y, there[0].z);
-    let next: vec3f = select(after, vec3f(-65536.0, -65536.0, 0.0), number >= ends.w);
-    return mat4x4f(vec4f(at[0].x, at[0].y, at[0].z, number), at[1], vec4f(next, min(number + 1.0, ends.w)),
-                   vec4f(there[1].x, there[1].y, weight, there[1].w));
+        umbrage_anchored_place(to_texels, planes, umbrage_cascade_column(rounding, own),
+                               umbrage_cascade_column(slack, own), way, normal);
+    let x: f32 = select(-65536.0, at[0].x, number <= ends.w);
+    return mat4x4f(vec4f(x, at[0].y, at[0].z, own), at[1], at[2], at[3]);
 }
 ` };
 

@@ -124,6 +124,7 @@ function chosen(hooks, s, map) {
             if (map.needs.some(need => need.scaled) || map.compare !== '') return variant('without');
             return map.direction === 'forward' ? s : variant('reversed');
         case 'map_covers':
+        case 'texel_inside':
         case 'fetch_depth': return is_bordered(map) ? s : variant('clamped');
         case 'lit':
             if (map.receiver_plane) return variant(compares(map) ? 'compared along a plane' : 'along a plane');

@@ -43,16 +43,18 @@ export function frame_in(w, calls, is) {
 
     /** The frame: a lookup at each place of a receiver, and their blend. */
     const blended = (type, lit, look, blend, statements) => {
-        const look_up = name => [constant('float', 'number', 'at.w'), ...statements, constant(type, name, look)];
-        const one = maps.places === 1, local = one ? constant : w.variable, column = i => w.column('places', i);
-        const lines = [constant('mat4', 'places', `umbrage_${maps.placing.name}(${listed(maps.fields.map(f => f.name))}terms, world, normal)`),
-            local('vec4', 'at', column(0)), local('vec4', 'slope', column(1))];
-        if (one) return [...lines, ...look_up('sum'), 'return sum;'];
-        return [...lines, ...w.count('count', w.choice(`${column(3)}.z > 0.0`, '2', '1'), '2'), w.variable(type, 'sum', lit),
-            w.loop('i', 'count'), '    if (slope.z > 0.0) {', ...look_up('next').map(line => `        ${line}`),
-            `        sum = ${blend};`, '    }', `    at = ${column(2)};`, `    slope = ${column(3)};`, '}', 'return sum;'];
+        const look_up = (name, of_map) => [
+            constant('mat4', 'place', `umbrage_${maps.placing.name}(${listed(maps.fields.map(f => f.name))}terms, world, normal${of_map})`),
+            constant('vec4', 'at', w.column('place', 0)), constant('vec4', 'slope', w.column('place', 1)),
+            constant('float', 'number', 'at.w'), ...statements, constant(type, name, look)];
+        if (!maps.choosing) return [...look_up('sum', ''), 'return sum;'];
+        return [constant('vec2', 'choice', `umbrage_${maps.choosing.calls.name}(${maps.choosing.arguments}world)`),
+            ...w.count('count', w.choice('choice.y > 0.0', '2', '1'), '2'), w.variable(type, 'sum', lit),
+            w.variable('float', 'chosen', 'choice.x'), w.variable('float', 'weight', '1.0'),
+            w.loop('i', 'count'), '    if (weight > 0.0) {', ...look_up('next', ', chosen').map(line => `        ${line}`),
+            `        sum = ${blend};`, '    }', '    chosen = choice.x + 1.0;', '    weight = choice.y;', '}', 'return sum;'];
     };
-    const places = maps.places === 1 ? [maps.placing] : [maps.placing, calls.blend_cascades];
+    const places = maps.choosing ? [maps.choosing.calls, maps.placing, calls.blend_cascades] : [maps.placing];
     const at = vec(3, 'at.x', 'at.y', 'at.z'), slope = vec(3, 'slope.x', 'slope.y', 'slope.w');
 
     const called = linear ?? snippet, weights = linear ? filter.linear.weights : '';
@@ -68,7 +70,7 @@ export function frame_in(w, calls, is) {
     ], [calls.beyond_far_plane, calls.cleared_depth, called, ...of_bias, ...turns ? [calls.disc_rotation] : []]);
     const shadow = () => own('shadow', 'visibility of a point of the world, 1.0 is lit', 'float', ['map', ...fields, ...terms, ...world, ...pixel],
         blended('float', '1.0', `umbrage_look(map, terms, ${soft ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel})`,
-            'umbrage_blend_cascades(sum, next, slope.z)', [...choice, ...softness]),
+            'umbrage_blend_cascades(sum, next, weight)', [...choice, ...softness]),
         [...places, ...chooses, ...soft ? [calls.map_softness] : []]);
 
     /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
@@ -78,7 +80,7 @@ export function frame_in(w, calls, is) {
                 `return umbrage_probe_color(${at}, ${vec(2, 'terms.x', 'terms.y')}, ${along_plane ? 'taken' : 'bias'}, at.w);`], [probe_color, ...of_bias]),
         own('blended_color', 'debug color of a point of the world', 'vec3', [...fields, ...terms, ...world],
             blended('vec3', vec(3, '1.0', '1.0', '1.0'), `umbrage_place_color(terms, filter_terms, at, ${slope})`,
-                vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, slope.z)`)), []), places),
+                vec(3, ...['x', 'y', 'z'].map(c => `umbrage_blend_cascades(sum.${c}, next.${c}, weight)`)), []), places),
         own('point_color', 'debug color of a point of the world, or what is wrong with it', 'vec3', [...fields, ...terms, ...world],
             [constant('vec3', 'color', `umbrage_blended_color(${listed(fields.map(([, name]) => name))}terms, filter_terms, world, normal)`),
                 'return umbrage_probe_inputs(color, world, normal);'], [calls.cleared_depth, probe_inputs]),

@@ -28,7 +28,7 @@
 
 namespace package {
 
-/// Calls use(name, type, snippet of its places) for each setup of the kinds' maps.
+/// Calls use(name, type, snippet of its place) for each setup of the kinds' maps.
 template <class Use>
 void for_each_maps(const Use& use) {
     use("one_map", std::type_identity<umbrage::single_map>(), glsl::single_map_places);
@@ -66,6 +66,13 @@ inline std::string vertex_of(const umbrage::vertex_function* vertex) {
            "] }";
 }
 
+/// A setup's choice of maps; others have none.
+inline std::string choosing_of_module(const umbrage::choice_function& choosing) {
+    if (choosing.calls == nullptr) return "";
+    return ", choosing: { calls: snippets." + std::string(choosing.calls->name) +
+           ", arguments: " + literal(choosing.arguments) + " }";
+}
+
 /// A setup of maps as it states itself. `softness`: matrices that hold that of each map.
 template <class Setup>
 [[nodiscard]] std::string maps_of_module(std::string_view name, const snippet& placing) {
@@ -77,8 +84,8 @@ template <class Setup>
            "], outside: " + literal(Setup::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
            ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) + ",\n    " +
            fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(placing.name) +
-           ", places: " + std::to_string(umbrage::detail::most_places<Setup>) +
-           vertex_of(umbrage::bends_of<Setup>.vertex) + ",\n};\n";
+           choosing_of_module(umbrage::detail::choosing_of<Setup>()) + vertex_of(umbrage::bends_of<Setup>.vertex) +
+           ",\n};\n";
 }
 
 /// Snippets that texts of shadows call, by name.

@@ -48,6 +48,7 @@ inline std::string_view role(glsl::hook h) {
         case glsl::hook::gather: return "gather";
         case glsl::hook::lit_filtered: return "lit_filtered";
         case glsl::hook::covered: return "covered";
+        case glsl::hook::texel_inside: return "texel_inside";
         case glsl::hook::lit_between: return "lit_between";
         case glsl::hook::depth_at: return "depth_at";
         case glsl::hook::chosen: return "chosen";

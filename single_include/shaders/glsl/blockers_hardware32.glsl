@@ -67,12 +67,20 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE
+#define UMBRAGE_HAS_TEXEL_INSIDE
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH
 #define UMBRAGE_HAS_FETCH_DEPTH
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                         UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
     UMBRAGE_HIGHP float depth = value.x;
     return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;

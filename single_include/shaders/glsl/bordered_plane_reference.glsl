@@ -34,7 +34,7 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 #define UMBRAGE_HAS_BORDERED_PLANE_REFERENCE
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 UMBRAGE_HIGHP float umbrage_bordered_plane_reference(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP vec3 at,
                                                      UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec2 inside) {
     UMBRAGE_HIGHP float lights = umbrage_cleared_depth() > 0.5 ? -16777216.0 : 16777216.0;

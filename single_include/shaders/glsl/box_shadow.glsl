@@ -68,6 +68,14 @@ bool umbrage_in_filter_domain_shadow(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP flo
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE_SHADOW
+#define UMBRAGE_HAS_TEXEL_INSIDE_SHADOW
+// umbrage_texel_inside_shadow: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside_shadow(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_LIT_TEXEL_SHADOW
 #define UMBRAGE_HAS_LIT_TEXEL_SHADOW
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
@@ -91,7 +99,7 @@ UMBRAGE_HIGHP float umbrage_compare_shadow(UMBRAGE_HIGHP float receiver, UMBRAGE
 // umbrage_lit_shadow: compares the receiver with one texel. Outside the map it compares with the far plane
 UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                        UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside_shadow(size, texel);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel_shadow(map, size, inside, receiver);
     UMBRAGE_HIGHP float outside = umbrage_compare_shadow(receiver, 1.0);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;

@@ -34,12 +34,20 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE
+#define UMBRAGE_HAS_TEXEL_INSIDE
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_BORDERED
 #define UMBRAGE_HAS_FETCH_BORDERED
 // umbrage_fetch_bordered: texel of a map, or border outside it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec2 at = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 at = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, at);
     return at.x == texel.x && at.y == texel.y ? value : border;
 }

@@ -118,12 +118,20 @@ UMBRAGE_HIGHP vec4 umbrage_texel_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TEXEL_INSIDE_DEPTHS
+#define UMBRAGE_HAS_TEXEL_INSIDE_DEPTHS
+// umbrage_texel_inside_depths: texel of the map, itself if the map has it; otherwise any, whose value does not count
+UMBRAGE_HIGHP vec2 umbrage_texel_inside_depths(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return min(abs(texel), size - 1.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 #define UMBRAGE_HAS_FETCH_DEPTH_DEPTHS
 // umbrage_fetch_depth_depths: stored depth of a texel, or the far plane's depth outside the map
 UMBRAGE_HIGHP float umbrage_fetch_depth_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside_depths(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel_depths(map, size, inside);
     UMBRAGE_HIGHP float depth = value.x;
     return inside.x == texel.x && inside.y == texel.y ? depth : 1.0;

@@ -14,7 +14,7 @@ fn umbrage_cleared_depth() -> f32 {
 
 // umbrage_bordered_plane_reference: umbrage_plane_reference, but before every stored depth outside the map
 //   slope, at, texel   as for umbrage_plane_reference
-//   inside             index of the nearest texel in the map
+//   inside             texel if the map has it, otherwise any other
 fn umbrage_bordered_plane_reference(slope: vec2f, at: vec3f, texel: vec2f, inside: vec2f) -> f32 {
     let lights: f32 = select(16777216.0, -16777216.0, umbrage_cleared_depth() > 0.5);
     let moves: vec2f = slope * (texel - (vec2f(at.x, at.y) - 0.5));

@@ -41,6 +41,11 @@ fn umbrage_in_filter_domain_shadow(coord: vec2f, receiver: f32) -> bool {
     return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far_plane_shadow(receiver));
 }
 
+// umbrage_texel_inside_shadow: texel of the map, itself if the map has it; otherwise any, whose value does not count
+fn umbrage_texel_inside_shadow(size: vec2f, texel: vec2f) -> vec2f {
+    return min(abs(texel), size - 1.0);
+}
+
 // umbrage_lit_texel_shadow: the sampler's comparison with a texel inside the map. NaN is in shadow
 fn umbrage_lit_texel_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                             receiver: f32) -> f32 {
@@ -56,7 +61,7 @@ fn umbrage_compare_shadow(receiver: f32, stored: f32) -> f32 {
 // umbrage_lit_shadow: compares the receiver with one texel. Outside the map it compares with the far plane
 fn umbrage_lit_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, texel: vec2f,
                       receiver: f32) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside_shadow(size, texel);
     let lit: f32 = umbrage_lit_texel_shadow(map, map_sampler, size, inside, receiver);
     let outside: f32 = umbrage_compare_shadow(receiver, 1.0);
     return select(outside, lit, inside.x == texel.x && inside.y == texel.y);

@@ -66,9 +66,14 @@ fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+fn umbrage_texel_inside(size: vec2f, texel: vec2f) -> vec2f {
+    return min(abs(texel), size - 1.0);
+}
+
 // umbrage_fetch_depth: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, inside);
     let depth: f32 = value.x;
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);

@@ -6,72 +6,34 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_cube_face: face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
-fn umbrage_cube_face(direction: vec3f) -> f32 {
-    let m: vec3f = abs(direction);
-    let x: f32 = select(0.0, 1.0, direction.x < 0.0);
-    let y: f32 = select(2.0, 3.0, direction.y < 0.0);
-    let z: f32 = select(4.0, 5.0, direction.z < 0.0);
-    // not m.x >= m.y && m.x >= m.z: Mesa turns it into one comparison with max(m.y, m.z), which loses a NaN
-    return select(select(z, y, m.y >= m.z), select(z, x, m.x >= m.z), m.x >= m.y);
-}
-
-// umbrage_cube_face_point: (sc, tc, distance along the axis) in a face, 0.0 to 5.0, of a point from the cube's center
-fn umbrage_cube_face_point(face: f32, p: vec3f) -> vec3f {
-    let x: vec3f = select(vec3f(p.z, -p.y, -p.x), vec3f(-p.z, -p.y, p.x), face < 0.5);
-    let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
-    let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
-    return select(select(z, y, face < 3.5), x, face < 1.5);
-}
-
-// umbrage_plane_in_map: normal, in texels, texels and depth, of the plane through a point
-//   plane_matrix  transpose of the texture matrix' inverse
-//   normal        normal of the plane, any length
-//   world         point on the plane
-fn umbrage_plane_in_map(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec3f {
-    let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
-    let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
-        normal.z;
-    return vec3f(q.x, q.y, q.z);
-}
-
-// umbrage_receiver_slope: umbrage_plane_slope without its clamps; (0.0, 0.0) for a normal of zero (the caller has none)
-fn umbrage_receiver_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
-    let q: vec3f = umbrage_plane_in_map(plane_matrix, normal, world);
-    let depth: f32 = select(q.z, 1.0e-30, q.z == 0.0);  // q is zero without a normal, and not where edge-on
-    return vec2f(-q.x / depth, -q.y / depth);
-}
-
-// umbrage_anchored_place: place of a point in one map, and the slack of its plane
-//   to_texels, planes   matrices from positions less the anchor to texels of the map, and to their planes
-//   rounding, slack     of anchored_map; slack.w is added to depth
-//   way                 position less the anchor
-//   returns (texels, texels, depth, 0.0), (slope, slope, weight, slack); behind the light: a place taken as lit
-fn umbrage_anchored_place(to_texels: mat4x4f, planes: mat4x4f, rounding: vec4f, slack: vec4f, way: vec3f,
-                          normal: vec3f) -> mat4x4f {
+// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
+//   face              texels a unit across the face's axis, at distance 1 along it; middle of a map; depth over
+//                     1.0 / distance, and that by texels
+//   anchor            position of the light
+//   rounding, slack   of umbrage_anchored_place, from a face's axes
+//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
+fn umbrage_cube_maps_places(face: vec4f, anchor: vec4f, rounding: vec4f, slack: vec4f, terms: vec4f, world: vec3f,
+                            normal: vec3f) -> mat4x4f {
     let none: vec4f = vec4f(0.0, 0.0, 0.0, 0.0);
-    let c: vec4f = to_texels[3] + to_texels[0] * way.x + to_texels[1] * way.y + to_texels[2] * way.z;
-    let slope: vec2f = umbrage_receiver_slope(planes, normal, way);
-    let before: bool = c.w > 0.0;
-    let i: f32 = select(0.0, 1.0 / c.w, before);
-    let at: vec3f = vec3f(c.x, c.y, c.z) * i;
+    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
+    let m: vec3f = abs(way);
+    let on_x: bool = select(false, (m.x >= m.z), m.x >= m.y);
+    let on_y: bool = select((m.y >= m.z), false, on_x);
+    let along: f32 = select(select(way.z, way.y, on_y), way.x, on_x);
+    let flip: f32 = select(1.0, -1.0, along < 0.0);
+    let number: f32 = select(select(4.5, 2.5, on_y), 0.5, on_x) - 0.5 * flip;
+    let signs: vec2f = vec2f(select(select(flip, 1.0, on_y), -flip, on_x), select(-1.0, flip, on_y));
+    let there: vec2f = vec2f(select(way.x, way.z, on_x), select(way.y, way.z, on_y)) * signs;
+    let across: vec2f = vec2f(select(normal.x, normal.z, on_x), select(normal.y, normal.z, on_y)) * signs;
+    let off_plane: f32 = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    let rise: f32 = face.w / select(off_plane, 1.0e-30, off_plane == 0.0);  // as umbrage_receiver_slope
+    let slope: vec2f = across * rise;
+    let i: f32 = 1.0 / max(abs(along), 1.0e-30);
+    let z: f32 = face.z * i;
+    let at: vec2f = there * (face.x * i) + face.y;
     let steep: f32 = abs(slope.x) + abs(slope.y);
     let moves: f32 = rounding.x + rounding.y * i;
-    let off: f32 = moves * (rounding.w + abs(at.z)) + (abs(at.z) * slack.y + slack.z);
+    let off: f32 = abs(z) * (moves + slack.y) + slack.z;  // a lens has no rounding.w
     let all: f32 = (moves * rounding.z + slack.x) * steep + off;
-    return mat4x4f(vec4f(select(65536.0, at.x, before), at.y, at.z + slack.w, 0.0), vec4f(slope, 1.0, all), none, none);
-}
-
-// umbrage_cube_maps_places: place of a point of the world in a cube's six maps
-//   to_texels, planes, rounding, slack   of umbrage_anchored_place, from a face's axes
-//   anchor                               position of the light
-//   returns (texels, texels, depth, number), (slope, slope, weight, slack)
-fn umbrage_cube_maps_places(to_texels: mat4x4f, planes: mat4x4f, anchor: vec4f, rounding: vec4f, slack: vec4f,
-                            terms: vec4f, world: vec3f, normal: vec3f) -> mat4x4f {
-    let way: vec3f = world - vec3f(anchor.x, anchor.y, anchor.z);
-    let face: f32 = umbrage_cube_face(way);
-    let place: mat4x4f =
-        umbrage_anchored_place(to_texels, planes, rounding, slack, umbrage_cube_face_point(face, way),
-                               umbrage_cube_face_point(face, normal));
-    return mat4x4f(vec4f(place[0].x, place[0].y, place[0].z, face), place[1], place[2], place[3]);
+    return mat4x4f(vec4f(at, z + slack.w, number), vec4f(slope, 1.0, all), none, none);
 }

@@ -12,9 +12,14 @@ fn umbrage_texel(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
     return textureLoad(map, vec2i(texel), 0);
 }
 
+// umbrage_texel_inside: texel of the map, itself if the map has it; otherwise any, whose value does not count
+fn umbrage_texel_inside(size: vec2f, texel: vec2f) -> vec2f {
+    return min(abs(texel), size - 1.0);
+}
+
 // umbrage_fetch_bordered: texel of a map, or border outside it
 fn umbrage_fetch_bordered(map: texture_2d<f32>, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
-    let at: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let at: vec2f = umbrage_texel_inside(size, texel);
     let value: vec4f = umbrage_texel(map, size, at);
     return select(border, value, at.x == texel.x && at.y == texel.y);
 }

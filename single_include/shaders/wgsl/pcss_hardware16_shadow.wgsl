@@ -76,9 +76,14 @@ fn umbrage_texel_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> vec
     return vec4f(textureLoad(map, vec2i(texel), 0));
 }
 
+// umbrage_texel_inside_depths: texel of the map, itself if the map has it; otherwise any, whose value does not count
+fn umbrage_texel_inside_depths(size: vec2f, texel: vec2f) -> vec2f {
+    return min(abs(texel), size - 1.0);
+}
+
 // umbrage_fetch_depth_depths: stored depth of a texel, or the far plane's depth outside the map
 fn umbrage_fetch_depth_depths(map: texture_depth_2d, size: vec2f, texel: vec2f) -> f32 {
-    let inside: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0);
+    let inside: vec2f = umbrage_texel_inside_depths(size, texel);
     let value: vec4f = umbrage_texel_depths(map, size, inside);
     let depth: f32 = value.x;
     return select(1.0, depth, inside.x == texel.x && inside.y == texel.y);

@@ -14,8 +14,8 @@ fn umbrage_cleared_depth() -> f32 {
 //   bias    bias of the receiver, in depth
 //   number  index of the map, an integer
 //   magenta  not a number
-//   black    behind the light, or in no cascade
-//   white    outside the map
+//   black    behind the light
+//   white    outside the map, or all cascades
 //   cyan     beyond the far plane
 //   blue     in front of the near plane
 //   red      bias at its limit of 1.0

@@ -64,6 +64,7 @@ private:
         return true;
     }
     bool drop_slope() {
+        if (const auto face = field("face"); !face.empty()) return face[0].w = 0.0f, true;
         const auto planes = field("planes"), points = field("to_texels");
         if (planes.empty() || points.empty()) return false;
         std::ranges::copy(points, planes.begin());

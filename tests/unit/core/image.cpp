@@ -177,6 +177,15 @@ TEST_CASE("fetch_bordered: outside is the border, and an empty map is all border
     CHECK(bordered(image<int>(), -7)({0, 0}) == -7);
 }
 
+TEST_CASE("texel_inside: a texel of the map is itself, any other becomes one of the map") {
+    for (int x = -9; x < 9; ++x)
+        for (int y = -9; y < 9; ++y) {
+            const glm::ivec2 size(5, 1), at(x, y), inside = texel_inside(size, at);
+            CHECK(inside_map(size, inside));
+            CHECK((inside == at) == inside_map(size, at));
+        }
+}
+
 TEST_CASE("bordered: depths without a border are lit outside by default") {
     const image<float> map({2, 1}, 0.25f);
     CHECK(bordered(map)({1, 0}) == 0.25f);

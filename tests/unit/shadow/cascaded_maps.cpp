@@ -39,7 +39,7 @@ TEST_CASE("cascaded_maps: places are those of the lights' matrices, also where a
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 world = away + glm::vec3(float(i % 40) - 20.0f, 0, float(i / 40) - 25.0f);
         const map_place place = cascaded_maps<>::places(u, {.map_size = fit.map_size}, world, shadow_scene::up)[0];
-        if (place.at.x == 65536.0f) continue;
+        if (place.at.x == outside_all_maps) continue;
         const auto map = static_cast<std::size_t>(place.number);
         const glm::dvec4 exact = texture_matrix(of.lights()[map], fit.map_size) * glm::dvec4(world, 1);
         CHECK(glm::length(glm::dvec3(place.at) - glm::dvec3(exact)) < 1e-3);

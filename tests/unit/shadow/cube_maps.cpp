@@ -31,6 +31,19 @@ TEST_CASE("cube_maps: a point lies where its face's own matrices draw it") {
     }
 }
 
+TEST_CASE("cube_maps: what stands where the lamp is, is lit, with and without a normal") {
+    for (const clip_space clip : {opengl_clip_space, unity_clip_space}) {
+        const point_light<float> bulb = shadow_scene::bulb(clip);
+        const shadow lamp(bulb, glm::ivec2(bulb.map_size), filters::tent<3>);
+        image<float> dark(lamp.size());  // every texel at the near plane
+        for (float& depth : dark.texels()) depth = 1.0f - cleared_depth(clip);
+        for (const glm::vec3 normal : {glm::vec3(0), glm::vec3(0, 1, 0)}) {
+            CHECK(lamp(dark, bulb.position, normal) == 1.0f);
+            CHECK(lamp(dark, bulb.position + glm::vec3(0, -3, 0.5f), normal) == 0.0f);
+        }
+    }
+}
+
 TEST_CASE("cube_maps: maps have the light's size") {
     const cube_maps of(shadow_scene::bulb(cpu_clip_space));
     CHECK_THROWS_WITH_AS(static_cast<void>(of.make_uniforms({256, 128}, glm::dvec3(0))),

@@ -40,15 +40,18 @@ TEST_CASE("frame: one text, with a loop of lookups and a choice of the map only 
                       array = text(frame_words_of(cube_maps(shadow_scene::bulb(clip)), true, false));
     CHECK(has(single, "float f(UMBRAGE_HIGHP mat4 to_texels, UMBRAGE_HIGHP mat4 planes, UMBRAGE_HIGHP vec4 anchor"));
     CHECK(has(single,
-              "places = umbrage_single_map_places(to_texels, planes, anchor, rounding, slack, terms, world, normal);"));
-    CHECK(has(parallel, "places = umbrage_parallel_map_places(to_texels, planes,"));
-    CHECK(!has(single, "places[2]"));
+              "place = umbrage_single_map_places(to_texels, planes, anchor, rounding, slack, terms, world, normal);"));
+    CHECK(has(parallel, "place = umbrage_parallel_map_places(to_texels, planes,"));
+    CHECK(!has(single, "choice"));
     CHECK(!has(single, "origin"));
     CHECK(has(atlas, "vec2 origin = umbrage_map_tile(number, vec2(2.0, 1.0 / 2.0), vec2(terms.x, terms.y));"));
     CHECK(has(atlas, "for (int i = 0; i < count; ++i) {"));
     CHECK(has(atlas, "vec3 normal, UMBRAGE_HIGHP vec2 pixel) {"));
-    CHECK(has(atlas, "if (slope.z > 0.0) {"));
+    CHECK(has(atlas,
+              "choice = umbrage_cascaded_maps_choice(rotation, scales, offsets, anchor, blending, terms, world);"));
+    CHECK(has(atlas, "if (weight > 0.0) {"));
+    CHECK(has(atlas, "terms, world, normal, chosen);"));
     CHECK(has(array, "float layer = number;"));
-    CHECK(!has(array, "slope.z"));
+    CHECK(!has(array, "weight"));
     CHECK(!has(array, "for ("));
 }

@@ -51,8 +51,8 @@ TEST_CASE("probe: cascades have colors of their own, and fade into each other") 
     bool blends = false, ends = false;
     for (float z = 14; z > -200; z -= 0.03f) {
         const glm::vec3 c = probe(sun, {0.1f, 0, z}, up_there), hard = probe(hard_changes, {0.1f, 0, z}, up_there);
-        blends = blends || (c != hard && hard != behind_light);
-        ends = ends || hard == behind_light;
+        blends = blends || (c != hard && hard != out_of_map);
+        ends = ends || hard == out_of_map;
         of_last_bits.insert(hard.x / hard.y);
     }
     CHECK(blends);

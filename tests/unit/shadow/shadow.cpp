@@ -265,6 +265,11 @@ TEST_CASE("shadow: bad input") {
     const point_light<float> grazed{.z_near = 1e-40f, .z_far = 3, .map_size = 64, .border = 2, .clip = reversed};
     CHECK(refused([&] {
               (void)shadow(grazed, {64, 64}, filters::hard{});
+          }).starts_with("umbrage::shadow: light.z_near must be far enough for depths in float; got "));
+    const tetrahedron_light<float> of_planes{
+        .z_near = 1e-40f, .z_far = 3, .map_size = 64, .border = 2, .clip = reversed};
+    CHECK(refused([&] {
+              (void)shadow(of_planes, {64, 64}, filters::hard{});
           }) ==
           "umbrage::shadow: light, filter and origin must be such that all uniforms are finite in float; got inf. Tiny "
           "near planes and huge coordinates overflow.");

@@ -18,7 +18,7 @@ TEST_CASE("warped_places: a point lies in the map of its distance, where that ma
             int looks = 0;
             static_cast<void>(
                 detail::blended(warped_maps::places(u, {}, world, {1, 3, 2}), [&](const map_place& place) {
-                    if (place.at == outside_all_maps) return ++looks, 1.0f;
+                    if (place.at.x == outside_all_maps) return ++looks, 1.0f;
                     const auto& c = of.cascades[static_cast<std::size_t>(place.number)];
                     const float depth = 15 - world.z, end = float(c.end), begin = float(c.begin);
                     CHECK(depth < end);
@@ -45,7 +45,7 @@ TEST_CASE("warped_places: the next cascade takes over towards an end, without a 
     for (float z = 15; z > -46; z -= 0x1p-9f) {
         const float number = detail::blended(
             warped_maps::places(u, {}, {0, 0, z}, {0, 1, 0}),
-            [](const map_place& place) { return place.at == outside_all_maps ? 1.0f : float(place.number); });
+            [](const map_place& place) { return place.at.x == outside_all_maps ? 1.0f : float(place.number); });
         const float step = glm::abs(number - before);
         if (z > -44) most = glm::max(most, step);
         before = number;

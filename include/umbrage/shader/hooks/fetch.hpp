@@ -34,6 +34,14 @@ bool umbrage_map_covers(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
+inline constexpr snippet clamped_texel_inside{
+    .name = "texel_inside", .summary = "texel_inside, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_texel_inside: texel of the map, or the nearest one for coordinates outside
+UMBRAGE_HIGHP vec2 umbrage_texel_inside(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return clamp(texel, vec2(0.0, 0.0), size - 1.0);
+}
+)GLSL"};
+
 inline constexpr snippet reversed_beyond_far_plane{
     .name = "beyond_far_plane", .summary = "beyond_far_plane, reversed", .role = hook::chosen, .source = R"GLSL(
 // umbrage_beyond_far_plane: true when a receiver is beyond the far plane
@@ -125,13 +133,13 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet bordered_lit{.name = "lit",
                                       .summary = "lit, bordered",
-                                      .needs = list<&lit_texel, &compare>,
+                                      .needs = list<&texel_inside, &lit_texel, &compare>,
                                       .role = hook::chosen,
                                       .source = R"GLSL(
 // umbrage_lit: compares the receiver with one texel. Outside the map it compares with the far plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, receiver);
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, UMBRAGE_BORDER);
     return inside.x == texel.x && inside.y == texel.y ? lit : outside;
@@ -142,13 +150,13 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 
 inline constexpr snippet planed_lit{.name = "lit",
                                     .summary = "lit, along a plane",
-                                    .needs = list<&texel, &compare>,
+                                    .needs = list<&texel, &texel_inside, &compare>,
                                     .role = hook::chosen,
                                     .source = R"GLSL(
 // umbrage_lit: visibility from one comparison with a texel, along the receiver's plane
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP vec4 value = umbrage_texel(map, size, inside);
     return umbrage_compare(UMBRAGE_REFERENCE, UMBRAGE_STORED);
 }
@@ -167,13 +175,13 @@ UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet planed_compared_lit{.name = "lit",
                                              .summary = "lit, compared along a plane",
-                                             .needs = list<&planed_lit_texel>,
+                                             .needs = list<&texel_inside, &planed_lit_texel>,
                                              .role = hook::chosen,
                                              .source = R"GLSL(
 // umbrage_lit: visibility of one comparison with a texel, along the receiver's plane. NaN is in shadow
 UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                 UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, inside, UMBRAGE_REFERENCE);
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;

@@ -124,13 +124,13 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 inline constexpr snippet planed_compare{.name = "compare_along",
                                         .summary = "compare_along, along a plane",
-                                        .needs = list<&compare>,
+                                        .needs = list<&texel_inside, &compare>,
                                         .role = hook::chosen,
                                         .source = R"GLSL(
 // umbrage_compare_along: visibility of one comparison with a texel's depth, along the receiver's plane
 UMBRAGE_HIGHP float umbrage_compare_along(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP float stored) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+    UMBRAGE_HIGHP vec2 inside = umbrage_texel_inside(size, texel);
     return umbrage_compare(UMBRAGE_REFERENCE, stored);
 }
 )GLSL"};

@@ -52,6 +52,19 @@ void add_core_image(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(inside_map(s.map.size, texel_of(s)) ? 1.0f : 0.0f); },
                    .call = "vec4(umbrage_inside_map(map_size, vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
                    .maps = depth_maps()});
+    for (const auto outside : {outside_map::bordered, outside_map::clamped})
+        all.push_back({.primitive = &glsl::texel_inside,
+                       .variant = outside == outside_map::bordered ? "" : "clamped",
+                       .classes = whole_texels(),
+                       .twin =
+                           [outside](const sample& s) {
+                               const ivec2 at = texel_of(s), nearest = glm::clamp(at, ivec2(0), s.map.size - 1);
+                               const bool any = outside == outside_map::bordered;
+                               return vec4(any ? texel_inside(s.map.size, at) : nearest, 0, 0);
+                           },
+                       .call = "vec4(umbrage_texel_inside(map_size, vec2(x0.x, x0.y)), 0.0, 0.0)",
+                       .maps = depth_maps(),
+                       .map_kind = {.outside = outside}});
 }
 
 }  // namespace parity

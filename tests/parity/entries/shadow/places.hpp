@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,8 @@
 
 namespace parity {
 
-/// Column of a place as a snippet returns it: (texels, texels, depth, number) or (slope, slope, weight, slack). A
-/// place without weight has zeros here.
+/// Column of a place as a snippet returns it: (texels, texels, depth, number) or (slope, slope, weight, slack).
 [[nodiscard]] inline vec4 column_of(const umbrage::map_place& place, bool of_slope) {
-    if (!(place.weight > 0.0f)) return vec4(0.0f);
     if (of_slope) return {place.slope.x, place.slope.y, place.weight, place.slack};
     return vec4(place.at, static_cast<float>(place.number));
 }
@@ -31,30 +30,32 @@ namespace parity {
 
 /// Adds the entries of one snippet.
 /// @param call   call of the snippet, a mat4
-/// @param twin   (sample) -> array of places
+/// @param twin   (sample) -> array of one place
 template <class Twin>
 void add_places(std::vector<entry>& all, const snippet& s, const std::vector<input_class>& classes,
                 const std::string& call, const Twin& twin) {
-    constexpr std::size_t count = std::tuple_size_v<decltype(twin(sample()))>;
-    constexpr const char* names[]{"", "slope", "next", "next slope"};
-    for (std::size_t i = 0; i < 2 * count; ++i) {
-        const std::string column = column_text(call, i);
-        all.push_back(
-            {.primitive = &s,
-             .variant = names[i],
-             .classes = classes,
-             .twin = [twin, i](const sample& x) { return column_of(twin(x)[i / 2], i % 2 == 1); },
-             .call =
-                 i < 2 ? column : "(" + column_text(call, 3) + ".z > 0.0 ? " + column + " : vec4(0.0, 0.0, 0.0, 0.0))",
-             .also = {&umbrage::glsl::cascade_column}});
-    }
-    if (count > 1) return;
+    for (const bool of_slope : {false, true})
+        all.push_back({.primitive = &s,
+                       .variant = of_slope ? "slope" : "",
+                       .classes = classes,
+                       .twin = [twin, of_slope](const sample& x) { return column_of(twin(x)[0], of_slope); },
+                       .call = column_text(call, of_slope),
+                       .also = {&umbrage::glsl::cascade_column}});
     all.push_back({.primitive = &s,
                    .variant = "no second place",
                    .classes = {classes.front()},
                    .twin = [](const sample&) { return vec4(0.0f); },
                    .call = column_text(call, 2) + " + " + column_text(call, 3),
                    .also = {&umbrage::glsl::cascade_column}});
+}
+
+/// Inputs and a class whose position, x0.xyz, is NaN, in all coordinates, as every rotation leaves it.
+[[nodiscard]] inline std::vector<input_class> with_nan_positions(std::vector<input_class> classes) {
+    classes.push_back({"NaN position", [ordinary = classes.front().fill](std::uint64_t i, random& r, sample& s) {
+                           ordinary(i, r, s);
+                           s.x[0].x = s.x[0].y = s.x[0].z = std::numeric_limits<float>::quiet_NaN();
+                       }});
+    return classes;
 }
 
 /// Inputs for points and matrices, without denormals: where those choose a face, hardware that takes them for 0 chooses

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <umbrage/shadow/warped_places.hpp>
 
+#include <array>
+#include <string>
+
 #include "places.hpp"
 
 namespace parity {
@@ -27,22 +30,38 @@ void add_shadow_warped_places(std::vector<entry>& all) {
                       d = "mat4(x5, x2, x3, x4)";
     std::string maps;
     for (const std::string& map : {a, b, c, d, b, c, d, a}) maps += map + ", ";
-    add_places(all, umbrage::glsl::warped_maps_places, classes,
-               "umbrage_warped_maps_places(" + maps +
-                   "mat4(x3, x2, x5, x4), mat4(x4, x5, x2, x3), mat4(vec4(0.25, 1.0, 0.0, 0.0), vec4(0.5, 0.0, 0.0, "
-                   "0.0), vec4(0.75, -0.5, "
-                   "0.0, 0.0), "
-                   "vec4(1.0, -1.5, 0.0, 0.0)), vec4(x1.y, x1.z, x1.x, 0.0), vec4(0.5, -0.25, 1.0, x0.w), "
-                   "vec4(-1.0, 0.25, 1.0, x1.w), "
-                   "vec4(64.0, 64.0, 2.0, 0.0), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z))",
+    const std::string ends = "vec4(-1.0, 0.25, 1.0, x1.w)",
+                      fades =
+                          "mat4(vec4(0.25, 1.0, 0.0, 0.0), vec4(0.5, 0.0, 0.0, 0.0), vec4(0.75, -0.5, 0.0, 0.0), "
+                          "vec4(1.0, -1.5, 0.0, 0.0))";
+    const std::string anchor = "vec4(x1.y, x1.z, x1.x, 0.0)", ahead = "vec4(0.5, -0.25, 1.0, x0.w)";
+    all.push_back({.primitive = &umbrage::glsl::warped_maps_choice,
+                   .classes = classes,
+                   .twin =
+                       [](const sample& s) {
+                           const glm::mat4 of(vec4(0.25f, 1.0f, 0.0f, 0.0f), vec4(0.5f, 0.0f, 0.0f, 0.0f),
+                                              vec4(0.75f, -0.5f, 0.0f, 0.0f), vec4(1.0f, -1.5f, 0.0f, 0.0f));
+                           return vec4(umbrage::warped_maps_choice(of, vec4(s.x[1].y, s.x[1].z, s.x[1].x, 0.0f),
+                                                                   vec4(0.5f, -0.25f, 1.0f, s.x[0].w),
+                                                                   vec4(-1.0f, 0.25f, 1.0f, s.x[1].w), vec3(s.x[0])),
+                                       0, 0);
+                       },
+                   .call = "vec4(umbrage_warped_maps_choice(" + fades + ", " + anchor + ", " + ahead + ", " + ends +
+                           ", vec3(x0.x, x0.y, x0.z)), 0.0, 0.0)"});
+    for (input_class& one : classes)
+        one.fill = [fill = one.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            s.x[0].w = static_cast<float>(r.below(5));
+        };
+    add_places(all, umbrage::glsl::warped_maps_place, classes,
+               "umbrage_warped_maps_place(" + maps + "mat4(x3, x2, x5, x4), mat4(x4, x5, x2, x3), " + fades + ", " +
+                   anchor + ", " + ahead + ", " + ends +
+                   ", vec4(64.0, 64.0, 2.0, 0.0), vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w)",
                [](const sample& s) {
-                   const glm::mat4 fades(vec4(0.25f, 1.0f, 0.0f, 0.0f), vec4(0.5f, 0.0f, 0.0f, 0.0f),
-                                         vec4(0.75f, -0.5f, 0.0f, 0.0f), vec4(1.0f, -1.5f, 0.0f, 0.0f));
-                   return umbrage::warped_maps_places(
+                   return std::array{umbrage::warped_maps_place(
                        in_turn(s, 0), in_turn(s, 1), glm::mat4(s.x[3], s.x[2], s.x[5], s.x[4]),
-                       glm::mat4(s.x[4], s.x[5], s.x[2], s.x[3]), fades, vec4(s.x[1].y, s.x[1].z, s.x[1].x, 0.0f),
-                       vec4(0.5f, -0.25f, 1.0f, s.x[0].w), vec4(-1.0f, 0.25f, 1.0f, s.x[1].w), {}, vec3(s.x[0]),
-                       vec3(s.x[1]));
+                       glm::mat4(s.x[4], s.x[5], s.x[2], s.x[3]), vec4(s.x[1].y, s.x[1].z, s.x[1].x, 0.0f),
+                       vec4(-1.0f, 0.25f, 1.0f, s.x[1].w), vec3(s.x[0]), vec3(s.x[1]), s.x[0].w)};
                });
 }
 

@@ -17,6 +17,8 @@ TEST_CASE("a map's texels choose by direction, by what is outside, and by who co
     CHECK(&chosen(glsl::compare, reversed) == &hooks::reversed_compare);
     CHECK(&chosen(glsl::fetch_depth, ordinary) == &glsl::fetch_depth);
     CHECK(&chosen(glsl::fetch_depth, clamped) == &hooks::clamped_depth);
+    CHECK(&chosen(glsl::texel_inside, ordinary) == &glsl::texel_inside);
+    CHECK(&chosen(glsl::texel_inside, clamped_shadow) == &hooks::clamped_texel_inside);
     CHECK(&chosen(glsl::lit, ordinary) == &glsl::lit);
     CHECK(&chosen(glsl::lit, shadow) == &hooks::bordered_lit);
     CHECK(&chosen(glsl::lit, clamped_shadow) == &hooks::clamped_lit);
