@@ -26701,7 +26701,7 @@ namespace umbrage {
 /// @param ends     xyz: ends of the first three cascades
 /// @param world    position of the point
 /// @return         (number of the cascade, 0 to 3; weight of the next one)
-/// @exactness      C, n = 10: as cascade_fade
+/// @exactness      C, n = 12: as cascade_fade
 [[nodiscard]] UMBRAGE_INLINE inline glm::vec2 warped_maps_choice(const glm::mat4& fades, const glm::vec4& anchor,
                                                                  const glm::vec4& ahead, const glm::vec4& ends,
                                                                  glm::vec3 world) {
@@ -26743,7 +26743,7 @@ inline constexpr snippet warped_maps_choice{
     .name = "warped_maps_choice",
     .summary = "warped cascade that holds a point of the world, and weight of the next one",
     .exactness = tier::c,
-    .operations = 10,
+    .operations = 12,
     .needs = list<&cascade_by_depth, &cascade_column, &cascade_fade>,
     .source = R"GLSL(
 // umbrage_warped_maps_choice: number of the warped cascade that holds a point of the world, and weight of the next one

@@ -4934,7 +4934,7 @@ UMBRAGE_HIGHP vec4 umbrage_paraboloid_vertex(UMBRAGE_HIGHP mat4 to_clip, UMBRAGE
 ` };
 
 export const warped_maps_choice = { language, name: "warped_maps_choice", summary: "warped cascade that holds a point of the world, and weight of the next one",
-    exactness: "c", operations: 10, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 12, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_by_depth, cascade_column, cascade_fade], text: `
 // umbrage_warped_maps_choice: number of the warped cascade that holds a point of the world, and weight of the next one
 //   fades    one column per map: scale and offset of the next one's weight

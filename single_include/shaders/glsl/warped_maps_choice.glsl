@@ -1,7 +1,7 @@
 // umbrage 0.1.0, warped_maps_choice: warped cascade that holds a point of the world, and weight of the next one.
 //   Exactness: tier C.
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
-// warped_maps_choice, tier C: within 10 x 2^-23 x S of the exact result.
+// warped_maps_choice, tier C: within 12 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT

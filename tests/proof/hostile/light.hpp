@@ -12,6 +12,7 @@
 #include <umbrage/light/point/cube_atlas.hpp>
 #include <umbrage/light/point/cube_map.hpp>
 #include <umbrage/light/point/tetrahedron.hpp>
+#include <umbrage/shadow/cascade_choice.hpp>
 #include <umbrage/shadow/map_tile.hpp>
 #include <umbrage/shadow/softness.hpp>
 
@@ -66,6 +67,14 @@ void each_of_light(const Run& run, const Fetch& fetch) {
     run(
         "cascade_column_8", 1, [](source& s) { return float(s.below(9)); },
         [](float number) { return cascade_column_8(glm::mat4(1.0f), glm::mat4(2.0f), number); });
+    run(
+        "first_cascade", 1,
+        [](source& s) {
+            const auto edge = [&] { return float(s.below(9)) - 4.0f; };
+            const float a = edge(), b = edge(), c = edge();
+            return glm::vec4(a, b, c, edge());
+        },
+        [](glm::vec4 edges) { return first_cascade(edges); });
     run(
         "cascade_tile", 1,
         [](source& s) {

@@ -129,6 +129,15 @@ void suite::all() const {
     run("is_finite", inputs, any, [](float v) { return is_finite(v); });
     run("saturate", inputs, depth, [](float v) { return glm::vec2(saturate(v), saturate(v, 0.0f)); });
     run(
+        "texel_inside", inputs,
+        [](source& s) {
+            return glm::ivec4(int(s.below(64)) + 1, int(s.below(64)) + 1, int(s.below(256)) - 128,
+                              int(s.below(256)) - 128);
+        },
+        [](glm::ivec4 v) {
+            return glm::vec2(texel_inside({v.x, v.y}, {v.z, v.w}));
+        });
+    run(
         "to_unorm", inputs, [](source& s) { return float(s.below(256)); }, [](float k) { return to_unorm(k); });
     run(
         "from_unorm", inputs, [](source& s) { return s.read(); }, [](float c) { return from_unorm(c); });
