@@ -65,14 +65,14 @@ void add_shadow_cascade_choice(std::vector<entry>& all) {
             rest + "), 0.0, 0.0)",
         [](const sample& s) {
             return vec4(
-                cascaded_maps_choice(axes(s), scales(s), offsets(s), anchor, blending_of(s), in_64(s), vec3(s.x[0])), 0,
+                cascaded_maps_choice(axes, scales(s), offsets(s), anchor, blending_of(s), in_64(s), vec3(s.x[0])), 0,
                 0);
         });
     add(glsl::cascaded_maps_choice_8, with_nan_positions(numbered(8, finite_values())),
         std::string("vec4(umbrage_cascaded_maps_choice_8(") + turned + ", " + all_scales + ", " + all_offsets + ", " +
             all_farther + ", " + other_offsets + ", " + rest + "), 0.0, 0.0)",
         [](const sample& s) {
-            return vec4(cascaded_maps_choice_8(axes(s), scales(s), offsets(s), farther_scales(s), farther_offsets(s),
+            return vec4(cascaded_maps_choice_8(axes, scales(s), offsets(s), farther_scales(s), farther_offsets(s),
                                                anchor, blending_of(s), in_64(s), vec3(s.x[0])),
                         0, 0);
         });

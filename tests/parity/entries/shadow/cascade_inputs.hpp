@@ -45,16 +45,12 @@ using umbrage::shadow_terms;
     return m;
 }
 
-/// Axes of a light, nearly: no component is 0, of which a compiler makes 0 whatever it is multiplied with. By x1.z as
-/// sizes are.
+/// Axes of a light, nearly: no component is 0, of which a compiler makes 0 whatever it is multiplied with.
 inline constexpr auto turned =
-    "mat4(vec4(0.25, 1.0, 0.015625, 1.0) * x1.z, vec4(1.0, -0.25, 0.015625, 1.0) * x1.z, "
-    "vec4(0.0625, 0.125, 1.0, 1.0) * x1.z, vec4(0.5, -0.5, 0.03125, 1.0) * x1.z)";
-[[nodiscard]] inline glm::mat4 axes(const sample& s) {
-    return glm::mat4(vec4(0.25f, 1, 0.015625f, 1), vec4(1, -0.25f, 0.015625f, 1), vec4(0.0625f, 0.125f, 1, 1),
-                     vec4(0.5f, -0.5f, 0.03125f, 1)) *
-           s.x[1].z;
-}
+    "mat4(vec4(0.25, 1.0, 0.015625, 1.0), vec4(1.0, -0.25, 0.015625, 1.0), vec4(0.0625, 0.125, 1.0, 1.0), "
+    "vec4(0.5, -0.5, 0.03125, 1.0))";
+inline const glm::mat4 axes(vec4(0.25f, 1, 0.015625f, 1), vec4(1, -0.25f, 0.015625f, 1), vec4(0.0625f, 0.125f, 1, 1),
+                            vec4(0.5f, -0.5f, 0.03125f, 1));
 inline const vec4 anchor(0.25f, -0.5f, 0.125f, 0.0f);
 inline constexpr auto all_scales =
     "mat4(vec4(x1.x, x1.y, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.x), "

@@ -26,14 +26,14 @@ void add_shadow_cascade_places(std::vector<entry>& all) {
               std::string("umbrage_cascaded_maps_place(") + turned + ", " + all_scales + ", " + all_offsets + ", " +
                   rest + ", vec3(x2.w, x3.w, x4.w), x5.w)",
               [](const sample& s) {
-                  return cascaded_maps_place(axes(s), scales(s), offsets(s), anchor, blending_of(s), in_64(s),
+                  return cascaded_maps_place(axes, scales(s), offsets(s), anchor, blending_of(s), in_64(s),
                                              vec3(s.x[0]), normal_of(s), s.x[5].w);
               });
     add_place(glsl::cascaded_maps_place_8, 8,
               std::string("umbrage_cascaded_maps_place_8(") + turned + ", " + all_scales + ", " + all_offsets + ", " +
                   all_farther + ", " + other_offsets + ", " + rest + ", vec3(x2.w, x3.w, x4.w), x5.w)",
               [](const sample& s) {
-                  return cascaded_maps_place_8(axes(s), scales(s), offsets(s), farther_scales(s), farther_offsets(s),
+                  return cascaded_maps_place_8(axes, scales(s), offsets(s), farther_scales(s), farther_offsets(s),
                                                anchor, blending_of(s), in_64(s), vec3(s.x[0]), normal_of(s), s.x[5].w);
               });
 }
