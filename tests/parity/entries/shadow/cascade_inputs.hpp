@@ -15,7 +15,7 @@ using umbrage::shadow_terms;
 
 /// Size of a map and reach of a filter: by x1.z, which is 1, so that no compiler knows them.
 [[nodiscard]] inline shadow_terms in_64(const sample& s) {
-    return {.map_size = vec2(64.0f) * s.x[1].z, .reach = 2.0f * s.x[1].z};
+    return {.map_size = vec2(64.0f, 48.0f) * s.x[1].z, .reach = 2.0f * s.x[1].z};
 }
 
 /// A point in x0.xyz before four cascades of 64 x 64 texels, each with half of the scale before it, x1.xyz; offsets in
@@ -41,7 +41,7 @@ using umbrage::shadow_terms;
 [[nodiscard]] inline glm::mat4 scales(const sample& s) {
     glm::mat4 m(0.0f);
     for (glm::length_t i = 0; i < 4; ++i)
-        m[i] = vec4(vec2(s.x[1]) * std::ldexp(1.0f, -static_cast<int>(i)), 1.0f, s.x[1].x);
+        m[i] = vec4(vec2(s.x[1]) * std::ldexp(1.0f, -static_cast<int>(i)), 1.0f, s.x[1].y * 0.5f);
     return m;
 }
 
@@ -53,14 +53,14 @@ inline const glm::mat4 axes(vec4(0.25f, 1, 0.015625f, 1), vec4(1, -0.25f, 0.0156
                             vec4(0.5f, -0.5f, 0.03125f, 1));
 inline const vec4 anchor(0.25f, -0.5f, 0.125f, 0.0f);
 inline constexpr auto all_scales =
-    "mat4(vec4(x1.x, x1.y, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.x), "
-    "vec4(vec2(x1.x, x1.y) * 0.25, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.125, 1.0, x1.x))";
+    "mat4(vec4(x1.x, x1.y, 1.0, x1.y * 0.5), vec4(vec2(x1.x, x1.y) * 0.5, 1.0, x1.y * 0.5), "
+    "vec4(vec2(x1.x, x1.y) * 0.25, 1.0, x1.y * 0.5), vec4(vec2(x1.x, x1.y) * 0.125, 1.0, x1.y * 0.5))";
 inline constexpr auto all_farther =
-    "mat4(vec4(vec2(x1.x, x1.y) * 0.0625, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.03125, 1.0, x1.x), "
-    "vec4(vec2(x1.x, x1.y) * 0.015625, 1.0, x1.x), vec4(vec2(x1.x, x1.y) * 0.0078125, 1.0, x1.x))";
+    "mat4(vec4(vec2(x1.x, x1.y) * 0.0625, 1.0, x1.y * 0.5), vec4(vec2(x1.x, x1.y) * 0.03125, 1.0, x1.y * 0.5), "
+    "vec4(vec2(x1.x, x1.y) * 0.015625, 1.0, x1.y * 0.5), vec4(vec2(x1.x, x1.y) * 0.0078125, 1.0, x1.y * 0.5))";
 inline constexpr auto all_offsets = "mat4(x2, x3, x4, x5)", other_offsets = "mat4(x5, x4, x3, x2)";
 inline constexpr auto rest =
-    "vec4(0.25, -0.5, 0.125, 0.0), vec4(0.125, x0.w, 0.0, 0.0), vec4(64.0, 64.0, 2.0, 0.0) * x1.z, vec3(x0.x, x0.y, "
+    "vec4(0.25, -0.5, 0.125, 0.0), vec4(0.125, x0.w, 0.0, 0.0), vec4(64.0, 48.0, 2.0, 0.0) * x1.z, vec3(x0.x, x0.y, "
     "x0.z)";
 
 [[nodiscard]] inline glm::mat4 farther_scales(const sample& s) {
