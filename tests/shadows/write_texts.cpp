@@ -91,7 +91,10 @@ void write_blocks(const fs::path& folder, clip_space clip) {
                                     MEMBER(anchored_map, anchor), MEMBER(anchored_map, rounding),
                                     MEMBER(anchored_map, slack)};
     write_block(folder, bind(spot, "spot"), block_of<single_map>(of_anchored));
-    write_block(folder, bind(bulb, "bulb"), block_of<cube_maps>(of_anchored));
+    using cube = cube_maps::uniforms;
+    write_block(
+        folder, bind(bulb, "bulb"),
+        block_of<cube_maps>({MEMBER(cube, face), MEMBER(cube, anchor), MEMBER(cube, rounding), MEMBER(cube, slack)}));
     of_anchored.push_back({"center", sizeof(anchored_map), 4});
     write_block(folder, bind(sides, "sides"), block_of<tetrahedron_map>(of_anchored));
     using four = cascaded_maps<1>::uniforms;
