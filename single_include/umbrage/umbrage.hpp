@@ -3331,7 +3331,7 @@ template <class T>
 /// @param at      texel index, integers above -2^31
 /// @formula       min(|at|, size - 1)
 /// @exactness     A
-[[nodiscard]] constexpr glm::ivec2 texel_inside(glm::ivec2 size, glm::ivec2 at) {
+[[nodiscard]] inline glm::ivec2 texel_inside(glm::ivec2 size, glm::ivec2 at) {
     const auto inside = [](int v, int length) { return (v < 0 ? -v : v) < length ? (v < 0 ? -v : v) : length - 1; };
     return {inside(at.x, size.x), inside(at.y, size.y)};
 }
