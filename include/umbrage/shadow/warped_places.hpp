@@ -60,8 +60,9 @@ namespace umbrage {
                                                                 glm::vec3 world, glm::vec3 normal, float number) {
     const auto own = static_cast<int>((glm::min)(number, ends.w));
     const auto i = static_cast<std::size_t>(own);
+    const auto column = static_cast<glm::length_t>(own);
     map_place place =
-        anchored_place(to_texels[i], planes[i], rounding[own], slack[own], world - glm::vec3(anchor), normal);
+        anchored_place(to_texels[i], planes[i], rounding[column], slack[column], world - glm::vec3(anchor), normal);
     place.number = own;
     if (!(number <= ends.w)) place.at.x = outside_all_maps;
     return place;
