@@ -30,6 +30,7 @@ namespace umbrage {
 /// @param world      position of the point
 /// @param normal     its normal
 /// @return           its place on the face that it lies before, with weight 1
+/// @edge             at the light: so far before the near plane that it is lit
 /// @formula          as anchored_place. With w = |way| along the face's axis, place = (x (sc, tc) / w + y, z / w), and
 ///                   slope = w (normal's sc, tc) / (normal . way)
 /// @exactness        C, n = 121: as anchored_place
