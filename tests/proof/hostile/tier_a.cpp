@@ -131,8 +131,8 @@ void suite::all() const {
     run(
         "texel_inside", inputs,
         [](source& s) {
-            return glm::ivec4(int(s.below(64)) + 1, int(s.below(64)) + 1, int(s.below(256)) - 128,
-                              int(s.below(256)) - 128);
+            return glm::ivec4{int(s.below(64)) + 1, int(s.below(64)) + 1, int(s.below(256)) - 128,
+                              int(s.below(256)) - 128};
         },
         [](glm::ivec4 v) {
             return glm::vec2(texel_inside({v.x, v.y}, {v.z, v.w}));
