@@ -24,14 +24,15 @@
 namespace umbrage {
 
 /// Distance of a point beyond the part of a cascade's map in which a filter stays inside the map.
-/// @param light           the point, rotated into the light's axes
-/// @param scale, offset   those of the cascade, as for cascade_coordinate
-/// @param size            size of the map, in texels
-/// @param reach           filter radius, in texels
-/// @return                texels, at most 0 inside that part. 65536 for a depth outside [0, 1], and for NaN there
-/// @edge                  a NaN in x or y alone: either NaN or the other one's distance. A NaN position has NaN in all
-/// @formula               max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
-/// @exactness             C, n = 13
+/// @param light    the point, rotated into the light's axes
+/// @param scale    scale of the cascade, as for cascade_coordinate
+/// @param offset   its offset
+/// @param size     size of the map, in texels
+/// @param reach    filter radius, in texels
+/// @return         texels, at most 0 inside that part. 65536 for a depth outside [0, 1], and for NaN there
+/// @edge           a NaN in x or y alone: either NaN or the other one's distance. A NaN position has NaN in all
+/// @formula        max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
+/// @exactness      C, n = 13
 [[nodiscard]] UMBRAGE_INLINE inline float cascade_edge(glm::vec3 light, const glm::vec4& scale, const glm::vec4& offset,
                                                        glm::vec2 size, float reach) {
     const glm::vec3 at = cascade_coordinate(light, scale, offset);
@@ -42,8 +43,12 @@ namespace umbrage {
 }
 
 /// cascade_edge of four cascades.
-/// @param scales, offsets   one column per cascade
-/// @exactness               C, n = 13, each
+/// @param light     the point, rotated into the light's axes
+/// @param scales    scales of the cascades, one a column
+/// @param offsets   their offsets, likewise
+/// @param size      size of the map, in texels
+/// @param reach     filter radius, in texels
+/// @exactness       C, n = 13, each
 [[nodiscard]] UMBRAGE_INLINE inline glm::vec4 cascade_edges(glm::vec3 light, const glm::mat4& scales,
                                                             const glm::mat4& offsets, glm::vec2 size, float reach) {
     return {cascade_edge(light, scales[0], offsets[0], size, reach),
@@ -95,14 +100,15 @@ namespace detail {
 }  // namespace detail
 
 /// Cascades that hold a point of the world.
-/// @param rotation          rotation from the world to the light's axes
-/// @param scales, offsets   one column per cascade, as for cascade_place. Four of each
-/// @param anchor            xyz: position that is subtracted from the point's
-/// @param blending          as for next_cascade_weight
-/// @param terms             size of a map and reach of the filter, texels
-/// @param world             position of the point
-/// @return                  (number of the first one, weight of the next). In no cascade: (4, 0)
-/// @exactness               C, n = 38: as cascade_edge, of a rotated vector
+/// @param rotation   rotation from the world to the light's axes
+/// @param scales     scales of four cascades, one a column, as for cascade_place
+/// @param offsets    their offsets, likewise
+/// @param anchor     xyz: position that is subtracted from the point's
+/// @param blending   as for next_cascade_weight
+/// @param terms      size of a map and reach of the filter, texels
+/// @param world      position of the point
+/// @return           (number of the first one, weight of the next). In no cascade: (4, 0)
+/// @exactness        C, n = 38: as cascade_edge, of a rotated vector
 [[nodiscard]] UMBRAGE_INLINE inline glm::vec2 cascaded_maps_choice(const glm::mat4& rotation, const glm::mat4& scales,
                                                                    const glm::mat4& offsets, const glm::vec4& anchor,
                                                                    const glm::vec4& blending, const shadow_terms& terms,

@@ -22,12 +22,13 @@
 namespace umbrage {
 
 /// Place of a point in one cascade.
-/// @param light           the point, rotated into the light's axes
-/// @param across          its normal, rotated likewise
-/// @param scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
-/// @param number          number of the cascade. Above `last` the place is outside all maps, where filters are lit
-/// @param last            number of the last cascade
-/// @exactness             C, n = 14: as cascade_slope. S of each
+/// @param light    the point, rotated into the light's axes
+/// @param across   its normal, rotated likewise
+/// @param scale    scale of the cascade. w: slack of a plane in texels of slope
+/// @param offset   its offset. w: slack of a plane in depth
+/// @param number   number of the cascade. Above `last` the place is outside all maps, where filters are lit
+/// @param last     number of the last cascade
+/// @exactness      C, n = 14: as cascade_slope. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place cascade_place(glm::vec3 light, glm::vec3 across, const glm::vec4& scale,
                                                             const glm::vec4& offset, float number, float last) {
     glm::vec3 at = cascade_coordinate(light, scale, offset);
@@ -38,9 +39,15 @@ namespace umbrage {
 }
 
 /// Place of a point of the world in one of up to four cascades.
-/// @param normal   normal of the point's surface; the others as for cascaded_maps_choice
-/// @param number   as for cascade_place
-/// @exactness      C, n = 38: as cascade_place, of rotated vectors
+/// @param rotation   rotation from the world to the light's axes
+/// @param scales     scales of four cascades, one a column, as for cascade_place
+/// @param offsets    their offsets, likewise
+/// @param anchor     xyz: position that is subtracted from the point's
+/// @param blending   y: number of the last cascade
+/// @param world      position of the point
+/// @param normal     normal of its surface
+/// @param number     as for cascade_place
+/// @exactness        C, n = 38: as cascade_place, of rotated vectors
 [[nodiscard]] UMBRAGE_INLINE inline map_place cascaded_maps_place(const glm::mat4& rotation, const glm::mat4& scales,
                                                                   const glm::mat4& offsets, const glm::vec4& anchor,
                                                                   const glm::vec4& blending, const shadow_terms&,
