@@ -24128,14 +24128,15 @@ inline constexpr const snippet* anchored_map_snippets[]{&anchored_vertex, &ancho
 namespace umbrage {
 
 /// Distance of a point beyond the part of a cascade's map in which a filter stays inside the map.
-/// @param light           the point, rotated into the light's axes
-/// @param scale, offset   those of the cascade, as for cascade_coordinate
-/// @param size            size of the map, in texels
-/// @param reach           filter radius, in texels
-/// @return                texels, at most 0 inside that part. 65536 for a depth outside [0, 1], and for NaN there
-/// @edge                  a NaN in x or y alone: either NaN or the other one's distance. A NaN position has NaN in all
-/// @formula               max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
-/// @exactness             C, n = 13
+/// @param light    the point, rotated into the light's axes
+/// @param scale    scale of the cascade, as for cascade_coordinate
+/// @param offset   its offset
+/// @param size     size of the map, in texels
+/// @param reach    filter radius, in texels
+/// @return         texels, at most 0 inside that part. 65536 for a depth outside [0, 1], and for NaN there
+/// @edge           a NaN in x or y alone: either NaN or the other one's distance. A NaN position has NaN in all
+/// @formula        max(|x - size.x / 2| - (size.x / 2 - reach), the same of y)
+/// @exactness      C, n = 13
 [[nodiscard]] UMBRAGE_INLINE inline float cascade_edge(glm::vec3 light, const glm::vec4& scale, const glm::vec4& offset,
                                                        glm::vec2 size, float reach) {
     const glm::vec3 at = cascade_coordinate(light, scale, offset);
@@ -24146,8 +24147,12 @@ namespace umbrage {
 }
 
 /// cascade_edge of four cascades.
-/// @param scales, offsets   one column per cascade
-/// @exactness               C, n = 13, each
+/// @param light     the point, rotated into the light's axes
+/// @param scales    scales of the cascades, one a column
+/// @param offsets   their offsets, likewise
+/// @param size      size of the map, in texels
+/// @param reach     filter radius, in texels
+/// @exactness       C, n = 13, each
 [[nodiscard]] UMBRAGE_INLINE inline glm::vec4 cascade_edges(glm::vec3 light, const glm::mat4& scales,
                                                             const glm::mat4& offsets, glm::vec2 size, float reach) {
     return {cascade_edge(light, scales[0], offsets[0], size, reach),
@@ -24199,14 +24204,15 @@ namespace detail {
 }  // namespace detail
 
 /// Cascades that hold a point of the world.
-/// @param rotation          rotation from the world to the light's axes
-/// @param scales, offsets   one column per cascade, as for cascade_place. Four of each
-/// @param anchor            xyz: position that is subtracted from the point's
-/// @param blending          as for next_cascade_weight
-/// @param terms             size of a map and reach of the filter, texels
-/// @param world             position of the point
-/// @return                  (number of the first one, weight of the next). In no cascade: (4, 0)
-/// @exactness               C, n = 38: as cascade_edge, of a rotated vector
+/// @param rotation   rotation from the world to the light's axes
+/// @param scales     scales of four cascades, one a column, as for cascade_place
+/// @param offsets    their offsets, likewise
+/// @param anchor     xyz: position that is subtracted from the point's
+/// @param blending   as for next_cascade_weight
+/// @param terms      size of a map and reach of the filter, texels
+/// @param world      position of the point
+/// @return           (number of the first one, weight of the next). In no cascade: (4, 0)
+/// @exactness        C, n = 38: as cascade_edge, of a rotated vector
 [[nodiscard]] UMBRAGE_INLINE inline glm::vec2 cascaded_maps_choice(const glm::mat4& rotation, const glm::mat4& scales,
                                                                    const glm::mat4& offsets, const glm::vec4& anchor,
                                                                    const glm::vec4& blending, const shadow_terms& terms,
@@ -24387,12 +24393,13 @@ inline constexpr const snippet* cascade_choice_snippets[]{&cascade_edge,        
 namespace umbrage {
 
 /// Place of a point in one cascade.
-/// @param light           the point, rotated into the light's axes
-/// @param across          its normal, rotated likewise
-/// @param scale, offset   those of the cascade. w: slack of a plane in texels of slope, and in depth
-/// @param number          number of the cascade. Above `last` the place is outside all maps, where filters are lit
-/// @param last            number of the last cascade
-/// @exactness             C, n = 14: as cascade_slope. S of each
+/// @param light    the point, rotated into the light's axes
+/// @param across   its normal, rotated likewise
+/// @param scale    scale of the cascade. w: slack of a plane in texels of slope
+/// @param offset   its offset. w: slack of a plane in depth
+/// @param number   number of the cascade. Above `last` the place is outside all maps, where filters are lit
+/// @param last     number of the last cascade
+/// @exactness      C, n = 14: as cascade_slope. S of each
 [[nodiscard]] UMBRAGE_INLINE inline map_place cascade_place(glm::vec3 light, glm::vec3 across, const glm::vec4& scale,
                                                             const glm::vec4& offset, float number, float last) {
     glm::vec3 at = cascade_coordinate(light, scale, offset);
@@ -24403,9 +24410,15 @@ namespace umbrage {
 }
 
 /// Place of a point of the world in one of up to four cascades.
-/// @param normal   normal of the point's surface; the others as for cascaded_maps_choice
-/// @param number   as for cascade_place
-/// @exactness      C, n = 38: as cascade_place, of rotated vectors
+/// @param rotation   rotation from the world to the light's axes
+/// @param scales     scales of four cascades, one a column, as for cascade_place
+/// @param offsets    their offsets, likewise
+/// @param anchor     xyz: position that is subtracted from the point's
+/// @param blending   y: number of the last cascade
+/// @param world      position of the point
+/// @param normal     normal of its surface
+/// @param number     as for cascade_place
+/// @exactness        C, n = 38: as cascade_place, of rotated vectors
 [[nodiscard]] UMBRAGE_INLINE inline map_place cascaded_maps_place(const glm::mat4& rotation, const glm::mat4& scales,
                                                                   const glm::mat4& offsets, const glm::vec4& anchor,
                                                                   const glm::vec4& blending, const shadow_terms&,
@@ -29807,7 +29820,7 @@ public:
                 if constexpr (hardens)
                     detail::require(!clamps || !detail::has_clamped_casters(mesh, instances, light), "shadow::draw",
                                     "mesh", "behind the light's near plane, as contact hardening needs its distance",
-                                    "casters before it", "Give the fit its casters.");
+                                    "casters before it", "Give the fit its casters, or move the near plane.");
             }
         }
     }
@@ -30412,14 +30425,17 @@ struct shadow_slots {
 
 namespace detail {
 
-/// Refuses depth textures for texels of several channels, and comparison samplers where depths are needed.
+/// Refuses comparison samplers where depths are needed, and depth textures for moments and for several channels.
 template <class Filter, class Encoding>
 void require_texture(const binding& map, const Filter& filter) {
-    constexpr bool needs_depths = umbrage::detail::contact_hardening<Filter> || prefilter<Filter>;
-    umbrage::detail::require(!needs_depths || !compares(map.texture), "glsl::bind", "of.filter()",
-                             "one that needs no depths, as slots.map is a comparison sampler", filter.name);
-    if constexpr (!prefilter<Filter>) {
-        const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+    const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+    if constexpr (prefilter<Filter>) {
+        umbrage::detail::require(!of_depth && !compares(map.texture), "glsl::bind", "slots.map",
+                                 "a color texture, as the filter reads moments", name_of(map.texture));
+    } else {
+        umbrage::detail::require(!umbrage::detail::contact_hardening<Filter> || !compares(map.texture), "glsl::bind",
+                                 "of.filter()", "one that needs no depths, as slots.map is a comparison sampler",
+                                 filter.name);
         umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
                                  "depth32f, as slots.map is a comparison sampler", Encoding::name);
         umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",

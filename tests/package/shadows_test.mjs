@@ -71,6 +71,7 @@ for (const [options, message] of [
     [{ encoding: null }, 'encoding must be one of GLSL; got null'], [{ encoding: umbrage.wgsl.rg11 }, 'encoding must be one of GLSL; got rg11'],
     [{ encoding: rg11.reversed }, 'encoding must be rg11 itself, whose reversed depth comes of direction; got rg11.reversed'],
     [{ encoding: rg11.reversed, direction: 'reversed' }, 'encoding must be rg11 itself'], [{ filter: esm, encoding: rg11 }, 'encoding must be left out for a filter of moments'],
+    [{ filter: esm, map: 'depth' }, 'map must be a color texture for a filter of moments; got depth'],
     [{ filter: null }, 'filter must be one that a shadow takes'], [{ map: null }, 'map must be one of texture_2d, depth, shadow for this kind; got null'],
     [{ kind: cascades, map: 5 }, 'map must be one of atlas, '], [{ map_size: 2 ** 40 }, 'map_size must be whole texels from 1 to 2^24, or two of them; got 1099511627776'],
     [{ block: -1 }, 'block must be a whole number, 0 or above; got -1'], [{ texture: 1.5 }, 'texture must be a whole number, 0 or above; got 1.5'],

@@ -58,14 +58,17 @@ struct shadow_slots {
 
 namespace detail {
 
-/// Refuses depth textures for texels of several channels, and comparison samplers where depths are needed.
+/// Refuses comparison samplers where depths are needed, and depth textures for moments and for several channels.
 template <class Filter, class Encoding>
 void require_texture(const binding& map, const Filter& filter) {
-    constexpr bool needs_depths = umbrage::detail::contact_hardening<Filter> || prefilter<Filter>;
-    umbrage::detail::require(!needs_depths || !compares(map.texture), "glsl::bind", "of.filter()",
-                             "one that needs no depths, as slots.map is a comparison sampler", filter.name);
-    if constexpr (!prefilter<Filter>) {
-        const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+    const bool of_depth = map.texture == texture::depth || map.texture == texture::depth_array;
+    if constexpr (prefilter<Filter>) {
+        umbrage::detail::require(!of_depth && !compares(map.texture), "glsl::bind", "slots.map",
+                                 "a color texture, as the filter reads moments", name_of(map.texture));
+    } else {
+        umbrage::detail::require(!umbrage::detail::contact_hardening<Filter> || !compares(map.texture), "glsl::bind",
+                                 "of.filter()", "one that needs no depths, as slots.map is a comparison sampler",
+                                 filter.name);
         umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
                                  "depth32f, as slots.map is a comparison sampler", Encoding::name);
         umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",

@@ -199,7 +199,7 @@ public:
                 if constexpr (hardens)
                     detail::require(!clamps || !detail::has_clamped_casters(mesh, instances, light), "shadow::draw",
                                     "mesh", "behind the light's near plane, as contact hardening needs its distance",
-                                    "casters before it", "Give the fit its casters.");
+                                    "casters before it", "Give the fit its casters, or move the near plane.");
             }
         }
     }

@@ -44,6 +44,7 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
     const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow'), of_depth = compares || lies_in.startsWith('depth');
+    must(!is_moments || !of_depth, 'map must be a color texture for a filter of moments', lies_in);
     for (const [key, value] of Object.entries({ gather, derivatives })) must(typeof value === 'boolean', `${key} must be true or false`, value);
     must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
     must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);

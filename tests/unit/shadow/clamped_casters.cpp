@@ -71,7 +71,7 @@ TEST_CASE("clamped_casters: under contact hardening a depth pass refuses them") 
     const filters::pcss soft{.softness = make_penumbra_params(0.1f)};
     CHECK(draws(false, soft) ==
           "umbrage::shadow::draw: mesh must be behind the light's near plane, as contact hardening needs its distance; "
-          "got casters before it. Give the fit its casters.");
+          "got casters before it. Give the fit its casters, or move the near plane.");
     CHECK(draws(true, soft) == "accepted");
     CHECK(draws(false, filters::tent<3>) == "accepted");
 }

@@ -196,8 +196,10 @@ TEST_CASE("in_shader: bad input") {
           "umbrage::glsl::bind: of.encoding() must be depth32f, as slots.map is a comparison sampler; got \"r16\"");
     const std::string filter = "umbrage::glsl::bind: of.filter() must be one that needs no depths, as slots.map is a ";
     const shadow variance(shadow_scene::spot(cpu_clip_space), {64, 64}, prefilters::vsm{});
-    CHECK(refusal([&] { (void)bind(variance, "lamp", {.map = glsl::texture::shadow}); }) ==
-          filter + "comparison sampler; got \"vsm\"");
+    const std::string moments =
+        "umbrage::glsl::bind: slots.map must be a color texture, as the filter reads moments; got ";
+    CHECK(refusal([&] { (void)bind(variance, "lamp", {.map = glsl::texture::shadow}); }) == moments + "shadow");
+    CHECK(refusal([&] { (void)bind(variance, "lamp", {.map = glsl::texture::depth}); }) == moments + "depth");
     CHECK(refusal([&] {
               (void)bind(lamp_in_shader, "lamp", {.sampler = -1});
           }).starts_with("umbrage::glsl::bind: slots.sampler must be 0 or above; got -1"));
