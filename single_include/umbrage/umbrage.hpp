@@ -5840,8 +5840,8 @@ inline void require_softness(std::string_view function, const penumbra_params& s
 /// Parameters of penumbras for a shadow, which computes per_code for each of its maps.
 /// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
 ///                       under which it is seen; 0.00465 for the sun
-/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 hides the map's stair steps, 0
-///                       is a hard edge
+/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 leaves faint stair steps, 1.5
+///                       those of tent<3>, 0 is a hard edge
 /// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
 ///                       points, noise shows beyond about 16 texels
 /// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not
@@ -20951,7 +20951,8 @@ template <real T>
         const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
         box.z_near = (glm::min)(box.z_near, casters.low.z), box.z_far = (glm::max)(box.z_far, casters.high.z);
     } else if (fit.casters) {
-        const auto swept = sweep(points, around);
+        // of the whole map, also where no receiver is: contact hardening wants each caster of a map at its distance
+        const auto swept = sweep({low, {low.x, high.y, low.z}, {high.x, low.y, low.z}, high}, around);
         box.z_near = (glm::min)(box.z_near, nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = snapped(box, fit.snap_texels);
@@ -20970,8 +20971,8 @@ template <real T>
 
 /// Light space of the smallest box along the light that holds the receivers and their casters, with the margin around.
 ///
-/// Casters count if they lie in the volume that the receivers sweep towards the light. Other casters throw no shadow on
-/// the receivers, so they do not move the near plane. A sphere sweeps the volume of its bounding square.
+/// Casters count if they lie in the volume that the map's rectangle sweeps towards the light. Other casters throw no
+/// shadow on the receivers, so they do not move the near plane.
 ///
 /// With snap_texels the box takes the map's aspect ratio, so that texels are square, and grows by one texel. Its texels
 /// then lie on a grid fixed in the world while the receivers move. This holds as long as the receivers' extent keeps
@@ -23803,13 +23804,14 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
 }
 
-/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+/// Units of a map: those of a lens at a distance of 1 along its axis, where w may be of any scale, as a matrix times a
+/// number is the same map. Those of a warped map are of its middle.
 [[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
-    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
-    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+    const glm::dvec3 anchor = anchor_of(m, map_size);
+    return units_at(m, is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor);
 }
 
-/// Depth of a texel's width along the light, where w is 1. It covers what a map's texels miss of a concave edge.
+/// Depth of a texel's width along the light, at map_units. It covers what a map's texels miss of a concave edge.
 [[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec2 units = map_units(m, map_size);
     return units.x * units.y;
@@ -23840,8 +23842,8 @@ inline constexpr double grazing = 0.125;
 /// @param away           distance of the anchor from the origin of positions
 /// @param extent         size of what the light covers
 inline void require_digits(double away, double extent) {
-    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
-            "Pass an origin near it.");
+    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin",
+            away / extent, "Pass an origin near it.");
 }
 
 /// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its
@@ -24987,15 +24989,15 @@ struct paraboloid_maps {
     }
     /// @throws std::invalid_argument  a filter's reach above the border
     void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
-    /// @throws std::invalid_argument  a map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's; an origin farther than 2048 times its range
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
-        const double inner = light.map_size - 2 * light.border;
+        const double inner = light.map_size - 2 * light.border, away = glm::length(light.position - origin);
+        detail::require_digits(away, light.range);
         const bool forward = light.clip.direction == depth_direction::forward;
         return {glm::vec4(glm::dvec4(light.position - origin, (forward ? 1.0 : -1.0) / light.range)),
                 glm::vec4(glm::dvec4(inner, light.border, 2.0 / (light.range * inner), forward ? 0.0 : 1.0)),
-                glm::vec4(detail::one_rounding * (12.0 + 3.0 * glm::length(light.position - origin) / light.range), 0,
-                          0, 0)};
+                glm::vec4(detail::one_rounding * (12.0 + 3.0 * away / light.range), 0, 0, 0)};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,
@@ -30437,7 +30439,7 @@ void require_texture(const binding& map, const Filter& filter) {
                                  "of.filter()", "one that needs no depths, as slots.map is a comparison sampler",
                                  filter.name);
         umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
-                                 "depth32f, as slots.map is a comparison sampler", Encoding::name);
+                                 "depth32f, depth24 or depth16, as slots.map is a comparison sampler", Encoding::name);
         umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",
                                  "of one channel, as slots.map is a depth texture", Encoding::name);
     }

@@ -84,7 +84,8 @@ template <real T>
         const auto casters = extent_of(seen(frame, hull(*fit.casters).points));
         box.z_near = (glm::min)(box.z_near, casters.low.z), box.z_far = (glm::max)(box.z_far, casters.high.z);
     } else if (fit.casters) {
-        const auto swept = sweep(points, around);
+        // of the whole map, also where no receiver is: contact hardening wants each caster of a map at its distance
+        const auto swept = sweep({low, {low.x, high.y, low.z}, {high.x, low.y, low.z}, high}, around);
         box.z_near = (glm::min)(box.z_near, nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = snapped(box, fit.snap_texels);
@@ -103,8 +104,8 @@ template <real T>
 
 /// Light space of the smallest box along the light that holds the receivers and their casters, with the margin around.
 ///
-/// Casters count if they lie in the volume that the receivers sweep towards the light. Other casters throw no shadow on
-/// the receivers, so they do not move the near plane. A sphere sweeps the volume of its bounding square.
+/// Casters count if they lie in the volume that the map's rectangle sweeps towards the light. Other casters throw no
+/// shadow on the receivers, so they do not move the near plane.
 ///
 /// With snap_texels the box takes the map's aspect ratio, so that texels are square, and grows by one texel. Its texels
 /// then lie on a grid fixed in the world while the receivers move. This holds as long as the receivers' extent keeps

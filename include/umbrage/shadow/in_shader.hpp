@@ -70,7 +70,7 @@ void require_texture(const binding& map, const Filter& filter) {
                                  "of.filter()", "one that needs no depths, as slots.map is a comparison sampler",
                                  filter.name);
         umbrage::detail::require(!compares(map.texture) || map.depth.empty(), "glsl::bind", "of.encoding()",
-                                 "depth32f, as slots.map is a comparison sampler", Encoding::name);
+                                 "depth32f, depth24 or depth16, as slots.map is a comparison sampler", Encoding::name);
         umbrage::detail::require(!of_depth || map.channels == 1, "glsl::bind", "of.encoding()",
                                  "of one channel, as slots.map is a depth texture", Encoding::name);
     }

@@ -98,13 +98,14 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
 }
 
-/// Units of a map, as make_light_units has them: for w = 1. Those of a warped map are of its middle.
+/// Units of a map: those of a lens at a distance of 1 along its axis, where w may be of any scale, as a matrix times a
+/// number is the same map. Those of a warped map are of its middle.
 [[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
-    const glm::dvec3 anchor = anchor_of(m, map_size), axis = row_of(m, 3);
-    return units_at(m, is_lens(m) ? anchor + axis / glm::dot(axis, axis) : anchor);
+    const glm::dvec3 anchor = anchor_of(m, map_size);
+    return units_at(m, is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor);
 }
 
-/// Depth of a texel's width along the light, where w is 1. It covers what a map's texels miss of a concave edge.
+/// Depth of a texel's width along the light, at map_units. It covers what a map's texels miss of a concave edge.
 [[nodiscard]] inline double width_in_depth(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec2 units = map_units(m, map_size);
     return units.x * units.y;
@@ -135,8 +136,8 @@ inline constexpr double grazing = 0.125;
 /// @param away           distance of the anchor from the origin of positions
 /// @param extent         size of what the light covers
 inline void require_digits(double away, double extent) {
-    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin", away,
-            "Pass an origin near it.");
+    require(!(away > 2048.0 * extent), "shadow", "light", "within 2048 times its extent of the positions' origin",
+            away / extent, "Pass an origin near it.");
 }
 
 /// Bound of rounding in a map, for anchored_place. It adds the bound for a receiver to that for the vertices of its

@@ -171,15 +171,15 @@ struct paraboloid_maps {
     }
     /// @throws std::invalid_argument  a filter's reach above the border
     void require_reach(float reach) const { detail::require_reach("shadow", "light.border", light.border, reach); }
-    /// @throws std::invalid_argument  a map_size other than the light's
+    /// @throws std::invalid_argument  a map_size other than the light's; an origin farther than 2048 times its range
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         detail::require_size(map_size, glm::ivec2(light.map_size), "shadow", "map_size", "the paraboloid light's");
-        const double inner = light.map_size - 2 * light.border;
+        const double inner = light.map_size - 2 * light.border, away = glm::length(light.position - origin);
+        detail::require_digits(away, light.range);
         const bool forward = light.clip.direction == depth_direction::forward;
         return {glm::vec4(glm::dvec4(light.position - origin, (forward ? 1.0 : -1.0) / light.range)),
                 glm::vec4(glm::dvec4(inner, light.border, 2.0 / (light.range * inner), forward ? 0.0 : 1.0)),
-                glm::vec4(detail::one_rounding * (12.0 + 3.0 * glm::length(light.position - origin) / light.range), 0,
-                          0, 0)};
+                glm::vec4(detail::one_rounding * (12.0 + 3.0 * away / light.range), 0, 0, 0)};
     }
 
     [[nodiscard]] UMBRAGE_INLINE static std::array<map_place, 1> places(const uniforms& u, const shadow_terms& terms,

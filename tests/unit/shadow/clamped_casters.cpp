@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/directional_fit.hpp>
+#include <umbrage/shadow/cascaded_maps.hpp>
 #include <umbrage/shadow/clamped_casters.hpp>
 #include <umbrage/shadow/shadow.hpp>
 
@@ -74,4 +78,43 @@ TEST_CASE("clamped_casters: under contact hardening a depth pass refuses them") 
           "got casters before it. Give the fit its casters, or move the near plane.");
     CHECK(draws(true, soft) == "accepted");
     CHECK(draws(false, filters::tent<3>) == "accepted");
+}
+
+TEST_CASE("clamped_casters: none where a fit got all casters, whichever way the camera looks") {
+    const bounding_box<float> scene{{-10, 0, -10}, {10, 20, 10}}, ground{{-10, 0, -10}, {10, 1, 10}};
+    std::vector<glm::vec3> positions;  // of thin masts
+    std::vector<glm::uvec3> triangles;
+    for (float x = -9; x <= 9; ++x)
+        for (float z = -9; z <= 9; ++z) {
+            const auto n = glm::uint(positions.size());
+            positions.insert(positions.end(), {{x - 0.05f, 0, z}, {x + 0.05f, 0, z}, {x, 20, z}});
+            triangles.push_back({n, n + 1, n + 2});
+        }
+    const filters::pcss soft{.softness = make_penumbra_params(0.02f)};
+    const auto draws = [&](const auto& light) {
+        const shadow s(light, {64, 64}, soft);
+        image<float> map(s.size(), s.cleared());
+        return refusal([&] { s.draw(map, {positions, triangles}); });
+    };
+    for (float angle = 0; angle < 6.2f; angle += 0.1f) {
+        CAPTURE(angle);
+        const glm::vec3 direction(-1, -1, 0.6f), ahead(std::cos(angle), -0.3f, std::sin(angle));
+        const frustum<float> camera{.position = {0, 2, 0},
+                                    .direction = ahead,
+                                    .tan_half_x = 0.5f,
+                                    .tan_half_y = 0.3f,
+                                    .z_near = 0.2f,
+                                    .z_far = 12};
+        CHECK(draws(fit_directional_light<float>({.direction = direction,
+                                                  .receivers = intersection(camera, ground),
+                                                  .casters = scene,
+                                                  .clip = cpu_clip_space})) == "accepted");
+        CHECK(draws(make_tight_cascades<3>({.camera = camera,
+                                            .direction = direction,
+                                            .scene = scene,
+                                            .map_size = {64, 64},
+                                            .margin = 15,
+                                            .clip = cpu_clip_space},
+                                           std::array<float, 4>{0.2f, 2, 5, 12})) == "accepted");
+    }
 }

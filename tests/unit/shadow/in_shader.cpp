@@ -188,12 +188,14 @@ TEST_CASE("in_shader: bad input") {
                   "umbrage::glsl::bind: slots.map must be atlas, array, depth_array or shadow_array, as the shadow has "
                   "several maps; got texture_2d"));
     CHECK(refusal([&] { (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::shadow}); }) ==
-          "umbrage::glsl::bind: of.encoding() must be depth32f, as slots.map is a comparison sampler; got \"rg11\"");
+          "umbrage::glsl::bind: of.encoding() must be depth32f, depth24 or depth16, as slots.map is a comparison "
+          "sampler; got \"rg11\"");
     CHECK(refusal([&] { (void)bind(lamp_in_shader, "lamp", {.map = glsl::texture::depth}); }) ==
           "umbrage::glsl::bind: of.encoding() must be of one channel, as slots.map is a depth texture; got \"rg11\"");
     const shadow r16_map(shadow_scene::spot(cpu_clip_space), {64, 64}, filters::hard{}, r16{});
     CHECK(refusal([&] { (void)bind(r16_map, "lamp", {.map = glsl::texture::shadow}); }) ==
-          "umbrage::glsl::bind: of.encoding() must be depth32f, as slots.map is a comparison sampler; got \"r16\"");
+          "umbrage::glsl::bind: of.encoding() must be depth32f, depth24 or depth16, as slots.map is a comparison "
+          "sampler; got \"r16\"");
     const std::string filter = "umbrage::glsl::bind: of.filter() must be one that needs no depths, as slots.map is a ";
     const shadow variance(shadow_scene::spot(cpu_clip_space), {64, 64}, prefilters::vsm{});
     const std::string moments =

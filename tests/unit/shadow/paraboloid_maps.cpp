@@ -42,6 +42,18 @@ TEST_CASE("paraboloid_maps: maps have the light's size") {
                          std::invalid_argument);
 }
 
+TEST_CASE("paraboloid_maps: where no digits are left, the light is refused by name") {
+    const auto at = [](float away) {
+        return shadow(dual_paraboloid_light<float>{.position = {away, 3, 0}, .range = 20, .clip = cpu_clip_space},
+                      glm::ivec2(dual_paraboloid_light<float>{}.map_size), filters::hard{});
+    };
+    CHECK_NOTHROW(static_cast<void>(at(4e4f)));
+    CHECK_THROWS_AS(static_cast<void>(at(5e4f)), std::invalid_argument);
+    CHECK_NOTHROW(static_cast<void>(shadow(
+        dual_paraboloid_light<double>{.position = {5e7, 3, 0}, .range = 20, .clip = cpu_clip_space},
+        glm::ivec2(dual_paraboloid_light<double>{}.map_size), filters::hard{}, depth32f{}, glm::dvec3(5e7, 0, 0))));
+}
+
 TEST_CASE("paraboloid_maps: a border as wide as the filter reaches, and no narrower one") {
     const dual_paraboloid_light<float> bulb{.map_size = 64, .clip = cpu_clip_space};
     shadow_borders::check_need(bulb, shadow_borders::in_square(64));

@@ -150,6 +150,27 @@ TEST_CASE("softness: a lamp's penumbras have the width of its radius") {
     CHECK(bulb.uniforms().terms.filter_terms.x == bulb.filter_of(0).softness.per_code);
 }
 
+TEST_CASE("softness: a light's matrices times a number are the same light") {
+    const filters::pcss filter{.softness = make_penumbra_params(0.2f)};
+    const auto of = [&](const light_space<float>& light) {
+        return shadow(light, {256, 256}, filter).filter_of(0).softness.per_code;
+    };
+    const auto spot = make_spot_light<float>(
+        {.position = {2, 6, 3}, .direction = {-2, -6, -3}, .z_near = 0.5f, .z_far = 40, .clip = vulkan_clip_space});
+    const float right = of(spot);
+    CHECK(right > 0);
+    for (const float scale : {0.01f, 0.125f, 100.0f}) {
+        auto scaled = spot;
+        scaled.projection *= scale;
+        CHECK(of(scaled) == right);
+        scaled = spot;  // a view that scales, with the planes of its projection
+        scaled.view = glm::mat4(glm::mat3(scale)) * spot.view;
+        scaled.view[3] = glm::vec4(glm::vec3(spot.view[3]) * scale, 1);
+        scaled.projection[3][2] *= scale;
+        CHECK(of(scaled) == right);
+    }
+}
+
 TEST_CASE("softness: an origin changes none") {
     const auto fit = walk(cpu_clip_space);
     const shadow sun(make_stable_cascades<4>(fit, std::array<float, 5>{0.5f, 4, 12, 32, 80}), fit.map_size,

@@ -79,8 +79,8 @@ inline void require_softness(std::string_view function, const penumbra_params& s
 /// Parameters of penumbras for a shadow, which computes per_code for each of its maps.
 /// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
 ///                       under which it is seen; 0.00465 for the sun
-/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 hides the map's stair steps, 0
-///                       is a hard edge
+/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 leaves faint stair steps, 1.5
+///                       those of tent<3>, 0 is a hard edge
 /// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
 ///                       points, noise shows beyond about 16 texels
 /// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not

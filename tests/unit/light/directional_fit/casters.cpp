@@ -69,7 +69,7 @@ TEST_CASE("fit_directional_light: holds every receiver and every caster on a rec
     CHECK(cast > 2000);
 }
 
-TEST_CASE("fit_directional_light: no larger than the linear programme over receivers and ways says it has to be") {
+TEST_CASE("fit_directional_light: no larger than linear programmes over receivers and casters say it has to be") {
     std::mt19937 random(6);
     int pulled = 0, kept = 0;
     for (int i = 0; i < 200; ++i) {
@@ -93,14 +93,15 @@ TEST_CASE("fit_directional_light: no larger than the linear programme over recei
             low[k] = receivers.least({row.x, row.y, row.z}).value();
             high[k] = -receivers.least({-row.x, -row.y, -row.z}).value();
         }
-        // a receiver, and how far before it the light meets a caster
-        bodies::programme<4> ways;
-        bodies::inside(ways, camera);
-        bodies::inside(ways, scene);
-        bodies::inside(ways, above, -direction);
-        for (std::size_t k = 0; k < 12; ++k) ways.constraints[k].a[3] = 0;
-        ways.constraints.push_back({{0, 0, 0, 1}, 0});
-        const std::optional<double> nearest = ways.least({direction.x, direction.y, direction.z, -1});
+        // a caster over the map's rectangle
+        bodies::programme<3> casters;
+        bodies::inside(casters, above);
+        for (int k = 0; k < 2; ++k) {
+            const double x = frame[0][k], y = frame[1][k], z = frame[2][k];
+            casters.constraints.push_back({{x, y, z}, -low[k]});
+            casters.constraints.push_back({{-x, -y, -z}, high[k]});
+        }
+        const std::optional<double> nearest = casters.least({direction.x, direction.y, direction.z});
         if (nearest && *nearest < low.z) low.z = *nearest, ++pulled;
         else ++kept;
 
