@@ -2,9 +2,9 @@
 //
 //     import { load_values, webgpu_clip_space } from 'umbrage/values';
 //     const values = await load_values();
-//     const { block, matrices } = values(sun, { clip: webgpu_clip_space, direction: [-2, -6, -3], receivers });
+//     const { block, views } = values(lamp, { clip: webgpu_clip_space, position: [2, 6, 3], direction: [-2, -6, -3] });
 //
-// It is the C++ library itself, as WebAssembly, of about 200 kB.
+// It is the C++ library itself, as WebAssembly, of about 250 kB.
 import { must_be_clip_space, must_in } from './npm/compose/check.mjs';
 import { encodings, filters, kinds } from './module/names.mjs';
 
@@ -141,11 +141,12 @@ export async function load_values() {
         try {
             floats = c.umbrage_values(kinds.indexOf(settings.kind), filters.indexOf(settings.filter.name), encodings.indexOf(settings.encoding));
         } finally { c.stackRestore(stack); }
-        const at = c.umbrage_output(), all = new Float32Array(memory().buffer, at, floats + 36 * c.umbrage_maps()).slice();
-        const maps = [...Array(c.umbrage_maps()).keys()], views = all.subarray(floats + 16 * maps.length);
+        const maps = [...Array(c.umbrage_maps()).keys()], moments = c.umbrage_moments(), end = floats + 36 * maps.length;
+        const all = new Float32Array(memory().buffer, c.umbrage_output(), end + moments).slice(), views = all.subarray(floats + 16 * maps.length);
         const bends = settings.kind === 'dual_paraboloid_light';
         return { block: all.slice(0, floats), ...bends && { edge_angle: edge_angle_of(settings.map_size, whole) },
             matrices: bends ? [] : maps.map(i => all.slice(floats + 16 * i, floats + 16 * i + 16)),
+            cleared: moments ? [...all.subarray(end), 0, 0, 0].slice(0, 4) : shadow.cleared,
             views: maps.map(i => ({ to_clip: views.slice(20 * i, 20 * i + 16), anchor: views.slice(20 * i + 16, 20 * i + 20) })) };
     };
 }

@@ -156,7 +156,7 @@ export interface ShadowOf<L extends Language> extends BoundOf<L> {
      *  umbrage/values. Directional lights move casters nearer than the near plane onto it. Paraboloids take the map's number,
      *  too. The clip space is one of umbrage/values. */
     vertex_pass(clip: { readonly direction: 'forward' | 'reversed'; readonly range: 'zero_to_one' | 'minus_one_to_one' }): BoundOf<L>;
-    /** What the target is cleared to; of moments, for the filter's default arguments. */
+    /** What the target is cleared to; of moments, for the filter's default arguments. `values` gives it for others. */
     readonly cleared: readonly number[];
     /** Of the texture: its size and layers, and how many maps lie beside each other and in rows in each layer. */
     readonly target: {

@@ -41,6 +41,13 @@ for await (const line of createInterface({ input: createReadStream(expected) }))
 }
 for (const key in counts) console.log(`${counts[key]} cases that call ${key}: at most ${worst[key]} off`);
 
+// The empty texel follows the filter's arguments, where a map holds moments.
+for (const [filter, argument, wanted] of [['evsm4', { exponents: [42, 12] }, [2 ** 42, 2 ** 84, -(2 ** -12), 2 ** -24]], ['esm', { exponent: 60 }, [2 ** 60, 0, 0, 0]],
+    ['evsm2', { exponent: 55 }, [2 ** 55, 2 ** 110, 0, 0]], ['evsm4', {}, [2 ** 40, 2 ** 80, -(2 ** -8), 2 ** -16]], ['tent3', {}, [1, 0, 0, 0]]]) {
+    const { cleared } = values(shadow('a', { kind: umbrage.spot_light, filter: umbrage[filter], map_size: 64 }), { clip: clips.opengl_clip_space, filter: argument });
+    if (cleared.join() !== wanted.join() && ++failed) console.log(`FAILED: ${filter} is cleared to ${cleared}, not ${wanted}`);
+}
+
 // Errors come as the library words them, and leave it able to go on.
 const spot = shadow('a', { kind: umbrage.spot_light, filter: umbrage.tent3, map_size: 64 }), clip = clips.opengl_clip_space;
 const before = values(spot, { clip }).block.join();

@@ -46,6 +46,9 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     const layers = lies_in.includes('array'), compares = lies_in.startsWith('shadow'), of_depth = compares || lies_in.startsWith('depth');
     must(!is_moments || !of_depth, 'map must be a color texture for a filter of moments', lies_in);
     for (const [key, value] of Object.entries({ gather, derivatives })) must(typeof value === 'boolean', `${key} must be true or false`, value);
+    must(!compares || is_moments || !encoding.depth, 'encoding must be depth32f, depth24 or depth16, as map is a comparison sampler', encoding.name);
+    must(!of_depth || is_moments || encoding.channels === 1, 'encoding must be of one channel, as map is a depth texture', encoding.name);
+    must(!hardens || !compares, 'filter must be one that needs no depths, as map is a comparison sampler', filter.name);
     must(!gather || !compares, 'gather must be false where map is a comparison sampler', gather);
     must(!gather || calls_hook(filter, ['lit_2x2']), 'filter must be pcf_2x2 or a kernel, as gather is true', filter.name);
     if (linear !== undefined) {

@@ -21,15 +21,19 @@ float* umbrage_seen(int count) {
 }
 float* umbrage_output() { return output.data(); }
 
-/// @return   floats of the block; 16 of the matrix of each map follow it, then 20 of each map's view
-static int maps = 0;
+static int maps = 0, moments = 0;
 int umbrage_maps() { return maps; }
+/// Floats of the empty texel of a map of moments; 0 of depths.
+int umbrage_moments() { return moments; }
+/// @return   floats of the block; 16 of the matrix of each map follow it, then 20 of each map's view, and the moments
 int umbrage_values(int kind, int filter, int encoding) {
     umbrage::set_error_handler(umbrage_fail);
     const package::answered all = package::values(kind, filter, encoding, input, seen);
     output = all.block;
-    for (const auto* part : {&all.matrices, &all.views}) output.insert(output.end(), part->begin(), part->end());
+    for (const auto* part : {&all.matrices, &all.views, &all.cleared})
+        output.insert(output.end(), part->begin(), part->end());
     maps = static_cast<int>(all.views.size() / 20);
+    moments = static_cast<int>(all.cleared.size());
     return static_cast<int>(all.block.size());
 }
 }

@@ -67,9 +67,10 @@ struct seen_point {
     glm::vec4 normal;    ///< on the camera's side, of length one
 };
 
-/// Output: floats of the block, then a matrix for each map's depth pass, from the world to clip coordinates.
+/// Output: floats of the block, then a matrix for each map's depth pass, from the world to clip coordinates, and what
+/// vertex passes take. Last the empty texel of a map of moments; none of depths.
 struct answered {
-    std::vector<float> block, matrices, views;
+    std::vector<float> block, matrices, views, cleared;
 };
 
 namespace detail {
@@ -279,10 +280,15 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
         for (const depth_view& view : umbrage::detail::depth_views_of(setup, a.origin)) append(out.views, view);
     });
     const decoding_error off = detail::error_of(encoding, clip.direction);
-    detail::with_filter_of(filter, a.arguments, [&](const auto& f) {
+    detail::with_filter_of(filter, a.arguments, [&]<class Filter>(const Filter& f) {
         shadow_terms terms = umbrage::detail::make_shadow_terms(map_size, f, off, clip, bends);
         if (light_size > 0) terms.filter_terms.x = per_code;
         append(out.block, terms);
+        if constexpr (prefilter<Filter>) {
+            Filter of_map = f;
+            of_map.direction = clip.direction;
+            append(out.cleared, of_map.encode(cleared_depth(clip.direction)));
+        }
     });
     umbrage::detail::require_finite_uniforms(out.block);
     return out;

@@ -26,7 +26,7 @@ execFileSync('emcc', ['-Oz', '-std=c++20', '-fno-exceptions', '-fno-rtti', '-ffp
     '-isystem', work, join(root, 'single_include/npm/source/values.cpp'), '-o', out, '--no-entry', '-sSTANDALONE_WASM=1',
     '-sERROR_ON_UNDEFINED_SYMBOLS=0', '-sWARN_ON_UNDEFINED_SYMBOLS=0', '-sALLOW_MEMORY_GROWTH=1',
     '-sINITIAL_MEMORY=1048576', '-sTOTAL_STACK=262144',
-    '-sEXPORTED_FUNCTIONS=_umbrage_input,_umbrage_seen,_umbrage_output,_umbrage_values,_umbrage_maps'], { env, stdio: 'inherit' });
+    '-sEXPORTED_FUNCTIONS=_umbrage_input,_umbrage_seen,_umbrage_output,_umbrage_values,_umbrage_maps,_umbrage_moments'], { env, stdio: 'inherit' });
 const lines = readFileSync(out).toString('base64').match(/.{1,120}/g).join('\n');
 const text = `// WebAssembly of single_include/npm/source/values.cpp, in base64, by emscripten ${known}.\nexport const wasm = \`\n${lines}\n\`;\n`;
 const path = join(folder, 'wasm/umbrage.mjs');

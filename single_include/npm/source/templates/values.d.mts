@@ -29,7 +29,16 @@ interface OfAll {
     filter?: Readonly<Record<string, number | readonly number[]>>;
 }
 export interface SpotLight extends OfAll {
-    position?: Vector; direction?: Vector; up?: Vector; outer_angle_radians?: number; aspect?: number; z_near?: number; z_far?: number;
+    position?: Vector;
+    /** The way that light travels, of any length. */
+    direction?: Vector;
+    up?: Vector;
+    /** Half the cone's angle, at most 1.5. */
+    outer_angle_radians?: number;
+    /** Width / height of the map, 1 by default: makes texels square. Under contact hardening penumbras need that. */
+    aspect?: number;
+    z_near?: number;
+    z_far?: number;
 }
 export interface DirectionalLight extends OfAll {
     direction?: Vector;
@@ -40,7 +49,7 @@ export interface DirectionalLight extends OfAll {
     casters?: Box | null;
     /** On every side, as a share of the receivers' diameter. */
     margin?: number;
-    /** Texels stay where they are while the receivers move. */
+    /** Texels are squares of the world, and stay where they are while the receivers move. */
     snap?: boolean;
 }
 export interface Cascades extends OfAll {
@@ -107,6 +116,8 @@ export interface Values {
     /** For each map, what the function of `vertex_pass` takes: umbrage_vertex_<name>(to_clip, world, anchor). It keeps its
      *  digits far from the origin. */
     views: { to_clip: Float32Array, anchor: Float32Array }[];
+    /** What the depth pass' target is cleared to: `cleared` of the shadow, but for moments with the arguments given here. */
+    cleared: readonly number[];
     /** For each map: world, less the origin, to clip space, for vertex shaders of your own near the origin. Dual paraboloids
      *  bend lines, so they have none. */
     matrices: Float32Array[];
