@@ -212,7 +212,8 @@ export function fit_cube({ position, receivers, casters, view, size, reach: [tex
     // from the light to the box around a solid; 0 inside
     const gap = one => Math.max(...[0, 1, 2].map(axis => Math.max(0,
         smallest(one, p => p[axis]) - position[axis], position[axis] - largest(one, p => p[axis]))));
-    const found = planes(smallest([...casters, ...receivers], gap), farthest);
+    // receivers before the near plane are lit, as no caster is nearer
+    const found = planes(smallest(casters.length ? casters : receivers, gap), farthest);
     const texel = 2 / size, r = (texels + snapping) * texel + moved * radial / farthest;
     const magnitude = largest([...receivers.flat(), ...casters.flat(), position], longest);
     const offset = perspective_offset(r, farthest, found, Math.sqrt(3), depth_error) + magnitude * roundings;

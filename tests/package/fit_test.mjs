@@ -131,6 +131,16 @@ for (const [n, kind] of ['DirectionalLight', 'SpotLight', 'PointLight'].entries(
     check('but for a spot that projects a picture', spot.shadow.focus === 1);
     const inside = fit_shadow(new THREE.PointLight(), { receivers: held });
     check('a light inside a caster says that it is cut', inside.casters_are_cut && inside.near > 0);
+    const scene = new THREE.Scene(), floor_mesh = new THREE.Mesh(new THREE.PlaneGeometry(20, 20)), box = new THREE.Mesh(new THREE.BoxGeometry());
+    const lamp = new THREE.PointLight(), turned = new THREE.Group().add(floor_mesh, box, lamp);
+    floor_mesh.rotation.x = -Math.PI / 2;
+    floor_mesh.receiveShadow = box.castShadow = lamp.castShadow = true;
+    box.position.y = 0.5;
+    lamp.position.y = 3;
+    turned.rotation.set(0.5, 0.5, 0);  // the box around the floor now holds the lamp
+    scene.add(turned);
+    const above = fit_shadow(lamp, { receivers: scene });
+    check(`a receiver around a light is no caster: near ${above.near}`, !above.casters_are_cut && above.near > 1);
 }
 
 function floor_camera() {
