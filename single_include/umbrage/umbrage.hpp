@@ -21027,7 +21027,7 @@ struct cascade_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the maps; keep it constant, maps rotate with it
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers. Without the sky
     glm::ivec2 map_size{1024};                     ///< size of each map, texels; the shadow's too
-    T margin = T(2);                               ///< border around the slice, texels: the filter's reach
+    T margin = T(2);                               ///< texels around the slice: the filter's reach, and a last fade
     T overlap = T(0);                              ///< fraction of a cascade that the next one also covers, 0 to 1
     clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
@@ -26445,6 +26445,7 @@ template <class Setup, class Filter, class Encoding>
 
 // ---- umbrage/shadow/softness.hpp
 // Contact hardening in a light's maps: each map has its own softness, so that penumbras have one width in the world.
+// It belongs to the longer edge of a texel. Across it penumbras are narrower, by the ratio of the edges.
 //
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
@@ -29902,6 +29903,7 @@ public:
 
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
+    /// Both are along the longer edge of a texel. Across it a penumbra is narrower, by the ratio of the edges.
     /// @return   narrowest and widest, world units. Outside all maps: 0
     /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,

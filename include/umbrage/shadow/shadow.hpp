@@ -279,6 +279,7 @@ public:
 
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
+    /// Both are along the longer edge of a texel. Across it a penumbra is narrower, by the ratio of the edges.
     /// @return   narrowest and widest, world units. Outside all maps: 0
     /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Contact hardening in a light's maps: each map has its own softness, so that penumbras have one width in the world.
+// It belongs to the longer edge of a texel. Across it penumbras are narrower, by the ratio of the edges.
 //
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);

@@ -49,7 +49,7 @@ struct cascade_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};           ///< up axis of the maps; keep it constant, maps rotate with it
     bounding_box<T> scene = detail::unset_box<T>;  ///< required: bounds of all casters and receivers. Without the sky
     glm::ivec2 map_size{1024};                     ///< size of each map, texels; the shadow's too
-    T margin = T(2);                               ///< border around the slice, texels: the filter's reach
+    T margin = T(2);                               ///< texels around the slice: the filter's reach, and a last fade
     T overlap = T(0);                              ///< fraction of a cascade that the next one also covers, 0 to 1
     clip_space clip{};                             ///< required: clip space of your API or engine, see clip_space.hpp
 };
