@@ -45,7 +45,7 @@ export interface SpotLight extends OfAll {
     up?: Vector;
     /** Half the cone's angle, at most 1.5. */
     outer_angle_radians?: number;
-    /** Width / height of the map, 1 by default: makes texels square. Under contact hardening penumbras need that. */
+    /** Width / height of the map, 1 by default: makes texels square. */
     aspect?: number;
     z_near?: number;
     z_far?: number;

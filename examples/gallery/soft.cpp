@@ -38,8 +38,7 @@ struct scene_of_soft {
     umbrage::image<float> map = depth_pass(system, stage.scene, light);
 
     [[nodiscard]] umbrage::penumbra_params softness() const {
-        return umbrage::make_penumbra_params(umbrage::make_light_units(light.space, map.size()), light_radius, 1.0f,
-                                             max_radius);
+        return umbrage::make_penumbra_params(light.space, map.size(), light_radius, 1.0f, max_radius);
     }
 };
 

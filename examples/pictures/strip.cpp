@@ -69,7 +69,7 @@ int reads(const std::string& filter) {
     if (example::filters_ahead(filter)) return 4;
     if (!example::hardens(filter)) return example::with_filter(filter, {}, read), count;
     umbrage::filters::soft::with(filter, [&](auto by) {
-        by.softness = umbrage::make_penumbra_params(glm::vec2(0.01f, 1.0f), 1.0f, 1.0f, widest);
+        by.softness.max_radius = 16 * widest;
         read(by);
     });
     return count;

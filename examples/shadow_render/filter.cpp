@@ -18,9 +18,9 @@
 namespace shadow_render {
 namespace {
 
-umbrage::penumbra_params softness_of(const options& o, const light& lamp) {
+umbrage::penumbra_params softness_of(const options& o, const light& lamp, glm::ivec2 map_size) {
     const float radius = 0.5f * o.light_size;
-    return umbrage::make_penumbra_params(lamp.units, lamp.spot() ? radius : radius / o.distance,
+    return umbrage::make_penumbra_params(lamp.space, map_size, lamp.spot() ? radius : radius / o.distance,
                                          std::min(1.0f, o.max_radius), o.max_radius);
 }
 
@@ -75,7 +75,7 @@ look_up prepare(const options& o, umbrage::image_view<const float> map, const li
         std::transform(map.row(y), map.row(y) + map.size.x, projected->view().row(y),
                        [&](float depth) { return lamp.projected_depth(depth); });
     if (example::hardens(o.filter))
-        out = made(example::contact_hardening(o.filter, projected->view(), softness_of(o, lamp), progress));
+        out = made(example::contact_hardening(o.filter, projected->view(), softness_of(o, lamp, map.size), progress));
     else
         example::with_filter(o.filter, o.radius, [&](const auto& filter) {
             out = made([=, &progress, map = std::as_const(*projected).view()](const umbrage::sloped_receivers& to,

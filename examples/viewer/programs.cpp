@@ -162,7 +162,8 @@ uniform float cos_outer, reach, constant, epsilon, alpha;
 uniform mat4 world_to_texels, plane_matrix;
 uniform sampler2D map, table;
 uniform vec2 map_size, moments_size, units;
-uniform vec3 softness, ambient;
+uniform vec4 softness;
+uniform vec3 ambient;
 uniform )GLSL" +
             std::string(sums ? "usampler2D" : "sampler2D") + " moments;\n" + map_depth(s) + R"GLSL(
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }

@@ -44,10 +44,10 @@ float epsilon_of(const example::shadow_system& s) {
     return example::compares_along_plane(s.bias) ? 2 * one : one;
 }
 
-umbrage::penumbra_params softness_of(const example::shadow_system& s, const example::light& l, glm::vec2 units) {
+umbrage::penumbra_params softness_of(const example::shadow_system& s, const example::light& l, glm::ivec2 map_size) {
     const float radius = 0.5f * s.light_size * s.scene_scale;
-    return umbrage::make_penumbra_params(units, l.spot ? radius : radius / (s.distance * s.scene_scale), 1.0f,
-                                         s.max_radius);
+    return umbrage::make_penumbra_params(l.space, map_size, l.spot ? radius : radius / (s.distance * s.scene_scale),
+                                         1.0f, s.max_radius);
 }
 
 void bind(int unit, GLuint texture) {
@@ -208,7 +208,7 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("plane_matrix", bias.planes)
         .set("reach", bias.reach)
         .set("constant", bias.constant)
-        .set("softness", glm::vec3(softness_of(s.system, l, bias.units)))
+        .set("softness", glm::vec4(softness_of(s.system, l, map_->size)))
         .set("epsilon", epsilon_of(s.system))
         .set("ambient", s.system.ambient)
         .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))

@@ -53,6 +53,7 @@
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
+#include <umbrage/filter/pcf/disc_tap.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
@@ -91,5 +92,6 @@
 #include <umbrage/light/point/tetrahedron.hpp>
 #include <umbrage/light/point/tetrahedron_light.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texel_units.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/version.hpp>

@@ -36,6 +36,7 @@
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
+#include <umbrage/filter/pcf/disc_tap.hpp>
 #include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
@@ -142,7 +143,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets})
             // filter
             .add_all({clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
-                      disc_snippets})
+                      disc_tap_snippets, disc_snippets})
             .add_filters(every_filter)
             .add_all({pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
                       window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,

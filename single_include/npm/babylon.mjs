@@ -71,7 +71,7 @@ function map_of(kind, array, reversed) {
 const clamped = (z, pcss, reversed) => `clamp(${z}, ${reversed && !pcss ? '1.1754944e-38, 1.0' : '0.0, 0.99999994'})`;
 
 function body_of(name, kind, array, asked) {
-    const language = languages[name], { vec3 } = language, word = words[name], pcss = kind === 'pcss';
+    const language = languages[name], { vec4 } = language, word = words[name], pcss = kind === 'pcss';
     const lit = map_of(kind, array, asked.reversed), maps = word.maps(pcss);
     const radius = pcss
         ? light_radius(language, `lightSizeUV${array && ' * lightSizeUVCorrection.x * depthCorrection'}`) : undefined;
@@ -83,7 +83,7 @@ function body_of(name, kind, array, asked) {
         map: lit.name, maps, size: 'size', at: 'uvDepth.xy * size', layer: array ? word.layer : undefined,
         z: array ? clamped(z, pcss, asked.reversed) : z,
         further: further_arguments(asked.filter, asked.given,
-            { rotation: `umbrage_disc_rotation(${asked.frame ? 'umbrage_turned()' : word.pixel})`, radius, vec3 }),
+            { rotation: `umbrage_disc_rotation(${asked.frame ? 'umbrage_turned()' : word.pixel})`, radius, vec4 }),
     })}    return computeFallOff(mix(darkness, 1.0, umbrage_receiver.w), clipSpace.xy, frustumEdgeFalloff);\n`;
 }
 

@@ -227,7 +227,7 @@ const largest_box = 8;
  *  @param values   its arguments */
 export function reach_of({ filter }, values) {
     const { softness, radius } = values, half_texel = Math.SQRT1_2;
-    if (softness !== undefined) return softness[2] / 16 + half_texel;
+    if (softness !== undefined) return softness[3] / 16 + half_texel;
     if (radius === undefined) return filter.reach * Math.SQRT2;
     const is_disc = filter.arguments.some(({ name, type }) => name === 'radius' && type === 'float');
     return is_disc ? Math.max(radius, 0) + half_texel : (Math.min(Math.max(radius, 0), largest_box) + 0.5) * Math.SQRT2;

@@ -59,8 +59,9 @@ function of_default({ type, value }) {
 const is_radius = value => Number.isInteger(value) && value >= 0 && value <= 4095;
 
 /** What a softness must be, as the C++ library has it of penumbra_params. */
-const softness = ['[per_code, min_radius, max_radius], the first from 0 to 4096, the others integers in order from 0 to 4095',
-    ([per_code, min, max]) => per_code >= 0 && per_code <= 4096 && is_radius(min) && is_radius(max) && min <= max];
+const softness = ['[per_code_x, per_code_y, min_radius, max_radius], the first two from 0 to 4096, the others integers in order '
+    + 'from 0 to 4095',
+    ([x, y, min, max]) => [x, y].every(per_code => per_code >= 0 && per_code <= 4096) && is_radius(min) && is_radius(max) && min <= max];
 
 /** A filter's arguments behind the receiver: defaults, and those that the user gave. */
 export function checked_arguments(where, filter, given = {}) {
@@ -89,12 +90,12 @@ function literal(type, value) {
 }
 
 /** A filter's arguments behind the receiver, in a shader: the light's radius is a disc's radius, and scales a softness.
- *  @param words   rotation and radius as the host's shader has them, the latter if it has one, and the language's vec3 */
-export function further_arguments(filter, given, { rotation, radius, vec3 }) {
+ *  @param words   rotation and radius as the host's shader has them, the latter if it has one, and the language's vec4 */
+export function further_arguments(filter, given, { rotation, radius, vec4 }) {
     return filter.filter.arguments.map(({ name, type }) => ', ' + (
         name === 'rotation' ? rotation
         : name === 'radius' && type === 'float' && radius && !(name in given.own) ? radius
-        : name === 'softness' ? `(${literal(vec3, given.all[name])} * ${vec3}(${radius}, 1.0, 1.0))`
+        : name === 'softness' ? `(${literal(vec4, given.all[name])} * ${vec4}(${radius}, ${radius}, 1.0, 1.0))`
         : literal(type, given.all[name]))).join('');
 }
 

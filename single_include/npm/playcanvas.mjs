@@ -81,7 +81,7 @@ function body_of(name, kind, asked) {
         map: `playcanvas_${kind}`, maps: `shadowMap${pcss ? '' : word.sampler}`,
         size: 'size', at: `${at}.xy * size`, z: `${at}.z`,
         further: further_arguments(asked.filter, asked.given,
-            { rotation: `umbrage_disc_rotation(${word.pixel}${asked.frame ? ` + ${word.turn}` : ''})`, radius, vec3: language.vec3 }),
+            { rotation: `umbrage_disc_rotation(${word.pixel}${asked.frame ? ` + ${word.turn}` : ''})`, radius, vec4: language.vec4 }),
     })}    return umbrage_receiver.w;\n`;
 }
 

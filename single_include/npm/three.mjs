@@ -40,7 +40,7 @@ function own_function(chunk) {
 function with_filter(chunk, filter, given, direction, { probe = false, frame = false }) {
     const { head, begin, end } = own_function(chunk);
     const further = further_arguments(filter, given,
-        { rotation: `umbrage_disc_rotation( gl_FragCoord.xy${frame ? ' + umbrage_turn' : ''} )`, radius: 'shadowRadius', vec3: 'vec3' });
+        { rotation: `umbrage_disc_rotation( gl_FragCoord.xy${frame ? ' + umbrage_turn' : ''} )`, radius: 'shadowRadius', vec4: 'vec4' });
     const map = { texture: 'depth', direction, outside: 'bordered' };
     const items = [disc_rotation, bind(filter, 'three', map), ...(probe ? [bind(probe_color, 'three', map)] : [])];
     const declarations = `

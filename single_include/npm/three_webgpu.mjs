@@ -32,15 +32,15 @@ function nodes_of(items) {
 }
 
 /** A call of the filter is also its key: equal texts are one function. */
-function call_of(filter, given, map, coord, vec3) {
-    const further = further_arguments(filter, given, { rotation: 'umbrage_disc_rotation(pixel)', radius: 'radius', vec3 });
+function call_of(filter, given, map, coord, vec4) {
+    const further = further_arguments(filter, given, { rotation: 'umbrage_disc_rotation(pixel)', radius: 'radius', vec4 });
     return `umbrage_${filter.name}_${map}(map, size, ${coord}, receiver${further})`;
 }
 
 function function_of(filter, given, language, direction) {
     const map = `three_${direction}`, binding = { texture: 'depth', direction, outside: 'bordered' };
-    const call = language === 'wgsl' ? call_of(filter, given, map, 'uv * size', 'vec3f')
-        : call_of(filter, given, map, 'vec2(uv.x, 1.0 - uv.y) * size', 'vec3');
+    const call = language === 'wgsl' ? call_of(filter, given, map, 'uv * size', 'vec4f')
+        : call_of(filter, given, map, 'vec2(uv.x, 1.0 - uv.y) * size', 'vec4');
     if (made.has(call)) return made.get(call);
     const name = `umbrage_three_${filter.name}_${made.size}`;
     const node = language === 'wgsl'

@@ -143,6 +143,9 @@
 // window_hardware3, tier C: within 1/128 of C++.
 // window_hardware5, tier C: within 1/128 of C++.
 // window_hardware7, tier C: within 1/128 of C++.
+// ellipse_hardware8, tier C: within 1/128 of C++.
+// ellipse_hardware16, tier C: within 1/128 of C++.
+// ellipse_hardware32, tier C: within 1/128 of C++.
 // disc_hardware8, tier C: within 1/128 of C++.
 // disc_hardware16, tier C: within 1/128 of C++.
 // disc_hardware32, tier C: within 1/128 of C++.
@@ -244,6 +247,7 @@
 // window_hardware7_shadow, tier C: within 1/128 of C++.
 // disc_hardware16_shadow, tier C: within 1/128 of C++.
 // blockers_hardware16_depths, tier C: within 24 x 2^-23 x S of the exact result.
+// ellipse_hardware16_shadow, tier C: within 1/128 of C++.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 
@@ -1322,14 +1326,15 @@ float2 umbrage_disc_rotation(float2 pixel) {
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float2 radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
     float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = rotation * (radius * (1.0 / 16384.0));
-    float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    float2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    float2 high = rotation * (radius.y * (1.0 / 16384.0));
+    float x = wide.x * p.x + within.x - wide.y * p.y;
+    float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(float2(x, y));
 }
 #endif
@@ -1363,11 +1368,12 @@ float umbrage_box_scale(int radius) {
 
 #ifndef UMBRAGE_HAS_PENUMBRA
 #define UMBRAGE_HAS_PENUMBRA
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-float umbrage_penumbra(float apart, float3 softness) {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+float2 umbrage_penumbra(float apart, float4 softness) {
+    float2 radius = floor(float2(softness.x, softness.y) * apart);
+    return min(max(radius, float2(softness.z, softness.z)), float2(softness.w, softness.w));
 }
 #endif
 
@@ -2326,14 +2332,11 @@ float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x
 
 #ifndef UMBRAGE_HAS_MAP_SOFTNESS
 #define UMBRAGE_HAS_MAP_SOFTNESS
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-float umbrage_map_softness(float4x4 sixteen, float number) {
-    float column = floor(number * 0.25);
-    float i = number - 4.0 * column;
-    float4 four = umbrage_cascade_column(sixteen, column);
-    float low = i < 0.5 ? four.x : four.y;
-    float high = i < 2.5 ? four.z : four.w;
-    return i < 1.5 ? low : high;
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+float2 umbrage_map_softness(float4x4 eight, float number) {
+    float column = floor(number * 0.5);
+    float4 two = umbrage_cascade_column(eight, column);
+    return number - 2.0 * column < 0.5 ? float2(two.x, two.y) : float2(two.z, two.w);
 }
 #endif
 
@@ -2973,6 +2976,113 @@ float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, floa
 }
 #endif
 
+#ifndef UMBRAGE_HAS_ELLIPSE8
+#define UMBRAGE_HAS_ELLIPSE8
+// umbrage_ellipse8: PCF over a rotated ellipse of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                       float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ELLIPSE16
+#define UMBRAGE_HAS_ELLIPSE16
+// umbrage_ellipse16: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                        float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ELLIPSE32
+#define UMBRAGE_HAS_ELLIPSE32
+// umbrage_ellipse32: PCF over a rotated ellipse of 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                        float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DISC8
 #define UMBRAGE_HAS_DISC8
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
@@ -2982,19 +3092,8 @@ float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, floa
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 8.0) : 1.0;
+    return umbrage_ellipse8(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 #endif
 
@@ -3007,27 +3106,8 @@ float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 16.0) : 1.0;
+    return umbrage_ellipse16(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 #endif
 
@@ -3040,43 +3120,8 @@ float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 32.0) : 1.0;
+    return umbrage_ellipse32(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 #endif
 
@@ -3601,22 +3646,24 @@ float umbrage_window_hardware7(Texture2D<float4> map, float2 size, float2 coord,
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE8
-#define UMBRAGE_HAS_DISC_HARDWARE8
-// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE8
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE8
+// umbrage_ellipse_hardware8: PCF over 8 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                             float2 rotation) {
+float umbrage_ellipse_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -3631,22 +3678,24 @@ float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, f
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE16
-#define UMBRAGE_HAS_DISC_HARDWARE16
-// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE16
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE16
+// umbrage_ellipse_hardware16: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+float umbrage_ellipse_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                 float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -3669,22 +3718,24 @@ float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, 
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE32
-#define UMBRAGE_HAS_DISC_HARDWARE32
-// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE32
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE32
+// umbrage_ellipse_hardware32: PCF over 32 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+float umbrage_ellipse_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                 float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -3720,6 +3771,51 @@ float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, 
     n += umbrage_lit_at(map, size, center + x * 0.0 - y * 15.0, coord, receiver);
     float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 32.0) : 0.0;
     return compared ? visibility : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE8
+#define UMBRAGE_HAS_DISC_HARDWARE8
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                             float2 rotation) {
+    return umbrage_ellipse_hardware8(map, size, coord, receiver, float2(radius, radius), rotation);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16
+#define UMBRAGE_HAS_DISC_HARDWARE16
+// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    return umbrage_ellipse_hardware16(map, size, coord, receiver, float2(radius, radius), rotation);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE32
+#define UMBRAGE_HAS_DISC_HARDWARE32
+// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    return umbrage_ellipse_hardware32(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
 
@@ -3765,13 +3861,13 @@ float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float r
 
 #ifndef UMBRAGE_HAS_BLOCKERS8
 #define UMBRAGE_HAS_BLOCKERS8
-// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                          float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
@@ -3788,13 +3884,13 @@ float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, fl
 
 #ifndef UMBRAGE_HAS_BLOCKERS16
 #define UMBRAGE_HAS_BLOCKERS16
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                           float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
@@ -3819,13 +3915,13 @@ float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, f
 
 #ifndef UMBRAGE_HAS_BLOCKERS32
 #define UMBRAGE_HAS_BLOCKERS32
-// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of a disc
+// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                           float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
@@ -3872,17 +3968,17 @@ float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, f
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                     float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse8(map, size, coord, receiver, radius, rotation);
 }
 #endif
 
@@ -3894,17 +3990,17 @@ float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse16(map, size, coord, receiver, radius, rotation);
 }
 #endif
 
@@ -3916,17 +4012,17 @@ float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse32(map, size, coord, receiver, radius, rotation);
 }
 #endif
 
@@ -3942,35 +4038,40 @@ float2 umbrage_blocker_at(Texture2D<float4> map, float2 size, float2 uv, float r
 
 #ifndef UMBRAGE_HAS_PCSS_RADIUS
 #define UMBRAGE_HAS_PCSS_RADIUS
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+float2 umbrage_pcss_radius(float2 found, float receiver, float4 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
-    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    float min_radius = softness.y * 0.0625;
-    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+    float apart = forward ? receiver - mean : mean - receiver;
+    float2 radius = float2(softness.x, softness.y) * 4096.0 * apart;
+    float min_radius = softness.z * 0.0625;
+    float max_radius = softness.w * 0.0625;
+    return float2(radius.x > min_radius ? min(radius.x, max_radius) : min_radius,
+                  radius.y > min_radius ? min(radius.y, max_radius) : min_radius);
 }
 #endif
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE8
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE8
-// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of a disc
+// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                   float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -3986,19 +4087,21 @@ float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coo
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16
-// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                    float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -4022,19 +4125,21 @@ float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 co
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE32
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE32
-// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of a disc
+// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                    float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -4080,16 +4185,17 @@ float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 co
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                     float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -4103,16 +4209,17 @@ float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel16(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -4126,16 +4233,17 @@ float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel32(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -5092,6 +5200,62 @@ float umbrage_castano7_shadow(Texture2D<float> map, SamplerComparisonState map_s
 }
 #endif
 
+#ifndef UMBRAGE_HAS_ELLIPSE16_SHADOW
+#define UMBRAGE_HAS_ELLIPSE16_SHADOW
+// umbrage_ellipse16_shadow: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
+                               float receiver, float2 radius, float2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, radius), receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, radius), receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, radius), receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, radius), receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, radius), receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, radius),
+                           receiver);
+    n +=
+        umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, radius),
+                           receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DISC16_SHADOW
 #define UMBRAGE_HAS_DISC16_SHADOW
 // umbrage_disc16_shadow: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
@@ -5102,27 +5266,8 @@ float umbrage_castano7_shadow(Texture2D<float> map, SamplerComparisonState map_s
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
                             float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, map_sampler, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 16.0) : 1.0;
+    return umbrage_ellipse16_shadow(map, map_sampler, size, coord, receiver, float2(rho, rho), rotation);
 }
 #endif
 
@@ -5362,22 +5507,24 @@ float umbrage_window_hardware7_shadow(Texture2D<float> map, SamplerComparisonSta
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+// umbrage_ellipse_hardware16_shadow: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
-                                     float2 coord, float receiver, float radius, float2 rotation) {
+float umbrage_ellipse_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
+                                        float2 coord, float receiver, float2 radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -5397,6 +5544,21 @@ float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonStat
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, coord, receiver);
     float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
+                                     float2 coord, float receiver, float radius, float2 rotation) {
+    return umbrage_ellipse_hardware16_shadow(map, map_sampler, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
 
@@ -5476,19 +5638,21 @@ float2 umbrage_blocker_at_depths(Texture2D<float> map, float2 size, float2 uv, f
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
-// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware16_depths(Texture2D<float> map, float2 size, float2 coord, float receiver, float radius,
-                                          float2 rotation) {
+float2 umbrage_blockers_hardware16_depths(Texture2D<float> map, float2 size, float2 coord, float receiver,
+                                          float2 radius, float2 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);

@@ -1350,7 +1350,7 @@ struct number_list;
 template <class... Numbers>
 struct number_list<std::tuple<Numbers&...>> {
     static constexpr bool known = (!glsl::number_type<std::remove_const_t<Numbers>>.empty() && ...);
-    static constexpr int width = (width_of_number<Numbers> + ... + 0);
+    static constexpr int width = (width_of_number<std::remove_const_t<Numbers>> + ... + 0);
 };
 
 /// Filter whose numbers are of types that GLSL has, four floats at most.
@@ -1390,7 +1390,7 @@ template <with_numbers Filter>
         if constexpr (width == 1) n = static_cast<Number>(all[at]);
         else if constexpr (width == 2) n = Number{all[at], all[at + 1]};
         else if constexpr (width == 3) n = Number{all[at], all[at + 1], all[at + 2]};
-        else n = Number{all};
+        else n = Number{all.x, all.y, all.z, all.w};
         at += width;
     });
     return filter;
@@ -2595,6 +2595,33 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/texel_units.hpp
+// World size of a light's texels, and its depth per world unit.
+
+namespace umbrage::detail {
+
+/// Edges of a texel's footprint across the light, along x and y, and depth per world unit along it, at w = 1.
+/// @throws std::invalid_argument  map_size below 1; clip unset; a warped map; units that are not finite and above 0; in
+///                                the name of `function`
+template <real T>
+[[nodiscard]] glm::vec<3, T> texel_units(const light_space<T>& light, glm::ivec2 map_size, const char* function) {
+    require_given(light.clip, function, "light.clip");
+    require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
+    const glm::mat<4, 4, T>& p = light.projection;
+    require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
+            "free of a warp, its x and y without a part in w", p,
+            "A warp's units differ from point to point: see light_units_at.");
+    const bool perspective = p[2][3] != T(0);
+    const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
+    const glm::vec<3, T> units(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)),
+                               light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along);
+    require(is_normal(units.x) && is_normal(units.y) && is_normal(units.z), function, "light and map_size",
+            "such that units are finite and above 0", units);
+    return units;
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/light/texture_matrix.hpp
 // Texture matrix from the world to the shadow map, matrices for four taps, and the vertex shader's use of them.
 //
@@ -2834,20 +2861,8 @@ namespace umbrage {
 /// @throws std::invalid_argument  map_size below 1; clip unset; a warped map; units that are not finite and above 0
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
-    constexpr auto function = "make_light_units";
-    detail::require_given(light.clip, function, "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
-    const glm::mat<4, 4, T>& p = light.projection;
-    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
-                    "free of a warp, its x and y without a part in w", p,
-                    "A warp's units differ from point to point: see light_units_at.");
-    const T edge = (glm::max)(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
-    const bool perspective = p[2][3] != T(0);
-    const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
-    const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
-    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
-                    "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
-    return {edge, depth};
+    const glm::vec<3, T> units = detail::texel_units(light, map_size, "make_light_units");
+    return {(glm::max)(units.x, units.y), units.z};
 }
 
 /// World size of a texel and depth per world unit, for a point light's cube at w = 1.
@@ -5491,16 +5506,16 @@ struct rgb24 {
 
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf/disc.hpp
-// Percentage-closer filtering (PCF) over a disc of 8, 16 or 32 points, rotated per pixel to hide the pattern.
+// ---- umbrage/filter/pcf/disc_tap.hpp
+// Points of a disc, and the texels that they fall on: 8, 16 or 32 points, rotated per pixel to hide the pattern.
 //
-//     float visibility =
-//         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
+//     const glm::vec2 rotation = umbrage::disc_rotation(pixel), radius(umbrage::disc_radius(3.0f));
+//     for (const glm::ivec2 point : umbrage::disc_points<16>)
+//         use(umbrage::disc_tap(glm::floor(coord * 256.0f), glm::vec2(point), rotation, radius));
 //
 // Points, rotations and radii are integers, so the taps fall on the same texels everywhere. The points were annealed
 // for the smallest error on edges of any direction, alone and over four rotations by 90 degrees.
-// Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
-// See also: disc_hardware.hpp, blocker/pcss.hpp.
+// See also: disc.hpp, blocker/penumbra.hpp.
 
 namespace umbrage {
 
@@ -5548,6 +5563,14 @@ template <real T>
     return inside_texel_space(rotation * T(511)) ? rotation : glm::vec<2, T>(T(64), T(0));
 }
 
+/// Radii of an ellipse that are no integers from 0 to 4095: clamped to -4095 .. 4095, and 0 for NaN. So all taps lie
+/// within max_disc_radius.
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> bounded_radius(glm::vec<2, T> radius) {
+    const auto bounded = [](T r) { return is_nan(r) ? T(0) : (glm::clamp)(r, T(-4095), T(4095)); };
+    return {bounded(radius.x), bounded(radius.y)};
+}
+
 }  // namespace detail
 
 /// Rotation of the disc for a pixel: one of 16, each used once in every 4 x 4 pixels.
@@ -5576,18 +5599,19 @@ template <real T>
 /// @param position   floor(256 coord) of the receiver, in 1/256 texel
 /// @param p          one of disc_points, in 1/16 of the radius
 /// @param rotation   from disc_rotation
-/// @param radius     in 1/16 texel, an integer from 0 to 4095
+/// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095
 /// @return           index of the texel
 /// @formula          floor((position + rotated point * radius / 64) / 256), where (c, s) rotates point (x, y) to
 ///                   (c x - s y, s x + c y)
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
+[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation,
+                                      glm::vec<2, T> radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
     const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // no sum is regrouped across the clamp
-    const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 16384.0));
-    return texel +
-           glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
+    const glm::vec<2, T> wide = rotation * (radius.x * T(1.0 / 16384.0)),
+                         high = rotation * (radius.y * T(1.0 / 16384.0));
+    return texel + glm::floor(within + glm::vec<2, T>(wide.x * p.x - wide.y * p.y, high.y * p.x + high.x * p.y));
 }
 
 /// Radius of a disc in 1/16 texel, from one in texels: floor(16 radius), at most 4095. Negative or NaN: 0.
@@ -5596,34 +5620,6 @@ template <real T>
 [[nodiscard]] constexpr T disc_radius(T radius) {
     if (is_nan(radius) || !(radius > T(0))) return T(0);
     return radius < T(255.9375) ? T(static_cast<int>(radius * T(16))) : T(4095);
-}
-
-/// Fraction of a disc's points that are lit.
-/// @tparam Points    8, 16 or 32
-/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
-///                   radius outside the map: pass clamped(map) or bordered(map)
-/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
-/// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param radius     in texels, rounded down to 1/16; clamped to 0 .. 255.9375, NaN is 0
-/// @param rotation   from disc_rotation. Trades banding for noise
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
-/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
-///                   NaN or longer than any of disc_rotation: (64, 0)
-/// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
-/// @exactness        A
-template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
-                     Compare is_lit = {}) {
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation);
-    const T rho = disc_radius(radius);
-    int lit = 0;
-    for (const glm::ivec2 point : disc_points<Points>) {
-        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
-        lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
-    }
-    return static_cast<T>(lit) * T(1.0 / Points);
 }
 
 namespace glsl {
@@ -5661,15 +5657,16 @@ inline constexpr snippet disc_tap{
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
-                                    UMBRAGE_HIGHP float radius) {
+                                    UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2(x, y));
 }
 )GLSL",
@@ -5689,11 +5686,371 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 )GLSL",
 };
 
+inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &disc_tap, &disc_radius};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/blocker/penumbra.hpp
+// Blocker search and penumbra width of soft shadows (PCSS, DPCF), by one formula for directional and spot lights.
+//
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(light, map.size(), light_radius);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
+//     float mean = umbrage::floor_divide(found.y, found.x);  // of distance codes, 0 at the light
+//     glm::vec2 radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec4(soft));
+//
+// A spot light's z/w is linear in 1 / distance, and so is the width of its penumbras in texels. It is
+// radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
+// Where texels are not square, a penumbra is an ellipse of texels: it has a radius along x and one along y.
+// The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
+// the mean distance.
+// Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius
+// (make_penumbra_params).
+// See also: pcss.hpp, dpcf.hpp.
+
+namespace umbrage {
+
+/// Parameters of a penumbra, from the size of the light: integers, or nearly so, which keep the arithmetic exact.
+/// make_penumbra_params makes them for one map, or for a shadow, which computes the first two for each of its maps.
+struct penumbra_params {
+    float per_code_x =
+        0.0625f;  ///< penumbra radius along x in 1/16 texel, per code between blocker and receiver; 8 bits
+    float per_code_y = 0.0625f;  ///< the same along y. The two are equal where texels are square
+    float min_radius = 16.0f;    ///< filter radius where blockers touch receivers, 1/16 texel, an integer
+    float max_radius = 96.0f;    ///< largest radius of filter and search, 1/16 texel, an integer up to 4095
+    float light_size = 0.0f;     ///< for a shadow: size of the light in the world. 0 for a filter by itself
+
+    [[nodiscard]] explicit operator glm::vec4() const { return {per_code_x, per_code_y, min_radius, max_radius}; }
+};
+
+template <>
+inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec4";
+template <>
+inline constexpr int detail::width_of_number<penumbra_params> = 4;
+
 namespace detail {
 
-/// Shader text of a disc, one line per point.
-[[nodiscard]] inline std::string disc_text(int points) {
+/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
+inline void require_softness(std::string_view function, const penumbra_params& softness) {
+    const float x = softness.per_code_x, y = softness.per_code_y;
+    require(x >= 0.0f && x <= 4096.0f && y >= 0.0f && y <= 4096.0f, function,
+            "filter.softness.per_code_x and per_code_y", "from 0 to 4096", glm::vec2(x, y));
+    const float low = softness.min_radius, high = softness.max_radius;
+    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
+    require(in_order && low == std::floor(low) && high == std::floor(high), function,
+            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
+            "They are in 1/16 texel: make_penumbra_params computes them.");
+    require(softness.light_size == 0.0f, function, "filter.softness.light_size", "0 for a filter by itself",
+            softness.light_size, "make_penumbra_params takes the light and its map's size.");
+}
+
+/// Penumbra radius along an axis in 1/16 texel per code, for a light of a size; 8 bits.
+/// @param edge    of a texel along the axis, world units
+/// @param depth   per world unit along the light
+[[nodiscard]] inline float softness_per_code(double edge, double depth, double light_size) {
+    const double exact = light_size / (4096.0 * edge * depth);
+    int exponent = 0;
+    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
+    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
+    return counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f;
+}
+
+}  // namespace detail
+
+/// Parameters of penumbras for a shadow, which computes per_code_x and per_code_y for each of its maps.
+/// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
+///                       under which it is seen; 0.00465 for the sun
+/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 leaves faint stair steps, 1.5
+///                       those of tent<3>, 0 is a hard edge
+/// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
+///                       points, noise shows beyond about 16 texels
+/// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not
+///                                0 <= min_radius <= max_radius <= 255.9375
+template <real T>
+[[nodiscard]] penumbra_params make_penumbra_params(T light_size, T min_radius = T(1), T max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
+    detail::require(is_finite(light_size) && light_size > T(0), function, "light_size", "finite and above 0",
+                    light_size);
+    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
+                    "min_radius and max_radius", "in order, from 0 to 255.9375",
+                    glm::vec<2, T>(min_radius, max_radius));
+    return {.per_code_x = 0.0f,
+            .per_code_y = 0.0f,
+            .min_radius = static_cast<float>(disc_radius(min_radius)),
+            .max_radius = static_cast<float>(disc_radius(max_radius)),
+            .light_size = static_cast<float>(light_size)};
+}
+
+/// Parameters of the penumbras of a light in one map, for a filter by itself.
+/// @param light        light without a warp. A point light: one of make_point_light
+/// @param map_size     map size in texels, each >= 1
+/// @param light_size   as for a shadow, but it may be 0
+/// @param min_radius   as for a shadow
+/// @param max_radius   as for a shadow
+/// @return             parameters; per_code_x and per_code_y are rounded to 8 bits, by at most 1/256 of themselves
+/// @edge               light of no size: they are 0, and every radius is min_radius
+/// @throws std::invalid_argument  map_size below 1; a clip space unset; a warped map; light_size not finite or below
+///                                0; radii that are not 0 <= min_radius <= max_radius <= 255.9375
+/// @formula            per_code = 16 light_size / (65536 edge depth): edge of a texel, and depth per world unit, at w = 1
+template <real T>
+[[nodiscard]] penumbra_params make_penumbra_params(const light_space<T>& light, glm::ivec2 map_size,
+                                                   std::type_identity_t<T> light_size,
+                                                   std::type_identity_t<T> min_radius = T(1),
+                                                   std::type_identity_t<T> max_radius = T(16)) {
+    constexpr auto function = "make_penumbra_params";
+    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "finite, 0 or more",
+                    light_size);
+    const glm::dvec3 units(detail::texel_units(light, map_size, function));
+    penumbra_params made = make_penumbra_params(T(1), min_radius, max_radius);
+    made.per_code_x = detail::softness_per_code(units.x, units.z, double(light_size));
+    made.per_code_y = detail::softness_per_code(units.y, units.z, double(light_size));
+    made.light_size = 0.0f;
+    return made;
+}
+
+/// Distance of a depth from the near plane, as a code of 16 bits.
+/// @param depth   in [0, 1]; clamped
+/// @param is_lit  less_equal, or greater_equal for reversed depth
+/// @return        integer, 0 .. 65535; 0 at the near plane, also where depth is reversed
+/// @edge          NaN: 65535, as the far plane
+/// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T distance_code(T depth, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T v = saturate(depth, forward ? T(1) : T(0)) * T(65536);
+    const T code = v < T(65535) ? T(static_cast<int>(v)) : T(65535);
+    return forward ? code : T(65535) - code;
+}
+
+/// Radius of a penumbra from the distance between blocker and receiver.
+/// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
+/// @return           along x and y, in 1/16 texel, integers from min_radius to max_radius. Other values of softness
+///                   give other results
+/// @formula          min(max(floor(apart per_code), min_radius), max_radius)
+/// @exactness        A: products of 24 bits
+template <real T>
+[[nodiscard]] glm::vec<2, T> penumbra(T apart, glm::vec<4, T> softness) {
+    const glm::vec<2, T> radius = glm::floor(apart * glm::vec<2, T>(softness));
+    return (glm::min)((glm::max)(radius, softness.z), softness.w);
+}
+
+/// Count and distance code of one texel, if it is nearer to the light than the receiver.
+/// @return       (1, its distance_code) for a blocker, else (0, 0)
+/// @exactness    A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blocker(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const auto stored = T(fetch(texel));
+    return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), distance_code(stored, is_lit));
+}
+
+/// Count and distance sum of an ellipse's points that fall on blockers: texels nearer to the light than the receiver.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map
+/// @param position   floor(256 coord) of the receiver, in 1/256 texel
+/// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
+/// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095: penumbra gives them
+/// @param rotation   from disc_rotation
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           (number of blockers, sum of their distance_codes): integers
+/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
+///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
+/// @exactness        A: a sum below 2^21
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, glm::vec<2, T> radius,
+                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
+    const glm::vec<2, T> turn = detail::bounded_rotation(rotation), rho = detail::bounded_radius(radius);
+    glm::vec<2, T> found(T(0), T(0));
+    for (const glm::ivec2 point : disc_points<Points>)
+        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
+    return found;
+}
+
+namespace glsl {
+
+inline constexpr snippet distance_code{
+    .name = "distance_code",
+    .summary = "distance of a depth from the near plane, 16 bits",
+    .exactness = tier::a,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
+// Returns 0.0 at the near plane, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
+}
+)GLSL",
+};
+
+inline constexpr snippet penumbra{
+    .name = "penumbra",
+    .summary = "radius of a penumbra from the distance to the blocker",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
+//   apart      umbrage_distance_code of the receiver minus that of the blocker
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec4 softness) {
+    UMBRAGE_HIGHP vec2 radius = floor(vec2(softness.x, softness.y) * apart);
+    return min(max(radius, vec2(softness.z, softness.z)), vec2(softness.w, softness.w));
+}
+)GLSL",
+};
+
+inline constexpr snippet blocker{
+    .name = "blocker",
+    .summary = "count and distance code of one possible blocker",
+    .exactness = tier::a,
+    .needs = list<&fetch_depth, &compare, &distance_code>,
+    .source = R"GLSL(
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+)GLSL",
+};
+
+namespace detail {
+
+/// Shader text of the search, one line per point.
+[[nodiscard]] inline std::string blockers_text(int points) {
     std::string text = filled(R"GLSL(
+// umbrage_blockers$n: (number of blockers, sum of their distance codes) at $n points of an ellipse
+//   map, size   shadow map and its size in texels
+//   position    floor(256 coord) of the receiver
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
+                                      UMBRAGE_HIGHP vec2 rotation) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+)GLSL",
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
+        append(text,
+               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), rotation, radius), "
+               "receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    text += "    return n;\n}\n";
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
+                                  .summary = "blocker search over an ellipse's points",
+                                  .exactness = tier::a,
+                                  .needs = list<&disc_tap, &blocker>,
+                                  .source = {detail::blockers_text, Points}};
+
+inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,     &blocker,
+                                                    &blockers<8>,   &blockers<16>, &blockers<32>};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/disc.hpp
+// Percentage-closer filtering (PCF) over a disc of 8, 16 or 32 points, rotated per pixel to hide the pattern.
+//
+//     float visibility =
+//         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
+//
+// Where texels are not square, an ellipse of these points is a disc in the world (ellipse).
+// Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
+// See also: disc_tap.hpp, disc_hardware.hpp, blocker/pcss.hpp.
+
+namespace umbrage {
+
+/// Fraction of the points of an ellipse that are lit. Where texels are not square, it is a disc in the world.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095: disc_radius or penumbra gives them
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
+///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation:
+///                   (64, 0)
+/// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
+/// @exactness        A
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T ellipse(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius, glm::vec<2, T> rotation,
+                        Compare is_lit = {}) {
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation),
+                         rho = detail::bounded_radius(radius);
+    int lit = 0;
+    for (const glm::ivec2 point : disc_points<Points>) {
+        const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
+        lit += is_lit(receiver, T(fetch(texel))) ? 1 : 0;
+    }
+    return static_cast<T>(lit) * T(1.0 / Points);
+}
+
+/// Fraction of a disc's points that are lit.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
+///                   radius outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     in texels, rounded down to 1/16; clamped to 0 .. 255.9375, NaN is 0
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
+///                   NaN or longer than any of disc_rotation: (64, 0)
+/// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
+/// @exactness        A
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
+                     Compare is_lit = {}) {
+    return ellipse<Points>(fetch, coord, receiver, glm::vec<2, T>(disc_radius(radius)), rotation, is_lit);
+}
+
+namespace glsl {
+
+namespace detail {
+
+/// Shader text of an ellipse, one line per point.
+[[nodiscard]] inline std::string ellipse_text(int points) {
+    std::string text = filled(R"GLSL(
+// umbrage_ellipse$n: PCF over a rotated ellipse of $n points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_ellipse$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
+                                      UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float n = 0.0;
+)GLSL",
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
+        append(text,
+               "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), rotation, radius), receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
+    return text;
+}
+
+[[nodiscard]] inline std::string disc_text(int points) {
+    return filled(R"GLSL(
 // umbrage_disc$n: PCF over a rotated disc of $n points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -5703,21 +6060,23 @@ namespace detail {
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                    UMBRAGE_HIGHP vec2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
-    UMBRAGE_HIGHP float n = 0.0;
+    return umbrage_ellipse$n(map, size, coord, receiver, vec2(rho, rho), rotation);
+}
 )GLSL",
-                              {{'n', points}});
-    for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append(text,
-               "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), rotation, rho), receiver);\n",
-               {{'x', p.x}, {'y', p.y}});
-    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
-    return text;
+                  {{'n', points}});
 }
 
 }  // namespace detail
+
+template <int Points>
+inline constexpr snippet ellipse{.name = Points == 8 ? "ellipse8" : (Points == 16 ? "ellipse16" : "ellipse32"),
+                                 .summary = Points == 8    ? "PCF over an ellipse, 8 points, rotated per pixel"
+                                            : Points == 16 ? "PCF over an ellipse, 16 points, rotated per pixel"
+                                                           : "PCF over an ellipse, 32 points, rotated per pixel",
+                                 .exactness = tier::a,
+                                 .needs = list<&in_filter_domain, &disc_tap, &lit>,
+                                 .source = {detail::ellipse_text, Points}};
 
 template <int Points>
 inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "disc16" : "disc32"),
@@ -5725,11 +6084,11 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                          : Points == 16 ? "disc PCF, 16 points, rotated per pixel"
                                                         : "disc PCF, 32 points, rotated per pixel",
                               .exactness = tier::a,
-                              .needs = list<&in_filter_domain, &disc_radius, &disc_tap, &lit>,
+                              .needs = list<&disc_radius, &ellipse<Points>>,
                               .source = {detail::disc_text, Points}};
 
-inline constexpr const snippet* disc_snippets[]{&disc_rotation, &disc_tap, &disc_radius,
-                                                &disc<8>,       &disc<16>, &disc<32>};
+inline constexpr const snippet* disc_snippets[]{&ellipse<8>, &ellipse<16>, &ellipse<32>,
+                                                &disc<8>,    &disc<16>,    &disc<32>};
 
 }  // namespace glsl
 
@@ -5776,267 +6135,10 @@ inline constexpr std::array<disc, 3> disc::values{{{.points = 8}, {.points = 16}
 }  // namespace filters
 }  // namespace umbrage
 
-// ---- umbrage/filter/blocker/penumbra.hpp
-// Blocker search and penumbra width of soft shadows (PCSS, DPCF), by one formula for directional and spot lights.
-//
-//     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);
-//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
-//     float mean = umbrage::floor_divide(found.y, found.x);  // of distance codes, 0 at the light
-//     float radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec3(soft));
-//
-// A spot light's z/w is linear in 1 / distance, and so is the width of its penumbras in texels. It is
-// radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
-// The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
-// the mean distance.
-// Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius
-// (make_penumbra_params).
-// See also: pcss.hpp, dpcf.hpp.
-
-namespace umbrage {
-
-/// Parameters of a penumbra, from the size of the light: integers, or nearly so, which keep the arithmetic exact.
-/// make_penumbra_params makes them for one map, or for a shadow, which computes per_code for each of its maps.
-struct penumbra_params {
-    float per_code = 0.0625f;  ///< penumbra radius in 1/16 texel, per code between blocker and receiver; 8 bits
-    float min_radius = 16.0f;  ///< filter radius where blockers touch receivers, 1/16 texel, an integer
-    float max_radius = 96.0f;  ///< largest radius of filter and search, 1/16 texel, an integer up to 4095
-    float light_size = 0.0f;   ///< for a shadow: size of the light in the world. 0 for a filter by itself
-
-    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, min_radius, max_radius}; }
-};
-
-template <>
-inline constexpr std::string_view glsl::number_type<penumbra_params> = "vec3";
-template <>
-inline constexpr int detail::width_of_number<penumbra_params> = 3;
-
-namespace detail {
-
-/// Refuses what make_penumbra_params never makes. With other radii, an image's receivers and one alone would differ.
-inline void require_softness(std::string_view function, const penumbra_params& softness) {
-    require(is_finite(softness.per_code) && softness.per_code >= 0.0f && softness.per_code <= 4096.0f, function,
-            "filter.softness.per_code", "from 0 to 4096", softness.per_code);
-    const float low = softness.min_radius, high = softness.max_radius;
-    const bool in_order = is_finite(low) && is_finite(high) && low >= 0.0f && low <= high && high <= 4095.0f;
-    require(in_order && low == std::floor(low) && high == std::floor(high), function,
-            "filter.softness.min_radius and max_radius", "integers in order, from 0 to 4095", glm::vec2(low, high),
-            "They are in 1/16 texel: make_penumbra_params computes them.");
-    require(softness.light_size == 0.0f, function, "filter.softness.light_size", "0 for a filter by itself",
-            softness.light_size, "make_penumbra_params takes the units of its map.");
-}
-
-/// Penumbra radius in 1/16 texel per code, for a light of a size in a map of these units; 8 bits.
-[[nodiscard]] inline float softness_per_code(const glm::dvec2& units, double light_size) {
-    const double exact = light_size / (4096.0 * units.x * units.y);
-    int exponent = 0;
-    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
-    const bool counts = exponent > -24;  // else no penumbra reaches 1/256 texel
-    return counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f;
-}
-
-}  // namespace detail
-
-/// Parameters of penumbras for a shadow, which computes per_code for each of its maps.
-/// @param light_size     spot or point light: its radius in world units. Directional light: tangent of half the angle
-///                       under which it is seen; 0.00465 for the sun
-/// @param min_radius     filter radius where a blocker touches the receiver, texels. 1 leaves faint stair steps, 1.5
-///                       those of tent<3>, 0 is a hard edge
-/// @param max_radius     largest filter radius, texels: cuts wider penumbras, and ends the search for blockers. With 16
-///                       points, noise shows beyond about 16 texels
-/// @throws std::invalid_argument  light_size not finite or not above 0; radii that are not
-///                                0 <= min_radius <= max_radius <= 255.9375
-template <real T>
-[[nodiscard]] penumbra_params make_penumbra_params(T light_size, T min_radius = T(1), T max_radius = T(16)) {
-    constexpr auto function = "make_penumbra_params";
-    detail::require(is_finite(light_size) && light_size > T(0), function, "light_size", "finite and above 0",
-                    light_size);
-    detail::require(min_radius >= T(0) && min_radius <= max_radius && max_radius <= T(max_disc_radius), function,
-                    "min_radius and max_radius", "in order, from 0 to 255.9375",
-                    glm::vec<2, T>(min_radius, max_radius));
-    return {0.0f, static_cast<float>(disc_radius(min_radius)), static_cast<float>(disc_radius(max_radius)),
-            static_cast<float>(light_size)};
-}
-
-/// Parameters of the penumbras of a light in one map, for a filter by itself.
-/// @param units        make_light_units of the light and the map
-/// @param light_size   as for a shadow, but it may be 0
-/// @param min_radius   as for a shadow
-/// @param max_radius   as for a shadow
-/// @return             parameters; per_code is rounded to 8 bits, by at most 1/256 of itself
-/// @edge               light of no size: per_code is 0, and every radius is min_radius
-/// @throws std::invalid_argument  units or light_size not finite or below 0; radii that are not
-///                                0 <= min_radius <= max_radius <= 255.9375
-/// @formula              per_code = 16 light_size / (65536 units.x units.y)
-template <real T>
-[[nodiscard]] penumbra_params make_penumbra_params(glm::vec<2, T> units, T light_size, T min_radius = T(1),
-                                                   T max_radius = T(16)) {
-    constexpr auto function = "make_penumbra_params";
-    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "finite, 0 or more",
-                    light_size);
-    detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
-                    "finite and above 0", units);
-    penumbra_params made = make_penumbra_params(T(1), min_radius, max_radius);
-    made.per_code = detail::softness_per_code(glm::dvec2(units), double(light_size));
-    made.light_size = 0.0f;
-    return made;
-}
-
-/// Distance of a depth from the near plane, as a code of 16 bits.
-/// @param depth   in [0, 1]; clamped
-/// @param is_lit  less_equal, or greater_equal for reversed depth
-/// @return        integer, 0 .. 65535; 0 at the near plane, also where depth is reversed
-/// @edge          NaN: 65535, as the far plane
-/// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
-/// @exactness     A
-template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr T distance_code(T depth, Compare is_lit = {}) {
-    const bool forward = is_lit(T(0), T(1));
-    const T v = saturate(depth, forward ? T(1) : T(0)) * T(65536);
-    const T code = v < T(65535) ? T(static_cast<int>(v)) : T(65535);
-    return forward ? code : T(65535) - code;
-}
-
-/// Radius of a penumbra from the distance between blocker and receiver.
-/// @param apart      distance code of the receiver minus that of the blocker, an integer below 2^16; negative is 0
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
-/// @return           in 1/16 texel, an integer from min_radius to max_radius. Other values of softness give other
-///                   results
-/// @formula          min(max(floor(apart per_code), min_radius), max_radius)
-/// @exactness        A: a product of 24 bits
-template <real T>
-[[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
-    const T radius = std::floor(apart * softness.x);
-    return (glm::min)((glm::max)(radius, softness.y), softness.z);
-}
-
-/// Count and distance code of one texel, if it is nearer to the light than the receiver.
-/// @return       (1, its distance_code) for a blocker, else (0, 0)
-/// @exactness    A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> blocker(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
-    const auto stored = T(fetch(texel));
-    return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), distance_code(stored, is_lit));
-}
-
-/// Count and distance sum of a disc's points that fall on blockers: texels nearer to the light than the receiver.
-/// @tparam Points    8, 16 or 32
-/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
-///                   radius outside the map
-/// @param position   floor(256 coord) of the receiver, in 1/256 texel
-/// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
-/// @param radius     in 1/16 texel, an integer, 0 .. 4095
-/// @param rotation   from disc_rotation
-/// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           (number of blockers, sum of their distance_codes): integers
-/// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
-///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
-/// @exactness        A: a sum below 2^21
-template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius,
-                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const T rho = is_nan(radius) ? T(0) : (glm::clamp)(radius, T(-4095), T(4095));
-    const glm::vec<2, T> turn = detail::bounded_rotation(rotation);
-    glm::vec<2, T> found(T(0), T(0));
-    for (const glm::ivec2 point : disc_points<Points>)
-        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
-    return found;
-}
-
-namespace glsl {
-
-inline constexpr snippet distance_code{
-    .name = "distance_code",
-    .summary = "distance of a depth from the near plane, 16 bits",
-    .exactness = tier::a,
-    .needs = list<&cleared_depth>,
-    .source = R"GLSL(
-// umbrage_distance_code: distance of a depth from the near plane, an integer from 0.0 to 65535.0
-// Returns 0.0 at the near plane, also where depth is reversed
-UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = depth * 65536.0;
-    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
-    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
-    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
-}
-)GLSL",
-};
-
-inline constexpr snippet penumbra{
-    .name = "penumbra",
-    .summary = "radius of a penumbra from the distance to the blocker",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
-//   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
-}
-)GLSL",
-};
-
-inline constexpr snippet blocker{
-    .name = "blocker",
-    .summary = "count and distance code of one possible blocker",
-    .exactness = tier::a,
-    .needs = list<&fetch_depth, &compare, &distance_code>,
-    .source = R"GLSL(
-// umbrage_blocker: (1.0, umbrage_distance_code) of a texel nearer to the light than the receiver, else (0.0, 0.0)
-UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                   UMBRAGE_HIGHP float receiver) {
-    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
-    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
-    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
-}
-)GLSL",
-};
-
-namespace detail {
-
-/// Shader text of the search, one line per point.
-[[nodiscard]] inline std::string blockers_text(int points) {
-    std::string text = filled(R"GLSL(
-// umbrage_blockers$n: (number of blockers, sum of their distance codes) at $n points of a disc
-//   map, size   shadow map and its size in texels
-//   position    floor(256 coord) of the receiver
-//   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
-//   rotation    umbrage_disc_rotation of the pixel
-UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
-                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
-    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
-)GLSL",
-                              {{'n', points}});
-    for (const disc_point p : umbrage::detail::points_of_disc(points))
-        append(text,
-               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), rotation, radius), "
-               "receiver);\n",
-               {{'x', p.x}, {'y', p.y}});
-    text += "    return n;\n}\n";
-    return text;
-}
-
-}  // namespace detail
-
-template <int Points>
-inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
-                                  .summary = "blocker search over a disc's points",
-                                  .exactness = tier::a,
-                                  .needs = list<&disc_tap, &blocker>,
-                                  .source = {detail::blockers_text, Points}};
-
-inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,     &blocker,
-                                                    &blockers<8>,   &blockers<16>, &blockers<32>};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/blocker/dpcf.hpp
 // Soft shadows with contact hardening from one pass over a disc (DPCF), as in Filament.
 //
-//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec4(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
@@ -6067,27 +6169,28 @@ template <int Points, real T>
 /// Visibility of a receiver under a light that has a size, from one pass over a disc.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to
-///                   softness.z / 16 texels outside the map. Depth must be z/w, not linear
+///                   softness.w / 16 texels outside the map. Depth must be z/w, not linear
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
 ///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
-///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
+///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)), each radius x + y
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const T z = distance_code(receiver, is_lit), search_radius = penumbra(z, softness);
+    const T z = distance_code(receiver, is_lit);
+    const glm::vec<2, T> search_radius = penumbra(z, softness);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
-    const T mean = floor_divide(found.y, (glm::max)(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), (glm::max)(search_radius, T(1)));
+    const glm::vec<2, T> radius = penumbra(z - floor_divide(found.y, (glm::max)(found.x, T(1))), softness);
+    const T ratio = floor_divide((radius.x + radius.y) * T(256), (glm::max)(search_radius.x + search_radius.y, T(1)));
     return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 
@@ -6120,16 +6223,17 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRA
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float searched = max(search_radius.x + search_radius.y, 1.0);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     UMBRAGE_HIGHP float dark = umbrage_hardened_kernel$n(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -6189,7 +6293,7 @@ struct dpcf {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        const glm::vec3 soft(softness);
+        const glm::vec4 soft(softness);
         if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
         return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
@@ -6205,9 +6309,8 @@ inline constexpr std::array<dpcf, 3> dpcf::values{{{.points = 8}, {.points = 16}
 // ---- umbrage/filter/blocker/pcss.hpp
 // Percentage-closer soft shadows (PCSS): sharp where a caster touches the receiver, softer with distance.
 //
-//     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);  // a shadow: no units
-//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(light, map.size(), light_radius);
+//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec4(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // 1. Search a disc for texels nearer to the light (blockers). It is as wide as the light appears from the receiver.
@@ -6224,10 +6327,10 @@ namespace umbrage {
 /// Visibility of a receiver under a light that has a size.
 /// @tparam Points    8, 16 or 32: texels read by the search, and again by the filter
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 2 * Points times, with indices up
-///                   to softness.z / 16 texels outside the map. Depth must be z/w, not linear
+///                   to softness.w / 16 texels outside the map. Depth must be z/w, not linear
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
@@ -6235,21 +6338,21 @@ namespace umbrage {
 ///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0.
 ///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
-///                   disc(penumbra(z - floor(s / m)) / 16)
+///                   ellipse(penumbra(z - floor(s / m)))
 /// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
 ///                   down to 16 bits. It is also off by 1/256 of itself, from the rounding of per_code
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
-    const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
-    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), rotation, is_lit);
+    const glm::vec<2, T> radius = penumbra(z - floor_divide(found.y, found.x), softness);
+    return ellipse<Points>(fetch, coord, receiver, radius, rotation, is_lit);
 }
 
 namespace glsl {
@@ -6264,17 +6367,17 @@ namespace detail {
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse$n(map, size, coord, receiver, radius, rotation);
 }
 )GLSL",
                   {{'n', points}});
@@ -6289,7 +6392,7 @@ inline constexpr snippet pcss{
                : Points == 16 ? "percentage-closer soft shadows (PCSS), 16 points twice"
                               : "percentage-closer soft shadows (PCSS), 32 points twice",
     .exactness = tier::a,
-    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &ellipse<Points>>,
     .source = {detail::pcss_text, Points}};
 
 inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
@@ -6323,7 +6426,7 @@ struct pcss {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        const glm::vec3 soft(softness);
+        const glm::vec4 soft(softness);
         if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
         return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, comparison{direction});
@@ -6692,17 +6795,49 @@ template <real T>
 [[nodiscard]] constexpr T clamped_disc_radius(T radius) {
     return radius > T(0) ? (glm::min)(radius, T(max_disc_radius)) : T(0);
 }
+/// Both radii of an ellipse.
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> clamped_disc_radius(glm::vec<2, T> radius) {
+    return {clamped_disc_radius(radius.x), clamped_disc_radius(radius.y)};
+}
 
-/// Position of a point of a disc, in texels.
+/// Position of a point of a disc or an ellipse, in texels.
 /// @param coord      center of the disc, in texels
 /// @param p          one of disc_points, in 1/16 of the radius
 /// @param rotation   from disc_rotation
-/// @param radius     in texels
+/// @param radius     along x and y, in texels
 /// @formula          coord + rotated point * radius / 1024, where (c, s) rotates (x, y) to (c x - s y, s x + c y)
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation, T radius) {
-    const glm::vec<2, T> scaled = rotation * (radius * T(1.0 / 1024.0));
-    return coord + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y);
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation,
+                                           glm::vec<2, T> radius) {
+    const glm::vec<2, T> part = radius * T(1.0 / 1024.0);
+    const glm::vec<2, T> x = rotation * part, y = glm::vec<2, T>(T(0) - rotation.y, rotation.x) * part;
+    return coord + x * p.x + y * p.y;
+}
+
+/// Mean of pcf_2x2 over the points of an ellipse. Where texels are not square, it is a disc in the world.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 Points times, with indices up to
+///                   a radius and one texel outside the map: pass clamped(map) or bordered(map)
+/// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
+/// @param receiver   receiver depth in [0, 1], with the bias already applied
+/// @param radius     along x and y, in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param rotation   from disc_rotation. Trades banding for noise
+/// @param is_lit     less_equal, or greater_equal for reversed depth
+/// @return           visibility in [0, 1]: 0 in shadow, 1 lit
+/// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0
+/// @formula          mean of pcf_2x2(disc_position) over disc_points
+/// @exactness        C, within 1/128 as pcf_2x2_hardware: the error of a mean is at most that of its parts
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T ellipse_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
+                                 glm::vec<2, T> rotation, Compare is_lit = {}) {
+    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> rho = clamped_disc_radius(radius);
+    T sum = T(0);
+    for (const glm::ivec2 point : disc_points<Points>)
+        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), rotation, rho), receiver, is_lit);
+    return sum * T(1.0 / Points);
 }
 
 /// Mean of pcf_2x2 over the points of a disc.
@@ -6722,25 +6857,22 @@ template <real T>
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
                               Compare is_lit = {}) {
-    if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const T rho = clamped_disc_radius(radius);
-    T sum = T(0);
-    for (const glm::ivec2 point : disc_points<Points>)
-        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), rotation, rho), receiver, is_lit);
-    return sum * T(1.0 / Points);
+    return ellipse_hardware<Points>(fetch, coord, receiver, glm::vec<2, T>(radius), rotation, is_lit);
 }
 
 namespace glsl {
 
 namespace detail {
 
-/// First lines of every shader text over a disc in uv, from its function's opening brace on.
+/// First lines of every shader text over an ellipse in uv, from its function's opening brace on.
 inline constexpr const char* disc_in_uv = R"GLSL(
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
 )GLSL";
 
 /// Appends a point's position in uv to the text: center + x $x + y $y.
@@ -6754,18 +6886,18 @@ inline void append_point(std::string& text, disc_point p, const char* before, co
     text += after;
 }
 
-[[nodiscard]] inline std::string disc_hardware_text(int points) {
+[[nodiscard]] inline std::string ellipse_hardware_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_disc_hardware$n: PCF over $n points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware$n: PCF over $n points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 rotation) {)GLSL",
+UMBRAGE_HIGHP float umbrage_ellipse_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
+                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
@@ -6780,7 +6912,36 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     return text;
 }
 
+[[nodiscard]] inline std::string disc_hardware_text(int points) {
+    return filled(R"GLSL(
+// umbrage_disc_hardware$n: PCF over $n points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 rotation) {
+    return umbrage_ellipse_hardware$n(map, size, coord, receiver, vec2(radius, radius), rotation);
+}
+)GLSL",
+                  {{'n', points}});
+}
+
 }  // namespace detail
+
+template <int Points>
+inline constexpr snippet ellipse_hardware{
+    .name = Points == 8 ? "ellipse_hardware8" : (Points == 16 ? "ellipse_hardware16" : "ellipse_hardware32"),
+    .summary = Points == 8    ? "PCF over an ellipse, 8 fetches from a linear comparison sampler"
+               : Points == 16 ? "PCF over an ellipse, 16 fetches from a linear comparison sampler"
+                              : "PCF over an ellipse, 32 fetches from a linear comparison sampler",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
+    .source = {detail::ellipse_hardware_text, Points}};
 
 template <int Points>
 inline constexpr snippet disc_hardware{
@@ -6790,11 +6951,12 @@ inline constexpr snippet disc_hardware{
                               : "disc PCF, 32 fetches from a linear comparison sampler",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&in_filter_domain, &within_far_plane, &lit_at>,
+    .needs = list<&ellipse_hardware<Points>>,
     .source = {detail::disc_hardware_text, Points}};
 
-inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware<8>, &disc_hardware<16>,
-                                                         &disc_hardware<32>};
+inline constexpr const snippet* disc_hardware_snippets[]{
+    &lit_at,           &ellipse_hardware<8>, &ellipse_hardware<16>, &ellipse_hardware<32>,
+    &disc_hardware<8>, &disc_hardware<16>,   &disc_hardware<32>};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -6803,18 +6965,18 @@ inline constexpr const snippet* disc_hardware_snippets[]{&lit_at, &disc_hardware
 // Percentage-closer soft shadows (PCSS) in floats, with samplers: half the instructions of pcss.hpp, but not the same
 // bits on every GPU.
 //
-//     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::pcss_hardware<16>(umbrage::bordered(map), coord, depth - bias, glm::vec4(soft),
 //                                                   umbrage::disc_rotation(pixel));
 //
 // A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as `texture::depth`
 // with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
 //     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
-//     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
+//     vec2 search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
 //     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, rotation);
-//     float radius = umbrage_pcss_radius(found, receiver, soft);
+//     vec2 radius = umbrage_pcss_radius(found, receiver, soft);
 //     float visibility = 1.0;
-//     if (found.x > 0.5) visibility = umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, rotation);
+//     if (found.x > 0.5) visibility = umbrage_ellipse_hardware16_sun(sun, size, coord, receiver, radius, rotation);
 //
 // A point of the search that lies within a rounding error of a texel's border may read the next texel.
 // Also called: PCSS with samplers.
@@ -6832,13 +6994,13 @@ template <real T, class Fetch, class Compare = less_equal>
     return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), stored);
 }
 
-/// Count and depth sum of a disc's points that are nearer to the light than the receiver. Points are not rounded.
+/// Count and depth sum of an ellipse's points that are nearer to the light than the receiver. Points are not rounded.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
 ///                   radius outside the map
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the same bias as for the filter
-/// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param radius     along x and y, in texels; clamped to 0 .. 255.9375, NaN is 0
 /// @param rotation   from disc_rotation
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their depths)
@@ -6847,11 +7009,11 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
 /// @exactness        C, n = 24: exact in a shader except at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
+[[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
                                                glm::vec<2, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
     if (!in_filter_domain(coord, receiver, is_lit)) return found;
-    const T rho = clamped_disc_radius(radius);
+    const glm::vec<2, T> rho = clamped_disc_radius(radius);
     for (const glm::ivec2 point : disc_points<Points>) {
         const glm::vec<2, T> at = disc_position(coord, glm::vec<2, T>(point), rotation, rho);
         const T reached = glm::abs(at.x) + glm::abs(at.y);
@@ -6867,19 +7029,24 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// Without a blocker, found is (0, 0) and the radius is that of a blocker at the near plane. The search needs no more.
 /// @param found      (number of blockers, sum of their depths)
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param is_lit     less_equal, or greater_equal for reversed depth
-/// @return           in texels, from min_radius / 16 to max_radius / 16. NaN: min_radius / 16
+/// @return           along x and y, in texels, from min_radius / 16 to max_radius / 16. NaN: min_radius / 16
 /// @formula          |receiver - mean| 4096 per_code, clamped
 /// @exactness        C, within 1/1024: a mean off by 4 ulp moves it by 2^-9 per_code, up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
-[[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
+[[nodiscard]] constexpr glm::vec<2, T> pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<4, T> softness,
+                                                   Compare is_lit = {}) {
     const bool forward = is_lit(T(0), T(1));
     const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
-    const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
-    const T min_radius = softness.y * T(0.0625);
-    return radius > min_radius ? (glm::min)(radius, softness.z * T(0.0625)) : min_radius;
+    const T apart = forward ? receiver - mean : mean - receiver;
+    const T min_radius = softness.z * T(0.0625), max_radius = softness.w * T(0.0625);
+    const auto radius = [&](T per_code) {
+        const T exact = apart * (per_code * T(4096));
+        return exact > min_radius ? (glm::min)(exact, max_radius) : min_radius;
+    };
+    return {radius(softness.x), radius(softness.y)};
 }
 
 /// Visibility of a receiver under a light that has a size, in floats.
@@ -6887,23 +7054,23 @@ template <real T, class Compare = less_equal>
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called up to 5 Points times
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit
 /// @edge             no blocker found: 1. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN
 ///                   receiver: 0
-/// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
+/// @formula          ellipse_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
 /// @exactness        C, for the same blockers: 1/128 plus the error of the radius
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
+[[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness,
                               glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const T search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
+    const auto search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
     const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
-    const T radius = pcss_radius(found, receiver, softness, is_lit);
-    return disc_hardware<Points>(fetch, coord, receiver, radius, rotation, is_lit);
+    const auto radius = pcss_radius(found, receiver, softness, is_lit);
+    return ellipse_hardware<Points>(fetch, coord, receiver, radius, rotation, is_lit);
 }
 
 namespace glsl {
@@ -6932,18 +7099,21 @@ inline constexpr snippet pcss_radius{
     .within = 1.0f / 1024.0f,
     .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
-                                        UMBRAGE_HIGHP vec3 softness) {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP vec4 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
-    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
-    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+    UMBRAGE_HIGHP float apart = forward ? receiver - mean : mean - receiver;
+    UMBRAGE_HIGHP vec2 radius = vec2(softness.x, softness.y) * 4096.0 * apart;
+    UMBRAGE_HIGHP float min_radius = softness.z * 0.0625;
+    UMBRAGE_HIGHP float max_radius = softness.w * 0.0625;
+    return vec2(radius.x > min_radius ? min(radius.x, max_radius) : min_radius,
+                radius.y > min_radius ? min(radius.y, max_radius) : min_radius);
 }
 )GLSL",
 };
@@ -6952,14 +7122,14 @@ namespace detail {
 
 [[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
-// umbrage_blockers_hardware$n: (number of blockers, sum of their depths) at $n points of a disc
+// umbrage_blockers_hardware$n: (number of blockers, sum of their depths) at $n points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
                                                UMBRAGE_HIGHP vec2 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
@@ -18826,7 +18996,7 @@ struct block_form<filters::pcf_2x2> : without_tables {
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/blocks/soft.hpp
-// Contact hardening (PCSS, DPCF) over blocks of receivers: discs as in disc.hpp, with a radius per receiver.
+// Contact hardening (PCSS, DPCF) over blocks of receivers: discs as in disc.hpp, with two radii per receiver.
 
 namespace umbrage::detail {
 
@@ -18847,12 +19017,13 @@ struct soft_blocks : disc_blocks<Direction> {
     static constexpr std::int32_t far_code = 65535;
     static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
 
-    float per_code;
+    float per_code_x, per_code_y;
     std::int32_t min_radius, max_radius;
 
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
-          per_code(filter.softness.per_code),
+          per_code_x(filter.softness.per_code_x),
+          per_code_y(filter.softness.per_code_y),
           min_radius(static_cast<std::int32_t>(filter.softness.min_radius)),
           max_radius(static_cast<std::int32_t>(filter.softness.max_radius)) {}
 
@@ -18866,36 +19037,45 @@ private:
         const std::int32_t number = number_mask(depth), x = floor_within(depth * 65536.0f, 65535.0f);
         return ((test::forward ? x : far_code - x) & number) | (far_code & ~number);
     }
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
+    /// Radii of ellipses along x and y, in 1/16 texel.
+    struct radii {
+        alignas(64) std::int32_t x[block], y[block];
+    };
+    UMBRAGE_INLINE void set_radii(radii& r, int i, std::int32_t apart) const {
+        r.x[i] = radius(apart, per_code_x);
+        r.y[i] = radius(apart, per_code_y);
+    }
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart, float per_code) const {
         const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
         const std::int32_t above = r > min_radius ? r : min_radius;
         return above < max_radius ? above : max_radius;
     }
 
-    /// Loads the texels below one point of each receiver's disc.
+    /// Loads the texels below one point of each receiver's ellipse.
     template <class Placed>
-    UMBRAGE_INLINE void load_tap(const Placed& at, int point, const std::int32_t* radii,
+    UMBRAGE_INLINE void load_tap(const Placed& at, int point, const radii& of,
                                  loaded_texels<float_texels>& texels) const {
         const texel_bytes memory(this->map);
         const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
         alignas(64) std::int32_t offsets[block];
         const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(point)];
         for (int i = 0; i < block; ++i)
-            offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
-                                       clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+            offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * of.x[i] >> 6)) >> 8, last_x),
+                                       clamp_int((at.y[i] + (tap.y[i] * of.y[i] >> 6)) >> 8, last_y));
         texels.load_one(memory, offsets);
         texels_on_planes<test::forward>(
-            at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8; },
-            [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8; }, texels.depths);
+            at, [&](int i) UMBRAGE_INLINE { return (at.x[i] + (tap.x[i] * of.x[i] >> 6)) >> 8; },
+            [&](int i) UMBRAGE_INLINE { return (at.y[i] + (tap.y[i] * of.y[i] >> 6)) >> 8; }, texels.depths);
     }
 
     template <class Placed>
     UMBRAGE_INLINE void soften(const Placed& at, float* visibility) const {
-        alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        alignas(64) std::int32_t codes[block], blocked[block]{}, sums[block]{};
+        radii searched, filtered;
         loaded_texels<float_texels> texels(float_texels{this->map});
         for (int i = 0; i < block; ++i) {
             codes[i] = distance_code_of(at.z[i]);
-            searched[i] = radius(codes[i]);
+            set_radii(searched, i, codes[i]);
         }
         for (int p = 0; p < this->points; ++p) {
             load_tap(at, p, searched, texels);
@@ -18912,14 +19092,14 @@ private:
         std::int32_t any = 0;
         for (int i = 0; i < block; ++i) {
             any |= blocked[i] & at.compared[i];
-            radii[i] = radius(codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
+            set_radii(filtered, i, codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
         }
         if (any == 0) {
             for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
         } else if constexpr (filters_again) {
             alignas(64) std::int32_t lit[block]{};
             for (int p = 0; p < this->points; ++p) {
-                load_tap(at, p, radii, texels);
+                load_tap(at, p, filtered, texels);
                 for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
             }
             const float share = 1.0f / static_cast<float>(this->points);
@@ -18932,7 +19112,8 @@ private:
             const float share = 1.0f / (512.0f * static_cast<float>(cube));
             UMBRAGE_NO_OVERLAP
             for (int i = 0; i < block; ++i) {
-                const std::int32_t ratio = divide_int(radii[i] * 256, searched[i] > 1 ? searched[i] : 1);
+                const std::int32_t whole = searched.x[i] + searched.y[i];
+                const std::int32_t ratio = divide_int((filtered.x[i] + filtered.y[i]) * 256, whole > 1 ? whole : 1);
                 const std::int32_t u = blocked[i] * 2 - n, d = n - (u < 0 ? -u : u), steep = cube - d * d * d;
                 const std::int32_t hard = u < 0 ? cube - steep : cube + steep;
                 const std::int32_t dark = hard * (256 - ratio) + blocked[i] * ratio * (2 * n * n);
@@ -23570,7 +23751,7 @@ struct shadow_terms {
     glm::vec2 map_size{1};      ///< size of one map, texels
     float reach = 0;            ///< reach of the filter, as its bias counts it, texels
     float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or penumbra_params of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
@@ -23648,7 +23829,7 @@ inline constexpr bent_lines bends_of{};
 template <class Setup>
 inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 
-/// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
+/// True where one softness suits all maps of a setup, as texels of all are alike. Other setups have an own
 /// softness for each map.
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
@@ -23799,16 +23980,34 @@ inline constexpr double grazing = 0.125;
     return depth;
 }
 
-/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
-[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
-    return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
+/// Direction of a light, or of the axis of a lens.
+[[nodiscard]] inline glm::dvec3 direction_of(const glm::dmat4& m) {
+    return is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
 }
 
-/// Units of a map: those of a lens at a distance of 1 along its axis, where w may be of any scale, as a matrix times a
-/// number is the same map. Those of a warped map are of its middle.
-[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
+    return light_units_at(m, direction_of(m), world).units;
+}
+
+/// World units for each texel across the light, along the x and the y of a map, at a point of the world: the edges of a
+/// texel's footprint where its corners are square.
+[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
+    const auto sides = across(unit(direction_of(m)));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    return 1.0 / glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+}
+
+/// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
+/// scale, as a matrix times a number is the same map. In a warped map it is the middle.
+[[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec3 anchor = anchor_of(m, map_size);
-    return units_at(m, is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor);
+    return is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
+}
+
+/// Units of a map.
+[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+    return units_at(m, measured_at(m, map_size));
 }
 
 /// Depth of a texel's width along the light, at map_units. It covers what a map's texels miss of a concave edge.
@@ -26445,42 +26644,39 @@ template <class Setup, class Filter, class Encoding>
 
 // ---- umbrage/shadow/softness.hpp
 // Contact hardening in a light's maps: each map has its own softness, so that penumbras have one width in the world.
-// It belongs to the longer edge of a texel. Across it penumbras are narrower, by the ratio of the edges.
+// It has a part for each axis of a map, since texels need not be square.
 //
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
-// The uniform block holds 16 of these numbers in a matrix. Setups whose maps are alike have none: `has_like_maps`.
+// The uniform block holds those of eight maps in a matrix. Setups whose maps are alike have none: `has_like_maps`.
 
 namespace umbrage {
 
-/// One of 16 numbers of a matrix, column by column.
-/// @param sixteen   the numbers
-/// @param number    which one, an integer from 0 to 15
-/// @exactness       A: comparisons
+/// One of eight pairs of a matrix, two a column.
+/// @param eight    the pairs
+/// @param number   which one, an integer from 0 to 7
+/// @exactness      A: comparisons
 template <real T>
-[[nodiscard]] constexpr T map_softness(const glm::mat<4, 4, T>& sixteen, T number) {
-    const T column = T(static_cast<int>(number) / 4), i = number - T(4) * column;
-    const glm::vec<4, T> four = cascade_column(sixteen, column);
-    return i < T(1.5) ? (i < T(0.5) ? four.x : four.y) : (i < T(2.5) ? four.z : four.w);
+[[nodiscard]] constexpr glm::vec<2, T> map_softness(const glm::mat<4, 4, T>& eight, T number) {
+    const T column = T(static_cast<int>(number) / 2);
+    const glm::vec<4, T> two = cascade_column(eight, column);
+    return number - T(2) * column < T(0.5) ? glm::vec<2, T>(two.x, two.y) : glm::vec<2, T>(two.z, two.w);
 }
 
 namespace glsl {
 
 inline constexpr snippet map_softness{
     .name = "map_softness",
-    .summary = "one of 16 numbers of a matrix, without dynamic indexing",
+    .summary = "one of eight pairs of a matrix, without dynamic indexing",
     .exactness = tier::a,
     .needs = list<&cascade_column>,
     .source = R"GLSL(
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-UMBRAGE_HIGHP float umbrage_map_softness(UMBRAGE_HIGHP mat4 sixteen, UMBRAGE_HIGHP float number) {
-    UMBRAGE_HIGHP float column = floor(number * 0.25);
-    UMBRAGE_HIGHP float i = number - 4.0 * column;
-    UMBRAGE_HIGHP vec4 four = umbrage_cascade_column(sixteen, column);
-    UMBRAGE_HIGHP float low = i < 0.5 ? four.x : four.y;
-    UMBRAGE_HIGHP float high = i < 2.5 ? four.z : four.w;
-    return i < 1.5 ? low : high;
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+UMBRAGE_HIGHP vec2 umbrage_map_softness(UMBRAGE_HIGHP mat4 eight, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float column = floor(number * 0.5);
+    UMBRAGE_HIGHP vec4 two = umbrage_cascade_column(eight, column);
+    return number - 2.0 * column < 0.5 ? vec2(two.x, two.y) : vec2(two.z, two.w);
 }
 )GLSL",
 };
@@ -26494,10 +26690,16 @@ namespace detail {
 /// Matrices of a uniform block that hold the softness of each map.
 template <class Setup, class Filter>
 inline constexpr int softness_matrices =
-    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 15) / 16 : 0;
+    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 7) / 8 : 0;
 
-inline constexpr std::array<uniform_field, 4> softness_fields{
-    {{"softness_0"}, {"softness_1"}, {"softness_2"}, {"softness_3"}}};
+inline constexpr std::array<uniform_field, 8> softness_fields{{{"softness_0"},
+                                                               {"softness_1"},
+                                                               {"softness_2"},
+                                                               {"softness_3"},
+                                                               {"softness_4"},
+                                                               {"softness_5"},
+                                                               {"softness_6"},
+                                                               {"softness_7"}}};
 
 /// The one number of a contact-hardening filter.
 template <contact_hardening Filter>
@@ -26507,8 +26709,9 @@ template <contact_hardening Filter>
 
 /// The filter with the softness of one map, as it is by itself.
 template <contact_hardening Filter>
-[[nodiscard]] constexpr Filter with_per_code(Filter filter, float per_code) {
-    softness_of(filter).per_code = per_code;
+[[nodiscard]] constexpr Filter with_per_code(Filter filter, glm::vec2 per_code) {
+    softness_of(filter).per_code_x = per_code.x;
+    softness_of(filter).per_code_y = per_code.y;
     softness_of(filter).light_size = 0.0f;
     return filter;
 }
@@ -26521,15 +26724,21 @@ void require_light_size(const Filter& filter) {
             "make_penumbra_params(light_size) gives it: a radius, or the tangent of half the sun's angle.");
 }
 
-/// `per_code` of each map of a setup. It comes from the setup's first lights, because lights that share a map are
-/// alike. A setup with no light has one 0.
+/// `per_code_x` and `per_code_y` of each map of a setup. They come from the setup's first lights, because lights that
+/// share a map are alike. A setup with no light has one pair of 0.
 template <shadow_setup Setup>
-[[nodiscard]] std::vector<float> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
-    std::vector<float> all;
+[[nodiscard]] std::vector<glm::vec2> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
+    std::vector<glm::vec2> all;
     for (const light_space<double>& light : setup.lights())
-        if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows))
-            all.push_back(softness_per_code(map_units(texture_matrix(light, map_size), map_size), double(light_size)));
-    if (all.empty()) all.push_back(0.0f);
+        if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
+            const glm::dmat4 m = texture_matrix(light, map_size);
+            const glm::dvec3 at = measured_at(m, map_size);
+            const glm::dvec2 edges = edges_at(m, at);
+            const double depth = units_at(m, at).y;
+            all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),
+                             softness_per_code(edges.y, depth, double(light_size)));
+        }
+    if (all.empty()) all.emplace_back(0.0f);
     return all;
 }
 
@@ -26546,17 +26755,16 @@ struct softness_words {
 [[nodiscard]] inline softness_words softness_words_of(int matrices) {
     softness_words w;
     if (matrices == 0) return w;
-    w.statements = {"UMBRAGE_HIGHP float softness = umbrage_map_softness(softness_0, number);"};
+    w.statements = {"UMBRAGE_HIGHP vec2 softness = umbrage_map_softness(softness_0, number);"};
     for (int i = 0; i < matrices; ++i) {
-        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(16 * i) + ".0";
+        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(8 * i) + ".0";
         w.fields += "UMBRAGE_HIGHP mat4 " + name + ", ";
         w.names += name + ", ";
         if (i > 0)
             w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
                                    ", number - " + before + ") : softness;");
     }
-    w.statements.push_back(
-        "UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.y, filter_terms.z, filter_terms.w);");
+    w.statements.push_back("UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.z, filter_terms.w);");
     w.terms = "own_terms";
     w.needs = {&glsl::map_softness};
     return w;
@@ -26909,7 +27117,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets})
             // filter
             .add_all({clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
-                      disc_snippets})
+                      disc_tap_snippets, disc_snippets})
             .add_filters(every_filter)
             .add_all({pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
                       window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
@@ -29584,7 +29792,7 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
 namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
-/// @tparam Matrices   matrices with the softness of each map, 16 a matrix
+/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix
 template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
     typename Setup::uniforms maps;
@@ -29629,8 +29837,9 @@ template <shadow_setup Setup, class Filter>
     all.terms = make_shadow_terms(map_size, filter, off, setup.clip(), bends_of<Setup>);
     if constexpr (contact_hardening<Filter>) {
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
-        all.terms.filter_terms.x = each.front();
-        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
+        all.terms.filter_terms.x = each.front().x;
+        all.terms.filter_terms.y = each.front().y;
+        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
     std::memcpy(numbers.data(), &all, sizeof all);
@@ -29645,10 +29854,10 @@ template <class Setup, class Filter>
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
     else if constexpr (softness_matrices<Setup, Filter> == 0)
-        return with_per_code(filter, uniforms.terms.filter_terms.x);
+        return with_per_code(filter, glm::vec2(uniforms.terms.filter_terms));
     else {
-        const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];
-        return with_per_code(filter, map_softness(sixteen, static_cast<float>(number % 16)));
+        const glm::mat4& eight = uniforms.softness[static_cast<std::size_t>(number) / 8];
+        return with_per_code(filter, map_softness(eight, static_cast<float>(number % 8)));
     }
 }
 
@@ -29903,16 +30112,17 @@ public:
 
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
-    /// Both are along the longer edge of a texel. Across it a penumbra is narrower, by the ratio of the edges.
     /// @return   narrowest and widest, world units. Outside all maps: 0
-    /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
+    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10 to
+    ///           90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const auto wide = float(detail::units_at(matrix_of(place.number), glm::dvec3(world) + origin_).x);
-        return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
+        const glm::vec2 edges(detail::edges_at(matrix_of(place.number), glm::dvec3(world) + origin_));
+        return {2.0f * (glm::max)(edges.x, edges.y),
+                1.374f / 16.0f * detail::softness_of(filter_).max_radius * (glm::min)(edges.x, edges.y)};
     }
 
     /// Uniform block for the shader of in_shader.hpp.

@@ -149,7 +149,10 @@ const bench::registration rows([] {
                 .theirs = glm_disc,
                 .agree = [s] { return s->close(2e-3); }});
     umbrage::filters::pcss soft;
-    soft.softness = {.per_code = 1.0f / 64, .min_radius = 16, .max_radius = 96};  // boxes are some 10000 codes high
+    soft.softness = {.per_code_x = 1.0f / 64,
+                     .per_code_y = 1.0f / 64,
+                     .min_radius = 16,
+                     .max_radius = 96};  // boxes are some 10000 codes high
     const auto glm_pcss = [=] {
         peers::glm_code::pcss_16(s->glm_map, s->glm_receivers, bench::screen.x, 64.0f, 1.0f, 6.0f, points, s->theirs);
     };

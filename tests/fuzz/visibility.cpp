@@ -115,7 +115,7 @@ template <class Filter>
 void spoil(fuzz::input& in, Filter& filter) {
     if constexpr (is_soft<Filter>) {
         filter.points = 8 * in.within(-1, 5);
-        filter.softness = {in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
+        filter.softness = {in.number(-1, 4096), in.number(-1, 4096), in.number(-9, 99), in.number(-9, 99)};
     } else if constexpr (std::is_same_v<Filter, filters::disc>) {
         filter.points = 8 * in.within(-1, 5);
         filter.radius_texels = in.number(-1, 6);
@@ -131,7 +131,8 @@ Filter varied(fuzz::input& in, Filter filter) {
         return alone_first(in, filter);
     }
     if constexpr (is_soft<Filter>)
-        filter.softness = {in.tame(0, 1), static_cast<float>(in.within(0, 32)), static_cast<float>(in.within(32, 128))};
+        filter.softness = {in.tame(0, 1), in.tame(0, 1), static_cast<float>(in.within(0, 32)),
+                           static_cast<float>(in.within(32, 128))};
     else if constexpr (std::is_same_v<Filter, filters::disc>) filter.radius_texels = in.tame(0, 6);
     else if constexpr (std::is_same_v<Filter, filters::box>) filter.radius = in.within(0, 6);
     return filter;

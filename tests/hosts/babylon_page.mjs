@@ -11,7 +11,7 @@ import { edge_height, half, light_at, rows_of, softened } from '/soft_edge.mjs';
 
 const in_webgl = location.hash === '#webgl', { Vector3, MeshBuilder } = BABYLON;
 const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
-const soft = { arguments: { softness: [0.0625, 16, 256] } };
+const soft = { arguments: { softness: [0.0625, 0.0625, 16, 256] } };
 
 async function started(reversed = false) {
     const canvas = Object.assign(document.createElement('canvas'), { width, height });
@@ -133,7 +133,7 @@ function per_code({ generator }) {
 /** A penumbra under a light with a size, whatever its planes and cascades. */
 async function edge({ far, cascades }, size) {
     const engine = await started();
-    install(engine, { ...filters('pcss16'), arguments: { softness: [0.0625, 16, 320] } });
+    install(engine, { ...filters('pcss16'), arguments: { softness: [0.0625, 0.0625, 16, 320] } });
     const scene = new BABYLON.Scene(engine), camera = new BABYLON.FreeCamera('camera', new Vector3(0, 1.5, 0), scene);
     scene.useRightHandedSystem = true;
     camera.rotation.set(Math.PI / 2, 0, 0);  // down

@@ -79,7 +79,7 @@ export const expected = {
             moments: 'umbrage/three: install: filter must read depths through one coordinate; got ',
             no_filter: 'umbrage/three: install: filter must be a filter of this package, such as pcss16; got pcss16',
             argument: 'arguments must be among (softness) of pcss16; got softnes',
-            number: 'arguments.softness must be 3 finite floats of 32 bits; got [1, 2]',
+            number: 'arguments.softness must be 4 finite floats of 32 bits; got [1, 2]',
             renderer: 'renderer must be a WebGLRenderer of this copy of three.js; got an object',
             text: 'THREE must have the shadow shader of r182 or later; got another text of shadowmap_pars_fragment',
             old: 'THREE must be r182 or later; got 176',

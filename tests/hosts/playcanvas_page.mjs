@@ -11,7 +11,7 @@ import { edge_height, half, light_at, rows_of, softened } from '/soft_edge.mjs';
 
 const in_webgl = location.hash === '#webgl';
 const filters = name => ({ glsl: glsl[name], wgsl: wgsl[name] });
-const soft = { arguments: { softness: [0.0625, 16, 256] } };
+const soft = { arguments: { softness: [0.0625, 0.0625, 16, 256] } };
 const spot = { light: 'spot', range: 20, outerConeAngle: 35, innerConeAngle: 30, shadowBias: 0.05, intensity: 30 };
 const point = { light: 'omni', range: 20, type: pc.SHADOW_PCF3_32F, intensity: 30 };
 
@@ -158,7 +158,7 @@ const scenes = {
 async function edge(shadowDistance, size) {
     const app = await started(), device = app.graphicsDevice, [camera, light] = [new pc.Entity(), new pc.Entity()];
     app.scene.clusteredLightingEnabled = false;
-    install(device, { ...filters('pcss16'), arguments: { softness: [0.0625, 16, 320] } });
+    install(device, { ...filters('pcss16'), arguments: { softness: [0.0625, 0.0625, 16, 320] } });
     for (const [type, position, scale] of [['plane', [0, 0, 0], [12, 1, 12]], ['box', [0, edge_height + 0.005, -3], [12, 0.01, 6]]]) {
         const entity = new pc.Entity(), material = new pc.StandardMaterial();
         // a floor casts too: PlayCanvas ends its map at the lowest caster, and clamps receivers to it

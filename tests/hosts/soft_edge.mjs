@@ -79,7 +79,7 @@ export async function try_softness(THREE, set_light_size, begin) {
     for (const [name, { size, ...own }] of Object.entries({
         'default camera': { size: 0.05 }, 'far 50': { size: 0.05, far: 50 }, 'far 12': { size: 0.05, far: 12 }, smaller: { size: 0.03 },
         spot: { size: 0.4, light: 'spot' }, 'spot, far 50': { size: 0.4, light: 'spot', far: 50 } })) {
-        const made = make(THREE, own), page = await begin(made, { filter: 'pcss16', arguments: { softness: [0.0625, 16, 320] } });
+        const made = make(THREE, own), page = await begin(made, { filter: 'pcss16', arguments: { softness: [0.0625, 0.0625, 16, 320] } });
         set_light_size(made.light, size);
         const shadowed = await page.radiance();
         made.light.shadow.intensity = 0;

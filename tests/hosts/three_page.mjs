@@ -82,7 +82,7 @@ export const done = (async () => {
     for (const [name, [filter, light, reversed]] of Object.entries(scenes)) {
         const renderer = drawn(reversed), made = make_scene(THREE, lights[light]());
         made.light.shadow.radius = filter === disc16 ? 3 : 1;
-        if (filter) install(THREE, renderer, { filter, arguments: filter === pcss16 ? { softness: [0.0234375, 16, 256] } : {} });
+        if (filter) install(THREE, renderer, { filter, arguments: filter === pcss16 ? { softness: [0.0234375, 0.0234375, 16, 256] } : {} });
         renderer.render(made.scene, made.camera);
         pictures[name] = picture(renderer);
         if (filter) {

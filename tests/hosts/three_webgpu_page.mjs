@@ -12,7 +12,7 @@ import { base64, directional, height, make_scene, map_size, width } from '/scene
 const sun = {};  // SunLight and its node, where three has them
 const fallback = location.hash === '#webgl';
 const both = name => ({ wgsl: wgsl[name], glsl: glsl[name] });
-const softness = { softness: [0.0234375, 16, 256] };
+const softness = { softness: [0.0234375, 0.0234375, 16, 256] };
 const float_target = (w, h) => new THREE.RenderTarget(w, h, {
     type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
 

@@ -68,7 +68,7 @@ float visibility(const std::string& filter, const image<float>& map, const float
     if (filter == "hard") return hard(texels, at, r[2], is_lit);
     if (filter == "castano_dyadic5") return castano_dyadic<5>(texels, at, r[2], is_lit);
     if (filter == "disc16") return disc<16>(texels, at, r[2], 3.0f, rotation, is_lit);
-    if (filter == "pcss16") return pcss<16>(texels, at, r[2], glm::vec3(per_code, 16, 256), rotation, is_lit);
+    if (filter == "pcss16") return pcss<16>(texels, at, r[2], glm::vec4(per_code, per_code, 16, 256), rotation, is_lit);
     throw std::invalid_argument("no filter is called " + filter);
 }
 

@@ -161,7 +161,7 @@ const refused = (where, head, what, call, part) => {
 
 /** Options that every addon refuses; filters are those of a language, option is the name that the addon has for one. */
 function refuses_options(where, head, option, { box, disc16, pcss16, saturate, vsm }, call) {
-    const floats = 'must be 3 finite floats of 32 bits; got', softness = 'in order from 0 to 4095; got';
+    const floats = 'must be 4 finite floats of 32 bits; got', softness = 'in order from 0 to 4095; got';
     for (const [options, part] of [
         [null, 'options must be an object; got null'],
         [{ [option]: pcss16, argument: {} }, 'options must have no properties but '],
@@ -175,12 +175,12 @@ function refuses_options(where, head, option, { box, disc16, pcss16, saturate, v
         [{ [option]: pcss16, arguments: { softnes: 1 } }, 'arguments must be among (softness) of pcss16; got softnes'],
         [{ [option]: pcss16, arguments: { rotation: [64, 0] } }, 'arguments must be among (softness) of pcss16; got rotation'],
         [{ [option]: pcss16, arguments: { softness: [1, 2] } }, `arguments.softness ${floats} [1, 2]`],
-        [{ [option]: pcss16, arguments: { softness: [1, , 2] } }, `arguments.softness ${floats} [1, undefined, 2]`],
-        [{ [option]: pcss16, arguments: { softness: [-1, 16, 96] } }, `${softness} [-1, 16, 96]`],
-        [{ [option]: pcss16, arguments: { softness: [5000, 16, 96] } }, `${softness} [5000, 16, 96]`],
-        [{ [option]: pcss16, arguments: { softness: [0.0625, 96, 16] } }, `${softness} [0.0625, 96, 16]`],
-        [{ [option]: pcss16, arguments: { softness: [0.0625, 16, 96.5] } }, `${softness} [0.0625, 16, 96.5]`],
-        [{ [option]: pcss16, arguments: { softness: [0.0625, -16, 96] } }, `${softness} [0.0625, -16, 96]`],
+        [{ [option]: pcss16, arguments: { softness: [1, , 2, 3] } }, `arguments.softness ${floats} [1, undefined, 2, 3]`],
+        [{ [option]: pcss16, arguments: { softness: [-1, -1, 16, 96] } }, `${softness} [-1, -1, 16, 96]`],
+        [{ [option]: pcss16, arguments: { softness: [1, 5000, 16, 96] } }, `${softness} [1, 5000, 16, 96]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, 0.0625, 96, 16] } }, `${softness} [0.0625, 0.0625, 96, 16]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, 0.0625, 16, 96.5] } }, `${softness} [0.0625, 0.0625, 16, 96.5]`],
+        [{ [option]: pcss16, arguments: { softness: [0.0625, 0.0625, -16, 96] } }, `${softness} [0.0625, 0.0625, -16, 96]`],
         [{ [option]: disc16, arguments: { radius: [3] } }, 'arguments.radius must be a finite float of 32 bits; got [3]'],
         [{ [option]: disc16, arguments: { radius: 1e39 } }, 'arguments.radius must be a finite float of 32 bits; got 1e+39'],
         [{ [option]: disc16, arguments: { radius: null } }, 'arguments.radius must be a finite float of 32 bits; got null'],
@@ -268,11 +268,11 @@ for (const [name, needed] of [['babylon', '@babylonjs/core'], ['playcanvas', 'pl
         const say = (what, call, part) => refused(where, `${name}: install`, what, call, part);
         addon.install(engine, { [language]: castano_dyadic5 });
         check(`${where}: PCF is replaced`, body(replaced.pcf) === 'castano_dyadic5');
-        addon.install(engine, { [language]: pcss16, arguments: { softness: [0.125, 16, 256] }, probe: true });
+        addon.install(engine, { [language]: pcss16, arguments: { softness: [0.125, 0.125, 16, 256] }, probe: true });
         check(`${where}: both kinds are replaced`, body(replaced.pcf) === 'castano_dyadic5' && body(replaced.pcss) === 'pcss16');
         const others = [own, texts()].map(text => functions_of(JSON.parse(text).map(([, chunk]) => chunk).join('\n'), kept));
         check(`${where}: ${kept.join(', ')} as before`, others[0].every((text, i) => text && text === others[1][i]));
-        check(`${where}: softness and probe`, texts().includes('(0.125, 16.0, 256.0)') && texts().includes('umbrage_color, 1.0'));
+        check(`${where}: softness and probe`, texts().includes('(0.125, 0.125, 16.0, 256.0)') && texts().includes('umbrage_color, 1.0'));
         addon.install(engine, { [language]: snippets.tent3 });
         check(`${where}: a second filter`, body(replaced.pcf) === 'tent3' && body(replaced.pcss) === 'pcss16');
         addon.uninstall(engine);

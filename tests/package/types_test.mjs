@@ -91,7 +91,7 @@ import { fit_shadow as fit_in_webgpu, shadow_filter } from 'umbrage/three/webgpu
 import * as wgsl from 'umbrage/wgsl';
 
 declare const THREE: import('umbrage/three').Three, renderer: object;
-install(THREE, renderer, { filter: pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, frame: true });
+install(THREE, renderer, { filter: pcss16, arguments: { softness: [0.0625, 0.0625, 16, 96] }, probe: true, frame: true });
 uninstall(THREE);
 const low = { x: 0, y: 0, z: 0 }, fitted: Fitted = fit_shadow({}, { receivers: { min: low, max: low }, steady: true });
 export const numbers: number[] = [fitted.texels_per_unit, fitted.detachment ?? 0, fitted.cascades?.finer ?? 1];
@@ -118,7 +118,7 @@ install(THREE, renderer, { filter: wgsl.pcss16 });
 // @ts-expect-error no filter
 shadow_filter({});
 declare const engine: babylon.Engine, scene: babylon.Scene, device: playcanvas.Device, light: playcanvas.Light;
-babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 16, 96] }, probe: true, frame: true, scene });
+babylon.install(engine, { glsl: pcss16, wgsl: wgsl.pcss16, arguments: { softness: [0.0625, 0.0625, 16, 96] }, probe: true, frame: true, scene });
 babylon.uninstall(engine, { scene });
 babylon.set_light_size({}, 0.1);
 export const of_babylon: babylon.Fitted = babylon.fit_bias({}, { receivers: scene.meshes as never[], steady: true });

@@ -24,7 +24,7 @@ const programs = new turned_programs([]);
 /** Filters with arguments that a program gives to install. */
 const given = {
     box: { radius: 2 }, disc16: { radius: 3 }, disc32: { radius: 1.5 },
-    pcss16: { softness: [0.0625, 16, 256] }, dpcf16: { softness: [0.125, 32, 96] },
+    pcss16: { softness: [0.0625, 0.0625, 16, 256] }, dpcf16: { softness: [0.125, 0.125, 32, 96] },
 };
 const numbers_of = values => [values].flat();
 

@@ -34,6 +34,7 @@
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/point/point_light.hpp>
+#include <umbrage/light/texel_units.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {
@@ -47,20 +48,8 @@ namespace umbrage {
 /// @throws std::invalid_argument  map_size below 1; clip unset; a warped map; units that are not finite and above 0
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
-    constexpr auto function = "make_light_units";
-    detail::require_given(light.clip, function, "light.clip");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
-    const glm::mat<4, 4, T>& p = light.projection;
-    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
-                    "free of a warp, its x and y without a part in w", p,
-                    "A warp's units differ from point to point: see light_units_at.");
-    const T edge = (glm::max)(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
-    const bool perspective = p[2][3] != T(0);
-    const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
-    const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
-    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light and map_size",
-                    "such that units are finite and above 0", glm::vec<2, T>(edge, depth));
-    return {edge, depth};
+    const glm::vec<3, T> units = detail::texel_units(light, map_size, "make_light_units");
+    return {(glm::max)(units.x, units.y), units.z};
 }
 
 /// World size of a texel and depth per world unit, for a point light's cube at w = 1.

@@ -63,7 +63,7 @@ struct number_list;
 template <class... Numbers>
 struct number_list<std::tuple<Numbers&...>> {
     static constexpr bool known = (!glsl::number_type<std::remove_const_t<Numbers>>.empty() && ...);
-    static constexpr int width = (width_of_number<Numbers> + ... + 0);
+    static constexpr int width = (width_of_number<std::remove_const_t<Numbers>> + ... + 0);
 };
 
 /// Filter whose numbers are of types that GLSL has, four floats at most.
@@ -103,7 +103,7 @@ template <with_numbers Filter>
         if constexpr (width == 1) n = static_cast<Number>(all[at]);
         else if constexpr (width == 2) n = Number{all[at], all[at + 1]};
         else if constexpr (width == 3) n = Number{all[at], all[at + 1], all[at + 2]};
-        else n = Number{all};
+        else n = Number{all.x, all.y, all.z, all.w};
         at += width;
     });
     return filter;

@@ -93,16 +93,34 @@ inline constexpr double grazing = 0.125;
     return depth;
 }
 
-/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
-[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
-    return light_units_at(m, is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1)), world).units;
+/// Direction of a light, or of the axis of a lens.
+[[nodiscard]] inline glm::dvec3 direction_of(const glm::dmat4& m) {
+    return is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
 }
 
-/// Units of a map: those of a lens at a distance of 1 along its axis, where w may be of any scale, as a matrix times a
-/// number is the same map. Those of a warped map are of its middle.
-[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+/// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
+[[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
+    return light_units_at(m, direction_of(m), world).units;
+}
+
+/// World units for each texel across the light, along the x and the y of a map, at a point of the world: the edges of a
+/// texel's footprint where its corners are square.
+[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
+    const auto sides = across(unit(direction_of(m)));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    return 1.0 / glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+}
+
+/// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
+/// scale, as a matrix times a number is the same map. In a warped map it is the middle.
+[[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec3 anchor = anchor_of(m, map_size);
-    return units_at(m, is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor);
+    return is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
+}
+
+/// Units of a map.
+[[nodiscard]] inline glm::dvec2 map_units(const glm::dmat4& m, glm::ivec2 map_size) {
+    return units_at(m, measured_at(m, map_size));
 }
 
 /// Depth of a texel's width along the light, at map_units. It covers what a map's texels miss of a concave edge.

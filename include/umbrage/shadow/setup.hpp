@@ -29,7 +29,7 @@ struct shadow_terms {
     glm::vec2 map_size{1};      ///< size of one map, texels
     float reach = 0;            ///< reach of the filter, as its bias counts it, texels
     float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or (per_code, min_radius, max_radius) of map 0
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or penumbra_params of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
@@ -107,7 +107,7 @@ inline constexpr bent_lines bends_of{};
 template <class Setup>
 inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 
-/// True where one softness suits all maps of a setup, as texels of all are of one size. Other setups have an own
+/// True where one softness suits all maps of a setup, as texels of all are alike. Other setups have an own
 /// softness for each map.
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;

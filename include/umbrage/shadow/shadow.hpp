@@ -279,16 +279,17 @@ public:
 
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
-    /// Both are along the longer edge of a texel. Across it a penumbra is narrower, by the ratio of the edges.
     /// @return   narrowest and widest, world units. Outside all maps: 0
-    /// @formula  2 texels, and 1.374 max_radius: an edge darkens a disc from 10 to 90 % over 1.374 of its radii
+    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10 to
+    ///           90 % over 1.374 of its radii
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const auto wide = float(detail::units_at(matrix_of(place.number), glm::dvec3(world) + origin_).x);
-        return wide * glm::vec2(2.0f, 1.374f / 16.0f * detail::softness_of(filter_).max_radius);
+        const glm::vec2 edges(detail::edges_at(matrix_of(place.number), glm::dvec3(world) + origin_));
+        return {2.0f * (glm::max)(edges.x, edges.y),
+                1.374f / 16.0f * detail::softness_of(filter_).max_radius * (glm::min)(edges.x, edges.y)};
     }
 
     /// Uniform block for the shader of in_shader.hpp.

@@ -23,7 +23,7 @@
 namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
-/// @tparam Matrices   matrices with the softness of each map, 16 a matrix
+/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix
 template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
     typename Setup::uniforms maps;
@@ -68,8 +68,9 @@ template <shadow_setup Setup, class Filter>
     all.terms = make_shadow_terms(map_size, filter, off, setup.clip(), bends_of<Setup>);
     if constexpr (contact_hardening<Filter>) {
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
-        all.terms.filter_terms.x = each.front();
-        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(float));
+        all.terms.filter_terms.x = each.front().x;
+        all.terms.filter_terms.y = each.front().y;
+        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
     std::memcpy(numbers.data(), &all, sizeof all);
@@ -84,10 +85,10 @@ template <class Setup, class Filter>
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
     else if constexpr (softness_matrices<Setup, Filter> == 0)
-        return with_per_code(filter, uniforms.terms.filter_terms.x);
+        return with_per_code(filter, glm::vec2(uniforms.terms.filter_terms));
     else {
-        const glm::mat4& sixteen = uniforms.softness[static_cast<std::size_t>(number) / 16];
-        return with_per_code(filter, map_softness(sixteen, static_cast<float>(number % 16)));
+        const glm::mat4& eight = uniforms.softness[static_cast<std::size_t>(number) / 8];
+        return with_per_code(filter, map_softness(eight, static_cast<float>(number % 8)));
     }
 }
 

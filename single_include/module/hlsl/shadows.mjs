@@ -451,7 +451,7 @@ const warped_maps = {
     placing: snippets.warped_maps_place, choosing: { calls: snippets.warped_maps_choice, arguments: "fades, anchor, ahead, ends, " },
 };
 const adaptive_maps = {
-    grid: [8, 8], outside: "clamped", bends: false, softness: 4,
+    grid: [8, 8], outside: "clamped", bends: false, softness: 8,
     fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.adaptive_maps_places,
 };

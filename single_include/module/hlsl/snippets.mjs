@@ -1859,14 +1859,15 @@ export const disc_tap = { language, name: "disc_tap", summary: "texel that a poi
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float radius) {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float2 radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
     float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 scaled = rotation * (radius * (1.0 / 16384.0));
-    float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    float2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    float2 high = rotation * (radius.y * (1.0 / 16384.0));
+    float x = wide.x * p.x + within.x - wide.y * p.y;
+    float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(float2(x, y));
 }
 ` };
@@ -1882,9 +1883,119 @@ float umbrage_disc_radius(float radius) {
 }
 ` };
 
+export const ellipse8 = { language, name: "ellipse8", summary: "PCF over an ellipse, 8 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse8: PCF over a rotated ellipse of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                       float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+` };
+
+export const ellipse16 = { language, name: "ellipse16", summary: "PCF over an ellipse, 16 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse16: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                        float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+` };
+
+export const ellipse32 = { language, name: "ellipse32", summary: "PCF over an ellipse, 32 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse32: PCF over a rotated ellipse of 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_ellipse32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                        float2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
+}
+` };
+
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
+    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1892,25 +2003,14 @@ export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, ro
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 8.0) : 1.0;
+    return umbrage_ellipse8(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 ` };
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
+    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1918,33 +2018,14 @@ export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 16.0) : 1.0;
+    return umbrage_ellipse16(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 ` };
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
+    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1952,43 +2033,8 @@ export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float rho = umbrage_disc_radius(radius);
-    float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 32.0) : 1.0;
+    return umbrage_ellipse32(map, size, coord, receiver, float2(rho, rho), rotation);
 }
 ` };
 
@@ -2557,23 +2603,25 @@ float umbrage_window_hardware7(Texture2D<float4> map, float2 size, float2 coord,
 }
 ` };
 
-export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc PCF, 8 fetches from a linear comparison sampler",
+export const ellipse_hardware8 = { language, name: "ellipse_hardware8", summary: "PCF over an ellipse, 8 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware8: PCF over 8 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                             float2 rotation) {
+float umbrage_ellipse_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -2588,23 +2636,25 @@ float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, f
 }
 ` };
 
-export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc PCF, 16 fetches from a linear comparison sampler",
+export const ellipse_hardware16 = { language, name: "ellipse_hardware16", summary: "PCF over an ellipse, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware16: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+float umbrage_ellipse_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                 float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -2627,23 +2677,25 @@ float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, 
 }
 ` };
 
-export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc PCF, 32 fetches from a linear comparison sampler",
+export const ellipse_hardware32 = { language, name: "ellipse_hardware32", summary: "PCF over an ellipse, 32 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware32: PCF over 32 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+float umbrage_ellipse_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
+                                 float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -2682,6 +2734,54 @@ float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, 
 }
 ` };
 
+export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc PCF, 8 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware8], text: `
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                             float2 rotation) {
+    return umbrage_ellipse_hardware8(map, size, coord, receiver, float2(radius, radius), rotation);
+}
+` };
+
+export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc PCF, 16 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware16], text: `
+// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    return umbrage_ellipse_hardware16(map, size, coord, receiver, float2(radius, radius), rotation);
+}
+` };
+
+export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc PCF, 32 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware32], text: `
+// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+                              float2 rotation) {
+    return umbrage_ellipse_hardware32(map, size, coord, receiver, float2(radius, radius), rotation);
+}
+` };
+
 export const bounds_lit = { language, name: "bounds_lit", summary: "visibility from depth bounds, an early exit of a filter",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, compare, fetch_clamped], text: `
@@ -2717,11 +2817,12 @@ float umbrage_distance_code(float depth) {
 export const penumbra = { language, name: "penumbra", summary: "radius of a penumbra from the distance to the blocker",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-float umbrage_penumbra(float apart, float3 softness) {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+float2 umbrage_penumbra(float apart, float4 softness) {
+    float2 radius = floor(float2(softness.x, softness.y) * apart);
+    return min(max(radius, float2(softness.z, softness.z)), float2(softness.w, softness.w));
 }
 ` };
 
@@ -2736,16 +2837,16 @@ float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float r
 }
 ` };
 
-export const blockers8 = { language, name: "blockers8", summary: "blocker search over a disc's points",
+export const blockers8 = { language, name: "blockers8", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                          float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
@@ -2760,16 +2861,16 @@ float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, fl
 }
 ` };
 
-export const blockers16 = { language, name: "blockers16", summary: "blocker search over a disc's points",
+export const blockers16 = { language, name: "blockers16", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                           float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
@@ -2792,16 +2893,16 @@ float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, f
 }
 ` };
 
-export const blockers32 = { language, name: "blockers32", summary: "blocker search over a disc's points",
+export const blockers32 = { language, name: "blockers32", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of a disc
+// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
                           float2 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
@@ -2842,70 +2943,70 @@ float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, f
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                     float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse8(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse16(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_pcss32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_pcss32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
+    float2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse32(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
@@ -2923,36 +3024,41 @@ float2 umbrage_blocker_at(Texture2D<float4> map, float2 size, float2 uv, float r
 export const pcss_radius = { language, name: "pcss_radius", summary: "penumbra radius from the mean depth of blockers",
     exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+float2 umbrage_pcss_radius(float2 found, float receiver, float4 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
-    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    float min_radius = softness.y * 0.0625;
-    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+    float apart = forward ? receiver - mean : mean - receiver;
+    float2 radius = float2(softness.x, softness.y) * 4096.0 * apart;
+    float min_radius = softness.z * 0.0625;
+    float max_radius = softness.w * 0.0625;
+    return float2(radius.x > min_radius ? min(radius.x, max_radius) : min_radius,
+                  radius.y > min_radius ? min(radius.y, max_radius) : min_radius);
 }
 ` };
 
 export const blockers_hardware8 = { language, name: "blockers_hardware8", summary: "blocker search, 8 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of a disc
+// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                   float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -2969,19 +3075,21 @@ float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coo
 export const blockers_hardware16 = { language, name: "blockers_hardware16", summary: "blocker search, 16 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                    float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -3006,19 +3114,21 @@ float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 co
 export const blockers_hardware32 = { language, name: "blockers_hardware32", summary: "blocker search, 32 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of a disc
+// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
+float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
                                    float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
-    float2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    float2 x = scaled / size;
-    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
+    float2 x = rotation * part;
+    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -3103,23 +3213,24 @@ float umbrage_hardened_kernel32(float blocked, float ratio) {
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                     float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -3127,23 +3238,24 @@ float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float rece
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel16(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -3151,23 +3263,24 @@ float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float rec
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness,
+float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
                      float2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
-    float search_radius = umbrage_penumbra(z, softness);
+    float2 search_radius = umbrage_penumbra(z, softness);
     float2 found = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    float radius = umbrage_penumbra(z - mean, softness);
-    float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    float2 radius = umbrage_penumbra(z - mean, softness);
+    float searched = max(search_radius.x + search_radius.y, 1.0);
+    float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     float dark = umbrage_hardened_kernel32(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -4855,16 +4968,13 @@ float4x4 umbrage_adaptive_maps_places(float4x4 to_root, float4x4 planes, float4x
 }
 ` };
 
-export const map_softness = { language, name: "map_softness", summary: "one of 16 numbers of a matrix, without dynamic indexing",
+export const map_softness = { language, name: "map_softness", summary: "one of eight pairs of a matrix, without dynamic indexing",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-float umbrage_map_softness(float4x4 sixteen, float number) {
-    float column = floor(number * 0.25);
-    float i = number - 4.0 * column;
-    float4 four = umbrage_cascade_column(sixteen, column);
-    float low = i < 0.5 ? four.x : four.y;
-    float high = i < 2.5 ? four.z : four.w;
-    return i < 1.5 ? low : high;
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+float2 umbrage_map_softness(float4x4 eight, float number) {
+    float column = floor(number * 0.5);
+    float4 two = umbrage_cascade_column(eight, column);
+    return number - 2.0 * column < 0.5 ? float2(two.x, two.y) : float2(two.z, two.w);
 }
 ` };

@@ -1858,14 +1858,15 @@ export const disc_tap = { language, name: "disc_tap", summary: "texel that a poi
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
-    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
-    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
+    let y: f32 = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 ` };
@@ -1881,9 +1882,119 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
 }
 ` };
 
+export const ellipse8 = { language, name: "ellipse8", summary: "PCF over an ellipse, 8 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse8: PCF over a rotated ellipse of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_ellipse8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                    rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, radius), receiver);
+    return select(1.0, n * (1.0 / 8.0), compared);
+}
+` };
+
+export const ellipse16 = { language, name: "ellipse16", summary: "PCF over an ellipse, 16 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse16: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_ellipse16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                     rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, radius), receiver);
+    return select(1.0, n * (1.0 / 16.0), compared);
+}
+` };
+
+export const ellipse32 = { language, name: "ellipse32", summary: "PCF over an ellipse, 32 points, rotated per pixel",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [in_filter_domain, disc_tap, lit], text: `
+// umbrage_ellipse32: PCF over a rotated ellipse of 32 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_ellipse32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                     rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), rotation, radius), receiver);
+    return select(1.0, n * (1.0 / 32.0), compared);
+}
+` };
+
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
+    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1891,25 +2002,14 @@ export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, ro
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
-    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
-    var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, rho), receiver);
-    return select(1.0, n * (1.0 / 8.0), compared);
+    return umbrage_ellipse8(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
 ` };
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
+    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1917,33 +2017,14 @@ export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
-    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
-    var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
-    return select(1.0, n * (1.0 / 16.0), compared);
+    return umbrage_ellipse16(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
 ` };
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, disc_radius, disc_tap, lit], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
+    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -1951,43 +2032,8 @@ export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
-    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
-    var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), rotation, rho), receiver);
-    return select(1.0, n * (1.0 / 32.0), compared);
+    return umbrage_ellipse32(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
 ` };
 
@@ -2556,23 +2602,25 @@ fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
 }
 ` };
 
-export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc PCF, 8 fetches from a linear comparison sampler",
+export const ellipse_hardware8 = { language, name: "ellipse_hardware8", summary: "PCF over an ellipse, 8 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware8: PCF over 8 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                          rotation: vec2f) -> f32 {
+fn umbrage_ellipse_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                             rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -2587,23 +2635,25 @@ fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, recei
 }
 ` };
 
-export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc PCF, 16 fetches from a linear comparison sampler",
+export const ellipse_hardware16 = { language, name: "ellipse_hardware16", summary: "PCF over an ellipse, 16 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware16: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                           rotation: vec2f) -> f32 {
+fn umbrage_ellipse_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                              rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -2626,23 +2676,25 @@ fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
 }
 ` };
 
-export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc PCF, 32 fetches from a linear comparison sampler",
+export const ellipse_hardware32 = { language, name: "ellipse_hardware32", summary: "PCF over an ellipse, 32 fetches from a linear comparison sampler",
     exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, within_far_plane, lit_at], text: `
-// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware32: PCF over 32 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                           rotation: vec2f) -> f32 {
+fn umbrage_ellipse_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                              rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -2681,6 +2733,54 @@ fn umbrage_disc_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
 }
 ` };
 
+export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc PCF, 8 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware8], text: `
+// umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                          rotation: vec2f) -> f32 {
+    return umbrage_ellipse_hardware8(map, size, coord, receiver, vec2f(radius, radius), rotation);
+}
+` };
+
+export const disc_hardware16 = { language, name: "disc_hardware16", summary: "disc PCF, 16 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware16], text: `
+// umbrage_disc_hardware16: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                           rotation: vec2f) -> f32 {
+    return umbrage_ellipse_hardware16(map, size, coord, receiver, vec2f(radius, radius), rotation);
+}
+` };
+
+export const disc_hardware32 = { language, name: "disc_hardware32", summary: "disc PCF, 32 fetches from a linear comparison sampler",
+    exactness: "c", operations: 0, within: 0.0078125, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [ellipse_hardware32], text: `
+// umbrage_disc_hardware32: PCF over 32 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                           rotation: vec2f) -> f32 {
+    return umbrage_ellipse_hardware32(map, size, coord, receiver, vec2f(radius, radius), rotation);
+}
+` };
+
 export const bounds_lit = { language, name: "bounds_lit", summary: "visibility from depth bounds, an early exit of a filter",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, compare, fetch_clamped], text: `
@@ -2716,11 +2816,12 @@ fn umbrage_distance_code(depth: f32) -> f32 {
 export const penumbra = { language, name: "penumbra", summary: "radius of a penumbra from the distance to the blocker",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+fn umbrage_penumbra(apart: f32, softness: vec4f) -> vec2f {
+    let radius: vec2f = floor(vec2f(softness.x, softness.y) * apart);
+    return min(max(radius, vec2f(softness.z, softness.z)), vec2f(softness.w, softness.w));
 }
 ` };
 
@@ -2735,16 +2836,16 @@ fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
 }
 ` };
 
-export const blockers8 = { language, name: "blockers8", summary: "blocker search over a disc's points",
+export const blockers8 = { language, name: "blockers8", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), rotation, radius), receiver);
@@ -2759,16 +2860,16 @@ fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receive
 }
 ` };
 
-export const blockers16 = { language, name: "blockers16", summary: "blocker search over a disc's points",
+export const blockers16 = { language, name: "blockers16", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
                       rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), rotation, radius), receiver);
@@ -2791,16 +2892,16 @@ fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiv
 }
 ` };
 
-export const blockers32 = { language, name: "blockers32", summary: "blocker search over a disc's points",
+export const blockers32 = { language, name: "blockers32", summary: "blocker search over an ellipse's points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [disc_tap, blocker], text: `
-// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of a disc
+// umbrage_blockers32: (number of blockers, sum of their distance codes) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
                       rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), rotation, radius), receiver);
@@ -2841,70 +2942,70 @@ fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiv
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, disc8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                  rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse8(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, disc16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_pcss16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_pcss16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                   rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse16(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, disc32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_pcss32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_pcss32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                   rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse32(map, size, coord, receiver, radius, rotation);
 }
 ` };
 
@@ -2922,36 +3023,41 @@ fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f3
 export const pcss_radius = { language, name: "pcss_radius", summary: "penumbra radius from the mean depth of blockers",
     exactness: "c", operations: 0, within: 0.0009765625, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cleared_depth], text: `
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec4f) -> vec2f {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
-    let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
-    let min_radius: f32 = softness.y * 0.0625;
-    return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
+    let apart: f32 = select(mean - receiver, receiver - mean, forward);
+    let radius: vec2f = vec2f(softness.x, softness.y) * 4096.0 * apart;
+    let min_radius: f32 = softness.z * 0.0625;
+    let max_radius: f32 = softness.w * 0.0625;
+    return vec2f(select(min_radius, min(radius.x, max_radius), radius.x > min_radius),
+                 select(min_radius, min(radius.y, max_radius), radius.y > min_radius));
 }
 ` };
 
 export const blockers_hardware8 = { language, name: "blockers_hardware8", summary: "blocker search, 8 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of a disc
+// umbrage_blockers_hardware8: (number of blockers, sum of their depths) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
                               rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -2968,19 +3074,21 @@ fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, r
 export const blockers_hardware16 = { language, name: "blockers_hardware16", summary: "blocker search, 16 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
                                rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -3005,19 +3113,21 @@ fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, 
 export const blockers_hardware32 = { language, name: "blockers_hardware32", summary: "blocker search, 32 points of a nearest-texel sampler",
     exactness: "c", operations: 24, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [in_filter_domain, blocker_at], text: `
-// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of a disc
+// umbrage_blockers_hardware32: (number of blockers, sum of their depths) at 32 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
                                rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -3102,23 +3212,24 @@ fn umbrage_hardened_kernel32(blocked: f32, ratio: f32) -> f32 {
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                  rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
+    let searched: f32 = max(search_radius.x + search_radius.y, 1.0);
+    let ratio: f32 = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     let dark: f32 = umbrage_hardened_kernel8(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
@@ -3126,23 +3237,24 @@ fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                   rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
+    let searched: f32 = max(search_radius.x + search_radius.y, 1.0);
+    let ratio: f32 = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     let dark: f32 = umbrage_hardened_kernel16(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
@@ -3150,23 +3262,24 @@ fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec3", value: [0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                   rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers32(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
+    let searched: f32 = max(search_radius.x + search_radius.y, 1.0);
+    let ratio: f32 = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     let dark: f32 = umbrage_hardened_kernel32(found.x, ratio);
     return select(1.0, clamp(1.0 - dark, 0.0, 1.0), compared);
 }
@@ -4839,16 +4952,13 @@ fn umbrage_adaptive_maps_places(to_root: mat4x4f, planes: mat4x4f, cells_0: mat4
 }
 ` };
 
-export const map_softness = { language, name: "map_softness", summary: "one of 16 numbers of a matrix, without dynamic indexing",
+export const map_softness = { language, name: "map_softness", summary: "one of eight pairs of a matrix, without dynamic indexing",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-fn umbrage_map_softness(sixteen: mat4x4f, number: f32) -> f32 {
-    let column: f32 = floor(number * 0.25);
-    let i: f32 = number - 4.0 * column;
-    let four: vec4f = umbrage_cascade_column(sixteen, column);
-    let low: f32 = select(four.y, four.x, i < 0.5);
-    let high: f32 = select(four.w, four.z, i < 2.5);
-    return select(high, low, i < 1.5);
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+fn umbrage_map_softness(eight: mat4x4f, number: f32) -> vec2f {
+    let column: f32 = floor(number * 0.5);
+    let two: vec4f = umbrage_cascade_column(eight, column);
+    return select(vec2f(two.z, two.w), vec2f(two.x, two.y), number - 2.0 * column < 0.5);
 }
 ` };

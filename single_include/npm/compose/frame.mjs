@@ -37,9 +37,9 @@ export function frame_in(w, calls, is) {
 
     /** Statements that find the softness of the map `number`. */
     const softness = Array.from({ length: soft }, (_, i) => i === 0
-        ? (soft > 1 ? w.variable : constant)('float', 'softness', 'umbrage_map_softness(softness_0, number)')
-        : `softness = ${w.choice(`number >= ${16 * i}.0`, `umbrage_map_softness(softness_${i}, number - ${16 * i}.0)`, 'softness')};`);
-    if (soft) softness.push(constant('vec4', 'own_terms', vec(4, 'softness', 'filter_terms.y', 'filter_terms.z', 'filter_terms.w')));
+        ? (soft > 1 ? w.variable : constant)('vec2', 'softness', 'umbrage_map_softness(softness_0, number)')
+        : `softness = ${w.choice(`number >= ${8 * i}.0`, `umbrage_map_softness(softness_${i}, number - ${8 * i}.0)`, 'softness')};`);
+    if (soft) softness.push(constant('vec4', 'own_terms', vec(4, 'softness', 'filter_terms.z', 'filter_terms.w')));
 
     /** The frame: a lookup at each place of a receiver, and their blend. */
     const blended = (type, lit, look, blend, statements) => {

@@ -38,7 +38,9 @@ inline std::string numbers(glm::vec3 v) { return numbers({v.x, v.y, v.z}); }
 
 inline std::string numbers(float v) { return numbers({v}); }
 inline std::string numbers(int v) { return numbers({static_cast<float>(v)}); }
-inline std::string numbers(const umbrage::penumbra_params& v) { return numbers(glm::vec3(v)); }
+inline std::string numbers(const umbrage::penumbra_params& v) {
+    return numbers({v.per_code_x, v.per_code_y, v.min_radius, v.max_radius});
+}
 
 /// Defaults of what a filter's function takes behind coordinate and receiver.
 template <umbrage::detail::with_numbers Filter>

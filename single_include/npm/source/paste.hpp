@@ -191,7 +191,7 @@ inline std::vector<pasted> for_comparison_samplers() {
                    "percentage-closer soft shadows (PCSS) at 16 points, one texture bound to two samplers",
                    {glsl::disc_rotation, glsl::pcss_radius,
                     bind(glsl::blockers_hardware<16>, "depths", {.texture = glsl::texture::depth}),
-                    bind(glsl::disc_hardware<16>, "shadow", shadow)}});
+                    bind(glsl::ellipse_hardware<16>, "shadow", shadow)}});
     return all;
 }
 

@@ -246,12 +246,13 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
     const glm::ivec2 map_size(a.map_size);
     const clip_space clip = detail::clip_of(a);
     answered out;
-    float reach = 0, light_size = 0, per_code = 0;
+    float reach = 0, light_size = 0;
+    glm::vec2 per_code(0);
     bent_lines bends;
     detail::with_filter_of(filter, a.arguments, [&]<class Filter>(const Filter& f) {
         if constexpr (umbrage::detail::contact_hardening<Filter>) {
             light_size = umbrage::detail::softness_of(f).light_size;
-            umbrage::detail::require_shadow(clip, map_size, umbrage::detail::with_per_code(f, 0));
+            umbrage::detail::require_shadow(clip, map_size, umbrage::detail::with_per_code(f, per_code));
         } else umbrage::detail::require_shadow(clip, map_size, f);
         reach = umbrage::detail::reach_of(f);
     });
@@ -271,7 +272,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
             constexpr int matrices = umbrage::detail::softness_matrices<setup_type, filters::pcss>;
             const std::size_t begin = out.block.size();
             out.block.resize(begin + 16 * std::size_t(matrices));
-            if (matrices > 0) std::copy(softness.begin(), softness.end(), out.block.begin() + std::ptrdiff_t(begin));
+            if (matrices > 0) std::memcpy(&out.block[begin], softness.data(), softness.size() * sizeof(glm::vec2));
         }
         for (const light_space<double>& light : setup.lights()) {
             const auto placed = umbrage::detail::relative_to(a.origin, light);
@@ -282,7 +283,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
     const decoding_error off = detail::error_of(encoding, clip.direction);
     detail::with_filter_of(filter, a.arguments, [&]<class Filter>(const Filter& f) {
         shadow_terms terms = umbrage::detail::make_shadow_terms(map_size, f, off, clip, bends);
-        if (light_size > 0) terms.filter_terms.x = per_code;
+        if (light_size > 0) terms.filter_terms.x = per_code.x, terms.filter_terms.y = per_code.y;
         append(out.block, terms);
         if constexpr (prefilter<Filter>) {
             Filter of_map = f;

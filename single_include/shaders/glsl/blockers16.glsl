@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers16: blocker search over a disc's points. Exactness: tier A.
+// umbrage 0.1.0, blockers16: blocker search over an ellipse's points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `sampler2D map`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -28,15 +28,16 @@
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
-                                    UMBRAGE_HIGHP float radius) {
+                                    UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
@@ -117,14 +118,14 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 #ifndef UMBRAGE_HAS_BLOCKERS16
 #define UMBRAGE_HAS_BLOCKERS16
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
-                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
                                       UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), rotation, radius), receiver);

@@ -117,20 +117,22 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16
-// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);

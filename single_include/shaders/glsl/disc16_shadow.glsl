@@ -21,15 +21,6 @@
 #endif
 #endif
 
-#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
-// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
-bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DISC_RADIUS
 #define UMBRAGE_HAS_DISC_RADIUS
 // umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
@@ -40,21 +31,31 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DISC_TAP
 #define UMBRAGE_HAS_DISC_TAP
 // umbrage_disc_tap: texel that a point of a disc falls on
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
-                                    UMBRAGE_HIGHP float radius) {
+                                    UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
@@ -114,6 +115,40 @@ UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAG
 }
 #endif
 
+#ifndef UMBRAGE_HAS_ELLIPSE16_SHADOW
+#define UMBRAGE_HAS_ELLIPSE16_SHADOW
+// umbrage_ellipse16_shadow: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_ellipse16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                             UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, radius), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DISC16_SHADOW
 #define UMBRAGE_HAS_DISC16_SHADOW
 // umbrage_disc16_shadow: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
@@ -125,26 +160,7 @@ UMBRAGE_HIGHP float umbrage_lit_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAG
 UMBRAGE_HIGHP float umbrage_disc16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                           UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                           UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
-    bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
-    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
-    UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit_shadow(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
-    return compared ? n * (1.0 / 16.0) : 1.0;
+    return umbrage_ellipse16_shadow(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
 #endif

@@ -93,23 +93,25 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+// umbrage_ellipse_hardware16_shadow: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
-                                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+UMBRAGE_HIGHP float umbrage_ellipse_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                                      UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -129,5 +131,21 @@ UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow
     n += umbrage_lit_at_shadow(map, size, center + x * 14.0 - y * 2.0, coord, receiver);
     UMBRAGE_HIGHP float visibility = umbrage_within_far_plane_shadow(receiver) ? n * (1.0 / 16.0) : 0.0;
     return compared ? visibility : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+    return umbrage_ellipse_hardware16_shadow(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 #endif

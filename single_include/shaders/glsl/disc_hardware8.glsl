@@ -188,6 +188,39 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 }
 #endif
 
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE8
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE8
+// umbrage_ellipse_hardware8: PCF over 8 points of an ellipse, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+UMBRAGE_HIGHP float umbrage_ellipse_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                              UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+    bool compared = umbrage_in_filter_domain(coord, receiver);
+    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, coord, receiver);
+    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, coord, receiver);
+    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
+    return compared ? visibility : 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DISC_HARDWARE8
 #define UMBRAGE_HAS_DISC_HARDWARE8
 // umbrage_disc_hardware8: PCF over 8 points of a disc, compared and weighted by the sampler
@@ -200,21 +233,6 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
-    bool compared = umbrage_in_filter_domain(coord, receiver);
-    UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
-    UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center + x * 1.0 - y * 11.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center - x * 9.0 - y * 8.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center - x * 12.0 + y * 3.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 + y * 6.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center + x * 0.0 + y * 13.0, coord, receiver);
-    n += umbrage_lit_at(map, size, center + x * 11.0 - y * 7.0, coord, receiver);
-    UMBRAGE_HIGHP float visibility = umbrage_within_far_plane(receiver) ? n * (1.0 / 8.0) : 0.0;
-    return compared ? visibility : 1.0;
+    return umbrage_ellipse_hardware8(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 #endif

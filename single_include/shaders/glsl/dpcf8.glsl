@@ -33,11 +33,12 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 
 #ifndef UMBRAGE_HAS_PENUMBRA
 #define UMBRAGE_HAS_PENUMBRA
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec4 softness) {
+    UMBRAGE_HIGHP vec2 radius = floor(vec2(softness.x, softness.y) * apart);
+    return min(max(radius, vec2(softness.z, softness.z)), vec2(softness.w, softness.w));
 }
 #endif
 
@@ -47,15 +48,16 @@ UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP ve
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
-                                    UMBRAGE_HIGHP float radius) {
+                                    UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
@@ -189,14 +191,14 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 #ifndef UMBRAGE_HAS_BLOCKERS8
 #define UMBRAGE_HAS_BLOCKERS8
-// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
-                                     UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                     UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
                                      UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), rotation, radius), receiver);
@@ -220,16 +222,17 @@ UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP 
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                   UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float searched = max(search_radius.x + search_radius.y, 1.0);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     UMBRAGE_HIGHP float dark = umbrage_hardened_kernel8(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, map_softness: one of 16 numbers of a matrix, without dynamic indexing. Exactness: tier A.
+// umbrage 0.1.0, map_softness: one of eight pairs of a matrix, without dynamic indexing. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -29,13 +29,10 @@ UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HI
 
 #ifndef UMBRAGE_HAS_MAP_SOFTNESS
 #define UMBRAGE_HAS_MAP_SOFTNESS
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-UMBRAGE_HIGHP float umbrage_map_softness(UMBRAGE_HIGHP mat4 sixteen, UMBRAGE_HIGHP float number) {
-    UMBRAGE_HIGHP float column = floor(number * 0.25);
-    UMBRAGE_HIGHP float i = number - 4.0 * column;
-    UMBRAGE_HIGHP vec4 four = umbrage_cascade_column(sixteen, column);
-    UMBRAGE_HIGHP float low = i < 0.5 ? four.x : four.y;
-    UMBRAGE_HIGHP float high = i < 2.5 ? four.z : four.w;
-    return i < 1.5 ? low : high;
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+UMBRAGE_HIGHP vec2 umbrage_map_softness(UMBRAGE_HIGHP mat4 eight, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP float column = floor(number * 0.5);
+    UMBRAGE_HIGHP vec4 two = umbrage_cascade_column(eight, column);
+    return number - 2.0 * column < 0.5 ? vec2(two.x, two.y) : vec2(two.z, two.w);
 }
 #endif

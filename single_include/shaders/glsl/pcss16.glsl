@@ -33,11 +33,12 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 
 #ifndef UMBRAGE_HAS_PENUMBRA
 #define UMBRAGE_HAS_PENUMBRA
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec4 softness) {
+    UMBRAGE_HIGHP vec2 radius = floor(vec2(softness.x, softness.y) * apart);
+    return min(max(radius, vec2(softness.z, softness.z)), vec2(softness.w, softness.w));
 }
 #endif
 
@@ -47,15 +48,16 @@ UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP ve
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
-                                    UMBRAGE_HIGHP float radius) {
+                                    UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 scaled = rotation * (radius * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
-    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
@@ -79,16 +81,6 @@ UMBRAGE_HIGHP float umbrage_correct_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGH
 //   b   integer, 1 to 2^24
 UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
     return umbrage_correct_quotient(floor(a / b), a, b);
-}
-#endif
-
-#ifndef UMBRAGE_HAS_DISC_RADIUS
-#define UMBRAGE_HAS_DISC_RADIUS
-// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
-// Returns an integer from 0 to 4095, and 0 for NaN
-UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
-    return radius >= 255.9375 ? 4095.0 : inside;
 }
 #endif
 
@@ -185,14 +177,14 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 #ifndef UMBRAGE_HAS_BLOCKERS16
 #define UMBRAGE_HAS_BLOCKERS16
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
-                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
                                       UMBRAGE_HIGHP vec2 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), rotation, radius), receiver);
@@ -224,37 +216,36 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC16
-#define UMBRAGE_HAS_DISC16
-// umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
+#ifndef UMBRAGE_HAS_ELLIPSE16
+#define UMBRAGE_HAS_ELLIPSE16
+// umbrage_ellipse16: PCF over a rotated ellipse of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+UMBRAGE_HIGHP float umbrage_ellipse16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
+                                      UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), rotation, radius), receiver);
     return compared ? n * (1.0 / 16.0) : 1.0;
 }
 #endif
@@ -268,16 +259,16 @@ UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse16(map, size, coord, receiver, radius, rotation);
 }
 #endif

@@ -3,7 +3,7 @@
 // GLSL below 400 and 320 es lets compilers fuse or reorder sums.
 // pcss_radius, tier C: within 1/1024 of C++.
 // blockers_hardware16_depths, tier C: within 24 x 2^-23 x S of the exact result.
-// disc_hardware16_shadow, tier C: within 1/128 of C++.
+// ellipse_hardware16_shadow, tier C: within 1/128 of C++.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
@@ -70,18 +70,21 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_PCSS_RADIUS
 #define UMBRAGE_HAS_PCSS_RADIUS
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
-                                        UMBRAGE_HIGHP vec3 softness) {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP vec4 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
-    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
-    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+    UMBRAGE_HIGHP float apart = forward ? receiver - mean : mean - receiver;
+    UMBRAGE_HIGHP vec2 radius = vec2(softness.x, softness.y) * 4096.0 * apart;
+    UMBRAGE_HIGHP float min_radius = softness.z * 0.0625;
+    UMBRAGE_HIGHP float max_radius = softness.w * 0.0625;
+    return vec2(radius.x > min_radius ? min(radius.x, max_radius) : min_radius,
+                radius.y > min_radius ? min(radius.y, max_radius) : min_radius);
 }
 #endif
 
@@ -169,20 +172,22 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at_depths(UMBRAGE_HIGHP sampler2D map, UMBRAG
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE16_DEPTHS
-// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                       UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                      UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -265,23 +270,25 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 }
 #endif
 
-#ifndef UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-#define UMBRAGE_HAS_DISC_HARDWARE16_SHADOW
-// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+#ifndef UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+#define UMBRAGE_HAS_ELLIPSE_HARDWARE16_SHADOW
+// umbrage_ellipse_hardware16_shadow: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-UMBRAGE_HIGHP float umbrage_disc_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
-                                                   UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                   UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+UMBRAGE_HIGHP float umbrage_ellipse_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
+                                                      UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
+                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
-    UMBRAGE_HIGHP vec2 scaled = rotation * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
-    UMBRAGE_HIGHP vec2 x = scaled / size;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
+    UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
+    UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
+    UMBRAGE_HIGHP vec2 x = rotation * part;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, coord, receiver);

@@ -30,17 +30,20 @@ UMBRAGE_HIGHP float umbrage_cleared_depth() {
 
 #ifndef UMBRAGE_HAS_PCSS_RADIUS
 #define UMBRAGE_HAS_PCSS_RADIUS
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
-                                        UMBRAGE_HIGHP vec3 softness) {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+UMBRAGE_HIGHP vec2 umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP vec4 softness) {
     bool forward = umbrage_cleared_depth() > 0.5;
     UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
-    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
-    UMBRAGE_HIGHP float min_radius = softness.y * 0.0625;
-    return radius > min_radius ? min(radius, softness.z * 0.0625) : min_radius;
+    UMBRAGE_HIGHP float apart = forward ? receiver - mean : mean - receiver;
+    UMBRAGE_HIGHP vec2 radius = vec2(softness.x, softness.y) * 4096.0 * apart;
+    UMBRAGE_HIGHP float min_radius = softness.z * 0.0625;
+    UMBRAGE_HIGHP float max_radius = softness.w * 0.0625;
+    return vec2(radius.x > min_radius ? min(radius.x, max_radius) : min_radius,
+                radius.y > min_radius ? min(radius.y, max_radius) : min_radius);
 }
 #endif

@@ -1,4 +1,4 @@
-// umbrage 0.1.0, blockers16: blocker search over a disc's points. Exactness: tier A.
+// umbrage 0.1.0, blockers16: blocker search over an ellipse's points. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 // Map: `map: texture_2d<f32>`, a depth in .x of each texel, 0.0 near and 1.0 far, read unfiltered.
@@ -11,14 +11,15 @@
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
-    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
-    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
+    let y: f32 = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 
@@ -69,13 +70,13 @@ fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
     return select(vec2f(1.0, code), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
 }
 
-// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of a disc
+// umbrage_blockers16: (number of blockers, sum of their distance codes) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
                       rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), rotation, radius), receiver);

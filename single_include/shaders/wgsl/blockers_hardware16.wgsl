@@ -67,19 +67,21 @@ fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f3
     return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
 }
 
-// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
                                rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);

@@ -7,12 +7,6 @@
 // Other maps: bind() of the library or of its npm package prints this text, by texture, depth, outside, compare,
 //   direction.
 
-// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
-fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
-}
-
 // umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
 // Returns an integer from 0 to 4095, and 0 for NaN
 fn umbrage_disc_radius(radius: f32) -> f32 {
@@ -20,18 +14,25 @@ fn umbrage_disc_radius(radius: f32) -> f32 {
     return select(inside, 4095.0, radius >= 255.9375);
 }
 
+// umbrage_inside_texel_space: true for coordinates in texels that a filter can take; others are lit, also NaN
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // the float below 32768: of one limit for both Mesa makes max(x, y) < limit, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
+}
+
 // umbrage_disc_tap: texel that a point of a disc falls on
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
-    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
-    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
+    let y: f32 = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 
@@ -77,6 +78,28 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 
+// umbrage_ellipse8: PCF over a rotated ellipse of 8 points. Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_ellipse8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                    rotation: vec2f) -> f32 {
+    let compared: bool = umbrage_in_filter_domain(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, radius), receiver);
+    return select(1.0, n * (1.0 / 8.0), compared);
+}
+
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -84,17 +107,6 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
-    let compared: bool = umbrage_in_filter_domain(coord, receiver);
-    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     let rho: f32 = umbrage_disc_radius(radius);
-    var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, rho), receiver);
-    return select(1.0, n * (1.0 / 8.0), compared);
+    return umbrage_ellipse8(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }

@@ -55,20 +55,22 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
     return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 
-// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware16_shadow: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_ellipse_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                                     receiver: f32, radius: vec2f, rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -88,4 +90,16 @@ fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_co
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 14.0 - y * 2.0, coord, receiver);
     let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_within_far_plane_shadow(receiver));
     return select(1.0, visibility, compared);
+}
+
+// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// Returns visibility, 1.0 = lit
+//   map, size   shadow map and its size in texels
+//   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
+//   receiver    receiver depth in [0, 1], bias applied
+//   radius      in texels, at most 255.9375
+//   rotation    umbrage_disc_rotation of the pixel
+fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+    return umbrage_ellipse_hardware16_shadow(map, map_sampler, size, coord, receiver, vec2f(radius, radius), rotation);
 }

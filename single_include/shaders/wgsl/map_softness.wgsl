@@ -1,4 +1,4 @@
-// umbrage 0.1.0, map_softness: one of 16 numbers of a matrix, without dynamic indexing. Exactness: tier A.
+// umbrage 0.1.0, map_softness: one of eight pairs of a matrix, without dynamic indexing. Exactness: tier A.
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
@@ -9,12 +9,9 @@ fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
     return select(high, low, number < 1.5);
 }
 
-// umbrage_map_softness: one of 16 numbers of a matrix, column by column, by its index, 0.0 to 15.0
-fn umbrage_map_softness(sixteen: mat4x4f, number: f32) -> f32 {
-    let column: f32 = floor(number * 0.25);
-    let i: f32 = number - 4.0 * column;
-    let four: vec4f = umbrage_cascade_column(sixteen, column);
-    let low: f32 = select(four.y, four.x, i < 0.5);
-    let high: f32 = select(four.w, four.z, i < 2.5);
-    return select(high, low, i < 1.5);
+// umbrage_map_softness: one of eight pairs of a matrix, two a column, by its index, 0.0 to 7.0
+fn umbrage_map_softness(eight: mat4x4f, number: f32) -> vec2f {
+    let column: f32 = floor(number * 0.5);
+    let two: vec4f = umbrage_cascade_column(eight, column);
+    return select(vec2f(two.z, two.w), vec2f(two.x, two.y), number - 2.0 * column < 0.5);
 }

@@ -13,25 +13,27 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
-// umbrage_penumbra: radius of a penumbra in 1/16 texel, an integer
+// umbrage_penumbra: radius of a penumbra along x and y in 1/16 texel, integers
 //   apart      umbrage_distance_code of the receiver minus that of the blocker
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
-    return min(max(floor(apart * softness.x), softness.y), softness.z);
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+fn umbrage_penumbra(apart: f32, softness: vec4f) -> vec2f {
+    let radius: vec2f = floor(vec2f(softness.x, softness.y) * apart);
+    return min(max(radius, vec2f(softness.z, softness.z)), vec2f(softness.w, softness.w));
 }
 
 // umbrage_disc_tap: texel that a point of a disc falls on
 //   position   floor(256 coord) of the receiver
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
-//   radius     in 1/16 texel, an integer from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: f32) -> vec2f {
+//   radius     along x and y, in 1/16 texel, integers from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let scaled: vec2f = rotation * (radius * (1.0 / 16384.0));
-    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
-    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
+    let y: f32 = high.y * p.x + within.y + high.x * p.y;
     return texel + floor(vec2f(x, y));
 }
 
@@ -49,13 +51,6 @@ fn umbrage_correct_quotient(q: f32, a: f32, b: f32) -> f32 {
 //   b   integer, 1 to 2^24
 fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
     return umbrage_correct_quotient(floor(a / b), a, b);
-}
-
-// umbrage_disc_radius: radius of a disc in 1/16 texel, from one in texels
-// Returns an integer from 0 to 4095, and 0 for NaN
-fn umbrage_disc_radius(radius: f32) -> f32 {
-    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0);
-    return select(inside, 4095.0, radius >= 255.9375);
 }
 
 // umbrage_beyond_far_plane: true if a receiver is beyond the far plane
@@ -116,13 +111,13 @@ fn umbrage_blocker(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f3
     return select(vec2f(1.0, code), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
 }
 
-// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of a disc
+// umbrage_blockers8: (number of blockers, sum of their distance codes) at 8 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   position    floor(256 coord) of the receiver
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in 1/16 texel, an integer from 0 to 4095
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
                      rotation: vec2f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), rotation, radius), receiver);
@@ -141,25 +136,25 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
     return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
 }
 
-// umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
+// umbrage_ellipse8: PCF over a rotated ellipse of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_ellipse8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
+                    rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
-    let rho: f32 = umbrage_disc_radius(radius);
     var n: f32 = 0.0;
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, rho), receiver);
-    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), rotation, radius), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), rotation, radius), receiver);
     return select(1.0, n * (1.0 / 8.0), compared);
 }
 
@@ -169,15 +164,15 @@ fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 //   receiver    receiver depth in [0, 1], bias applied
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f,
+fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
                  rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
-    let search_radius: f32 = umbrage_penumbra(z, softness);
+    let search_radius: vec2f = umbrage_penumbra(z, softness);
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, search_radius, rotation);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let radius: vec2f = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse8(map, size, coord, receiver, radius, rotation);
 }

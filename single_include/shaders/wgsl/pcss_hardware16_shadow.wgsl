@@ -3,7 +3,7 @@
 // WGSL lets compilers fuse or reorder sums.
 // pcss_radius, tier C: within 1/1024 of C++.
 // blockers_hardware16_depths, tier C: within 24 x 2^-23 x S of the exact result.
-// disc_hardware16_shadow, tier C: within 1/128 of C++.
+// ellipse_hardware16_shadow, tier C: within 1/128 of C++.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
@@ -44,17 +44,20 @@ fn umbrage_cleared_depth() -> f32 {
     return 1.0;
 }
 
-// umbrage_pcss_radius: radius of a penumbra in texels
+// umbrage_pcss_radius: radius of a penumbra along x and y in texels
 // Without a blocker it is the radius for one at the near plane
 //   found      (number of blockers, sum of their depths)
 //   receiver   receiver depth in [0, 1], bias applied
-//   softness   (1/16 texel per distance code, min_radius, max_radius), from make_penumbra_params
-fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
+//   softness   (1/16 texel per distance code along x and y, min_radius, max_radius), from make_penumbra_params
+fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec4f) -> vec2f {
     let forward: bool = umbrage_cleared_depth() > 0.5;
     let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
-    let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
-    let min_radius: f32 = softness.y * 0.0625;
-    return select(min_radius, min(radius, softness.z * 0.0625), radius > min_radius);
+    let apart: f32 = select(mean - receiver, receiver - mean, forward);
+    let radius: vec2f = vec2f(softness.x, softness.y) * 4096.0 * apart;
+    let min_radius: f32 = softness.z * 0.0625;
+    let max_radius: f32 = softness.w * 0.0625;
+    return vec2f(select(min_radius, min(radius.x, max_radius), radius.x > min_radius),
+                 select(min_radius, min(radius.y, max_radius), radius.y > min_radius));
 }
 
 // umbrage_beyond_far_plane_depths: true if a receiver is beyond the far plane
@@ -107,19 +110,21 @@ fn umbrage_blocker_at_depths(map: texture_depth_2d, size: vec2f, uv: vec2f, rece
     return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare_depths(receiver, stored) > 0.5);
 }
 
-// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of a disc
+// umbrage_blockers_hardware16_depths: (number of blockers, sum of their depths) at 16 points of an ellipse
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
                                       rotation: vec2f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain_depths(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -181,20 +186,22 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
     return 1.0 + inside.x * inside.y * (lit - 1.0);  // texels outside are lit
 }
 
-// umbrage_disc_hardware16_shadow: PCF over 16 points of a disc, compared and weighted by the sampler
+// umbrage_ellipse_hardware16_shadow: PCF over 16 points of an ellipse, compared and weighted by the sampler
 // Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
-//   radius      in texels, at most 255.9375
+//   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_ellipse_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
+                                     receiver: f32, radius: vec2f, rotation: vec2f) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
-    let scaled: vec2f = rotation * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
-    let x: vec2f = scaled / size;
-    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
+    let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
+    let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
+    let x: vec2f = rotation * part;
+    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);

@@ -16,14 +16,14 @@ namespace {
 
 /// Contact hardening by samplers, as pcss_hardware.hpp has it; like Babylon.js' it returns where no blocker is found.
 constexpr glsl::snippet pcss_hardware{.name = "pcss_hardware", .role = glsl::hook::chosen, .source = R"GLSL(
-float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, vec2 coord, float receiver, vec3 soft,
+float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, vec2 coord, float receiver, vec4 soft,
                             vec2 turn) {
     if (!umbrage_in_filter_domain_sun(coord, receiver)) return 1.0;
-    float search = umbrage_pcss_radius_sun(vec2(0.0, 0.0), receiver, soft);
+    vec2 search = umbrage_pcss_radius_sun(vec2(0.0, 0.0), receiver, soft);
     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
     if (found.x < 0.5) return 1.0;
-    float radius = umbrage_pcss_radius_sun(found, receiver, soft);
-    return umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn);
+    vec2 radius = umbrage_pcss_radius_sun(found, receiver, soft);
+    return umbrage_ellipse_hardware16_sun(sun, size, coord, receiver, radius, turn);
 }
 )GLSL"};
 
@@ -32,7 +32,7 @@ std::vector<glsl::bound> pcss_hardware_items() {
         .texture = glsl::texture::depth, .outside = umbrage::outside_map::clamped, .gather = true},
         sun{.texture = glsl::texture::shadow, .outside = umbrage::outside_map::clamped};
     return {bind(glsl::blockers_hardware<16>, "depths", depths),
-            bind(glsl::disc_hardware<16>, "sun", sun),
+            bind(glsl::ellipse_hardware<16>, "sun", sun),
             bind(glsl::in_filter_domain, "sun", sun),
             bind(glsl::pcss_radius, "sun", sun),
             glsl::disc_rotation,
@@ -70,7 +70,8 @@ std::vector<job> soft(const std::string& folder) {
     const std::string texel = "textureLod(map, x0.xy, 0.0)";
     const auto pcss = [](const std::string& map) {
         return "vec4(umbrage_pcss16" + map +
-               "(map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), umbrage_disc_rotation(gl_FragCoord.xy)))";
+               "(map, map_size, x1.xy, x1.z, vec4(0.0625, 0.0625, 16.0, 96.0), "
+               "umbrage_disc_rotation(gl_FragCoord.xy)))";
     };
     return {
         {"VSM, one tap by the sampler",  // both hold mean and deviation
@@ -108,10 +109,11 @@ std::vector<job> soft(const std::string& folder) {
            "vec4(getShadowVSM32(map, x0.xyz, vec4(2048.0, 0.0002, 0.0, 0.0), 15.0))"}}},
         {"PCSS, 16 + 16 taps",
          {{us, "pcss_hardware16", "", pcss_hardware_items(),
-           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), vec2(64.0, "
+           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec4(0.0625, 0.0625, 16.0, 96.0), "
+           "vec2(64.0, "
            "0.0)))"},
           {us, "pcss_hardware16, turned", "", pcss_hardware_items(),
-           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), "
+           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec4(0.0625, 0.0625, 16.0, 96.0), "
            "umbrage_disc_rotation(gl_FragCoord.xy)))"},
           {us, "pcss16", "", {glsl::pcss<16>, glsl::disc_rotation}, pcss("")},
           {babylon,

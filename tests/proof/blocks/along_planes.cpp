@@ -107,7 +107,7 @@ TEST_CASE("visibility along planes: every path gives the filter's bits") {
 
 TEST_CASE("visibility along planes: every path gives contact hardening's bits") {
     umbrage::filters::soft::for_each([](auto filter) {
-        filter.softness = {.per_code = 0.0625f, .min_radius = 8, .max_radius = 80};
+        filter.softness = {.per_code_x = 0.0625f, .per_code_y = 0.125f, .min_radius = 8, .max_radius = 80};
         check(filter);
     });
 }

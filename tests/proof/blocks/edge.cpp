@@ -84,7 +84,7 @@ TEST_CASE("visibility: in a band around the edges filters by bounds see the far 
 
 TEST_CASE("visibility: in a band around the edges contact hardening sees the far plane outside") {
     umbrage::filters::soft::for_each([](auto filter) {
-        filter.softness = {.per_code = 1.0f / 1024, .min_radius = 16, .max_radius = 128};
+        filter.softness = {.per_code_x = 1.0f / 1024, .per_code_y = 1.0f / 1024, .min_radius = 16, .max_radius = 128};
         check_in_both_directions(filter);
     });
 }

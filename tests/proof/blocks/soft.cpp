@@ -67,9 +67,10 @@ int check(const Filter& filter, const scene& of, umbrage::outside_map outside) {
 
 template <class Filter>
 void check_all() {
-    const umbrage::penumbra_params lights[]{{.per_code = 0.01171875f, .min_radius = 5.0f, .max_radius = 96.0f},
-                                            {.per_code = 3.5f, .min_radius = 0.0f, .max_radius = 4095.0f},
-                                            {.per_code = 0.0f, .min_radius = 0.0f, .max_radius = 0.0f}};
+    const umbrage::penumbra_params lights[]{
+        {.per_code_x = 0.01171875f, .per_code_y = 0.03125f, .min_radius = 5.0f, .max_radius = 96.0f},
+        {.per_code_x = 3.5f, .per_code_y = 0.5f, .min_radius = 0.0f, .max_radius = 4095.0f},
+        {.per_code_x = 0.0f, .per_code_y = 0.0f, .min_radius = 0.0f, .max_radius = 0.0f}};
     values v;
     int partly = 0;
     for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(67, 45)}) {

@@ -133,11 +133,11 @@ void each_of_light(const Run& run, const Fetch& fetch) {
             return glm::vec2(map_tile(v.x, v.y, {v.z, 64}));
         });
     run(
-        "map_softness", 1, [](source& s) { return float(s.below(16)); },
+        "map_softness", 1, [](source& s) { return float(s.below(8)); },
         [](float number) {
-            glm::mat4 sixteen;
-            for (int i = 0; i < 16; ++i) sixteen[i / 4][i % 4] = float(i);
-            return map_softness(sixteen, number);
+            glm::mat4 eight;
+            for (int i = 0; i < 16; ++i) eight[i / 4][i % 4] = float(i);
+            return map_softness(eight, number);
         });
 }
 

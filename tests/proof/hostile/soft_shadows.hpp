@@ -44,8 +44,8 @@ void each_with_points(const Run& run, const Fetch& fetch) {
     run(("blockers" + n).c_str(), 16, draw, [&](const auto& in) {
         const glm::vec2 coord(in[0]), turn = disc_rotation(glm::vec2(in[1]));
         const glm::vec2 at = inside_texel_space(coord) ? glm::floor(coord * 256.0f) : glm::vec2(0.0f);
-        return glm::vec4(blockers<Points>(fetch, at, in[0].z, 77.0f, turn),
-                         blockers<Points>(fetch, at, in[0].z, 9.0f, turn, greater_equal{}));
+        return glm::vec4(blockers<Points>(fetch, at, in[0].z, glm::vec2(77.0f, 31.0f), turn),
+                         blockers<Points>(fetch, at, in[0].z, glm::vec2(9.0f), turn, greater_equal{}));
     });
     const auto both = [&](const std::string& name, auto use) {
         run((name + n).c_str(), 16, draw, [&](const auto& in) {
@@ -53,7 +53,7 @@ void each_with_points(const Run& run, const Fetch& fetch) {
             return glm::vec2(use(coord, in[0].z, turn, less_equal{}), use(coord, in[0].z, turn, greater_equal{}));
         });
     };
-    const glm::vec3 soft(0.0234375f, 5.0f, 100.0f);
+    const glm::vec4 soft(0.0234375f, 0.046875f, 5.0f, 100.0f);
     both("pcss", [&](glm::vec2 coord, float receiver, glm::vec2 turn, auto is_lit) {
         return pcss<Points>(fetch, coord, receiver, soft, turn, is_lit);
     });
@@ -91,7 +91,7 @@ void each_soft_shadow(const Run& run, const Fetch& fetch) {
             const float parts = float(1 << s.below(16)), least = float(s.below(64));
             return glm::vec4(apart, digits / parts, least, 64.0f + float(s.below(4032)));
         },
-        [](glm::vec4 v) { return glm::uvec2(std::uint32_t(penumbra(v.x, glm::vec3(v.y, v.z, v.w)))); });
+        [](glm::vec4 v) { return glm::uvec2(penumbra(v.x, glm::vec4(v.y, v.y * 0.5f, v.z, v.w))); });
     run(
         "blocker", 1,
         [](source& s) {

@@ -235,12 +235,12 @@ void suite::all() const {
         "disc_tap", inputs,
         [](source& s) {
             const int x = int(s.below(1 << 24)) - (1 << 23), y = int(s.below(1 << 24)) - (1 << 23);
-            const float radius = float(s.below(4096));
+            const float wide = float(s.below(4096)), high = float(s.below(4096));
             const glm::vec2 turn = disc_rotation(glm::vec2(float(s.below(16)), 0.0f));
             return std::array{glm::vec2(x, y), glm::vec2(glm::ivec2(disc_points<32>[s.below(32)])), turn,
-                              glm::vec2(radius)};
+                              glm::vec2(wide, high)};
         },
-        [](const auto& in) { return disc_tap(in[0], in[1], in[2], in[3].x); });
+        [](const auto& in) { return disc_tap(in[0], in[1], in[2], in[3]); });
     run("disc_radius", inputs, any, [](float v) { return disc_radius(v); });
     each_soft_shadow([&](const char* name, int of, auto draw_one, auto op) { run(name, inputs / of, draw_one, op); },
                      fetch);

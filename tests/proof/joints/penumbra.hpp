@@ -25,31 +25,38 @@
 
 namespace joints {
 
-/// Texels of a penumbra's radius for each unit of depth between a blocker and its receiver, by rays from the receiver
-/// to the middle and to the rim of the light. A light faces along its map's axis.
+/// Texels of a penumbra's radii along a map's axes for each unit of depth between a blocker and its receiver, by rays
+/// from the receiver to the middle and to the rim of the light. A light faces along its map's axis.
 /// @param size   of the light: radius, or tangent of half the angle under which it is seen
-[[nodiscard]] inline double penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light, double size,
-                                              glm::dvec3 p) {
+[[nodiscard]] inline glm::dvec2 penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light,
+                                                  double size, glm::dvec3 p) {
     const glm::dvec3 way = light.way(p);
     const auto w = [&](glm::dvec3 at) { return map.placed(at).w; };
     const glm::dvec3 ahead(w({1, 0, 0}) - w({0, 0, 0}), w({0, 1, 0}) - w({0, 0, 0}), w({0, 0, 1}) - w({0, 0, 0}));
     const glm::dvec3 axis = light.is_point ? ahead : way;
-    const auto texel_at = [&](glm::dvec3 at) {  // across the light, along which a texel is longest
-        const glm::dvec4 h = map.placed(at), across(axis, -glm::dot(axis, at));
-        const auto x = map.point_at(glm::dvec2(h) / h.w + glm::dvec2(1, 0), across),
-                   y = map.point_at(glm::dvec2(h) / h.w + glm::dvec2(0, 1), across);
-        if (!x || !y) return std::nan("");
-        const glm::dvec3 a = *x - at, b = *y - at;
-        const double mean = 0.5 * (glm::dot(a, a) + glm::dot(b, b)), apart = 0.5 * (glm::dot(a, a) - glm::dot(b, b));
-        return std::sqrt(mean + std::hypot(apart, glm::dot(a, b)));
+    const glm::dvec3 side = glm::normalize(glm::cross(
+                         axis, std::abs(axis.x) < 0.5 * glm::length(axis) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
+                     other = glm::normalize(glm::cross(axis, side));
+    const auto texels_at = [&](glm::dvec3 at) { return glm::dvec2(map.placed(at)) / w(at); };
+    // Texels along x and y of the rim of a disc around a point, across the axis.
+    const auto rim = [&](glm::dvec3 at, double radius) {
+        const glm::dvec2 a = texels_at(at + side * radius) - texels_at(at),
+                         b = texels_at(at + other * radius) - texels_at(at);
+        return glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
     };
-    const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 * texel_at(p));
+    const double small = 1e-6 * glm::length(way);
+    const glm::dvec2 density = rim(p, small) / small;  // texels for each unit of length
+    const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 / std::min(density.x, density.y));
     const double aside = light.is_point ? size * (1 - w(blocker) / w(p)) : size * glm::length(blocker - p);
-    return aside / (texel_at(blocker) * (map.depth(p) - map.depth(blocker)));
+    return rim(blocker, small) * (aside / small) / (map.depth(p) - map.depth(blocker));
 }
 
 struct range {
     double low, high;
+};
+/// Radii of an ellipse along x and y, texels.
+struct radii_range {
+    glm::dvec2 low, high;
 };
 
 /// A look of a filter that hardens contacts.
@@ -84,10 +91,10 @@ public:
         const glm::dvec3 way = light_.way(at_);
         const glm::dvec3 right_at =
             look_.middle ? map_.point_at(*look_.middle, {way, -glm::dot(way, at_)}).value_or(at_) : at_;
-        const double of_depth = penumbra_of_depth(map_, light_, look_.filter.light_size, right_at);
+        const glm::dvec2 of_depth = penumbra_of_depth(map_, light_, look_.filter.light_size, right_at);
         const double z = map_.depth(at_);
         // The search is as wide as the penumbra of a blocker at the near plane.
-        const range search = radii(of_depth, {z, z});
+        const radii_range search = radii(of_depth, {z, z});
         range apart{1e300, 0};
         bool finds = false;
         for (const glm::dvec2 point : points_) {
@@ -102,12 +109,13 @@ public:
         }
         if (points_.empty()) return {};
         if (apart.low > apart.high) return fully_lit;
-        const range wide = radii(of_depth, apart);
+        const radii_range wide = radii(of_depth, apart);
         const std::optional<range> dark = dark_share(look_.filter.is_dpcf() ? search : wide);
         if (!dark) return {};
         if (look_.filter.is_dpcf()) {
             // No bound is stated for widths in a warped map, whose softness is that of its middle.
-            const range ratio{wide.low / search.high, wide.high / search.low};
+            const auto both = [](glm::dvec2 r) { return r.x + r.y; };
+            const range ratio{both(wide.low) / both(search.high), both(wide.high) / both(search.low)};
             return steepened(*dark, look_.middle ? range{0, 1} : ratio);
         }
         // The search may have found no blocker: then all counts as lit.
@@ -116,22 +124,22 @@ public:
 
 private:
     /// Radii of penumbras, texels: those of a light in world units, and the stated accuracy of pcss.
-    [[nodiscard]] range radii(double of_depth, const range& apart) const {
-        const double code = of_depth * 16 / 65536;  // sixteenths of a texel per code of depth
-        const double low = 16 * of_depth * (apart.low - look_.hidden) * (1 - 1.0 / 256) - 1 - code;
-        const double high = 16 * of_depth * (apart.high + look_.hidden) * (1 + 1.0 / 256) + 2 * code;
+    [[nodiscard]] radii_range radii(glm::dvec2 of_depth, const range& apart) const {
+        const glm::dvec2 code = of_depth * (16.0 / 65536);  // sixteenths of a texel per code of depth
+        const glm::dvec2 low = of_depth * (16 * (apart.low - look_.hidden) * (1 - 1.0 / 256)) - 1.0 - code;
+        const glm::dvec2 high = of_depth * (16 * (apart.high + look_.hidden) * (1 + 1.0 / 256)) + 2.0 * code;
         const double least = std::floor(16 * float(look_.filter.least_radius())),
                      most = std::floor(16 * float(look_.filter.most_radius));
-        return {std::clamp(low, least, most) / 16, std::clamp(high, least, most) / 16};
+        return {glm::clamp(low, least, most) / 16.0, glm::clamp(high, least, most) / 16.0};
     }
     /// Rays of the texel under a point of the disc, for all radii of a range.
-    [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const range& radius) const {
+    [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const radii_range& radius) const {
         const glm::dvec2 spread = glm::abs(point) * (0.5 * (radius.high - radius.low));
         return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y),
                           point * (0.5 * (radius.low + radius.high)));
     }
     /// Share of the disc's points that blockers hide; none where rays say nothing.
-    [[nodiscard]] std::optional<range> dark_share(const range& radius) const {
+    [[nodiscard]] std::optional<range> dark_share(const radii_range& radius) const {
         double lit = 0, dark = 0;
         for (const glm::dvec2 point : points_) {
             const std::optional<beam> b = beam_of(point, radius);

@@ -33,16 +33,16 @@ private:
     template <int Points, class Fetch>
     [[nodiscard]] float of(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec2 rotation) const {
         const umbrage::comparison is_lit{direction};
-        const glm::vec3 soft(softness);
+        const glm::vec4 soft(softness);
         if (!umbrage::in_filter_domain(coord, receiver, is_lit)) return 1;
         const float z = umbrage::distance_code(receiver, is_lit);
-        const float search = t.searches_least ? soft.y : umbrage::penumbra(z, soft);
+        const glm::vec2 search = t.searches_least ? glm::vec2(soft.z) : umbrage::penumbra(z, soft);
         const glm::vec2 found =
             umbrage::blockers<Points>(fetch, glm::floor(coord * 256.0f), receiver, search, rotation, is_lit);
         if (!(found.x > 0)) return 1;
         const float mean = t.counts_all_points ? std::floor(found.y / Points) : umbrage::floor_divide(found.y, found.x);
         const float apart = t.drops_blockers ? z : z - mean;
-        return umbrage::disc<Points>(fetch, coord, receiver, umbrage::penumbra(apart, soft) / 16, rotation, is_lit);
+        return umbrage::ellipse<Points>(fetch, coord, receiver, umbrage::penumbra(apart, soft), rotation, is_lit);
     }
 };
 

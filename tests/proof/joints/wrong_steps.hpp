@@ -96,8 +96,10 @@ private:
         else {
             if (t_.other_softness != 0) number = (number + t_.other_softness) % maps_;
             filter_type own = umbrage::detail::filter_of_map<setup>(filter_, uniforms_, number);
-            if (t_.default_softness) own.softness.per_code = umbrage::penumbra_params{}.per_code;
-            own.softness.per_code *= t_.softness;
+            umbrage::penumbra_params& soft = own.softness;
+            if (t_.default_softness) soft.per_code_x = soft.per_code_y = umbrage::penumbra_params{}.per_code_x;
+            if (t_.one_softness) soft.per_code_x = soft.per_code_y = std::min(soft.per_code_x, soft.per_code_y);
+            soft.per_code_x *= t_.softness, soft.per_code_y *= t_.softness;
             if constexpr (std::is_same_v<filter_type, umbrage::filters::pcss>) return {own, t_};
             else return own;
         }

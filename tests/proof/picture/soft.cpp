@@ -113,7 +113,7 @@ template <class Shadow>
     add("pcss16, max_radius 48", filters::pcss{}, 48);
     add("dpcf16", filters::dpcf{}, 16);
     rows.push_back({pcf_row, [plain, drawn](const soft_receiver& r) { return plain(*drawn, r.position, r.normal); }});
-    rows.push_back(filament(maps, drawn, in_map.softness.per_code));
+    rows.push_back(filament(maps, drawn, in_map.softness.per_code_x));
     const auto by_slope = [&](std::string name, const auto& filter) {
         rows.push_back({std::move(name), [&maps, drawn, filter](const soft_receiver& r) {
                             const float bias = acne_free_bias(r.place.slope, 0.5f, maps.rounding(r.place, r.position));

@@ -180,7 +180,7 @@ TEST_CASE("make_light_units: by hand, and what is refused") {
     CHECK(complaint([&] {
               static_cast<void>(make_light_units(flat, {1, 1}));
           }) ==
-          "umbrage::make_light_units: light and map_size must be such that units are finite and above 0; got (2, 0)");
+          "umbrage::make_light_units: light and map_size must be such that units are finite and above 0; got (2, 2, 0)");
     flat.projection = glm::mat4(std::numeric_limits<float>::quiet_NaN());
     CHECK(!complaint([&] { static_cast<void>(make_light_units(flat, {1, 1})); }).empty());
 }

@@ -32,7 +32,7 @@ TEST_CASE("numbers: a block has them one behind the other, whatever their names 
     CHECK(packed_numbers(own::two_taps{.sharpness = 0.5f, .aside = {3, -4}, .steps = 7}) == glm::vec4(0.5f, 3, -4, 7));
     CHECK(packed_numbers(filters::box{.radius = 3}) == glm::vec4(3, 0, 0, 0));
     CHECK(packed_numbers(filters::hard{}) == glm::vec4(0));
-    CHECK(packed_numbers(filters::pcss{.softness = {0.5f, 2, 9}}) == glm::vec4(0.5f, 2, 9, 0));
+    CHECK(packed_numbers(filters::pcss{.softness = {0.5f, 0.25f, 2, 9}}) == glm::vec4(0.5f, 0.25f, 2, 9));
     const evsm_parameters powers{{5, 6}, {7, 8}};
     CHECK(packed_numbers(prefilters::evsm4{powers}) == glm::vec4(5, 6, 7, 8));
     CHECK(packed_numbers(prefilters::evsm2{powers}) == glm::vec4(5, 7, 0, 0));
@@ -44,7 +44,7 @@ TEST_CASE("numbers: what a block holds makes the filter again") {
     CHECK(own.sharpness == 0.5f);
     CHECK(own.aside == glm::vec2(3, -4));
     CHECK(own.steps == 7);
-    CHECK(detail::with_packed_numbers(filters::pcss{}, {0.5f, 2, 9, 0}).softness.max_radius == 9);
+    CHECK(detail::with_packed_numbers(filters::pcss{}, {0.5f, 0.25f, 2, 9}).softness.max_radius == 9);
     const auto again = detail::with_packed_numbers(prefilters::evsm4{}, {5, 6, 7, 8});
     CHECK(packed_numbers(again) == glm::vec4(5, 6, 7, 8));
 }

@@ -59,8 +59,8 @@ int differing(const Filter& filter) {
 TEST_CASE("visibility along planes: an image has the filter's bits") {
     const int ties = may_fuse ? 192 * 40 / 20 : 0;  // fused, ties fall either way
     CHECK(differing(umbrage::filters::tent<3>) <= ties);
-    CHECK(differing(umbrage::filters::pcss{.softness = {.per_code = 0.0625f, .min_radius = 8, .max_radius = 80}}) <=
-          ties);
+    CHECK(differing(umbrage::filters::pcss{
+              .softness = {.per_code_x = 0.0625f, .per_code_y = 0.03125f, .min_radius = 8, .max_radius = 80}}) <= ties);
 }
 
 TEST_CASE("visibility along planes: a callable of one's own, a plane that needs no bias, impossible images") {
@@ -78,7 +78,8 @@ TEST_CASE("visibility along planes: a callable of one's own, a plane that needs 
     const auto center = [](const auto& fetch, glm::vec2 coord, float receiver) {
         return receiver <= fetch(glm::ivec2(coord)) ? 1.0f : 0.0f;
     };
-    const umbrage::filters::pcss soft{.softness = {.per_code = 0.5f, .min_radius = 16, .max_radius = 96}};
+    const umbrage::filters::pcss soft{
+        .softness = {.per_code_x = 0.5f, .per_code_y = 0.5f, .min_radius = 16, .max_radius = 96}};
     const auto dark = [&](const auto& filter) {
         umbrage::visibility(map, umbrage::depth32f{}, of.all(), filter, out);
         return std::ranges::count_if(out.texels(), [](float v) { return v < 1; });

@@ -25,9 +25,9 @@ TEST_CASE("lookup: which filters a shadow takes, and which encodings with them")
 }
 
 TEST_CASE("lookup: each filter's numbers are in the block where its text reads them") {
-    CHECK(detail::terms_of(filters::pcss{.softness = {0.1f, 2, 9}}, 0.5f) == glm::vec4(0.1f, 2, 9, 0));
+    CHECK(detail::terms_of(filters::pcss{.softness = {0.1f, 0.2f, 2, 9}}, 0.5f) == glm::vec4(0.1f, 0.2f, 2, 9));
     CHECK(detail::arguments_of<filters::pcss>() ==
-          ", vec3(filter_terms.x, filter_terms.y, filter_terms.z), umbrage_disc_rotation(pixel)");
+          ", vec4(filter_terms.x, filter_terms.y, filter_terms.z, filter_terms.w), umbrage_disc_rotation(pixel)");
     const filters::disc disc{.radius_texels = 3};
     CHECK(detail::terms_of(disc, 0.5f) == glm::vec4(3, disc.farthest_point() + 0.5f, 0, 0));
     CHECK(detail::arguments_of<filters::disc>() == ", filter_terms.x, umbrage_disc_rotation(pixel)");

@@ -124,7 +124,7 @@ TEST_CASE("shadow: each step by hand gives the same bits") {
 
 TEST_CASE("shadow: contact hardening compares along the receiver's plane, and darkens no lit plane") {
     const light_space<float> light = spot(cpu_clip_space);
-    const filters::pcss filter{.softness = make_penumbra_params(make_light_units(light, {256, 256}), 1.0f)};
+    const filters::pcss filter{.softness = make_penumbra_params(light, {256, 256}, 1.0f)};
     const shadow s(light, {256, 256}, filters::pcss{.softness = make_penumbra_params(1.0f)});
     const auto map = drawn(s);
     const anchored_map own = make_anchored_map(detail::in_double(light), {256, 256});

@@ -2,7 +2,7 @@
 //
 // Soft shadows with contact hardening from one pass over a disc (DPCF), as in Filament.
 //
-//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
+//     float visibility = umbrage::dpcf<16>(umbrage::bordered(map), coord, depth - bias, glm::vec4(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // It counts the blockers under the disc, and steepens that fraction to the penumbra's width. It reads half the texels
@@ -21,6 +21,7 @@
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
+#include <umbrage/filter/pcf/disc.hpp>
 
 namespace umbrage {
 
@@ -44,27 +45,28 @@ template <int Points, real T>
 /// Visibility of a receiver under a light that has a size, from one pass over a disc.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to
-///                   softness.z / 16 texels outside the map. Depth must be z/w, not linear
+///                   softness.w / 16 texels outside the map. Depth must be z/w, not linear
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 1 where nothing blocks, 0 where every point blocks
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
 ///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
-///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w))
+///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)), each radius x + y
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const T z = distance_code(receiver, is_lit), search_radius = penumbra(z, softness);
+    const T z = distance_code(receiver, is_lit);
+    const glm::vec<2, T> search_radius = penumbra(z, softness);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, search_radius, rotation, is_lit);
-    const T mean = floor_divide(found.y, (glm::max)(found.x, T(1)));
-    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), (glm::max)(search_radius, T(1)));
+    const glm::vec<2, T> radius = penumbra(z - floor_divide(found.y, (glm::max)(found.x, T(1))), softness);
+    const T ratio = floor_divide((radius.x + radius.y) * T(256), (glm::max)(search_radius.x + search_radius.y, T(1)));
     return saturate(T(1) - hardened_kernel<Points>(found.x, ratio));
 }
 
@@ -97,16 +99,17 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRA
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(search_radius, 1.0));
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float searched = max(search_radius.x + search_radius.y, 1.0);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide((radius.x + radius.y) * 256.0, searched);
     UMBRAGE_HIGHP float dark = umbrage_hardened_kernel$n(found.x, ratio);
     return compared ? clamp(1.0 - dark, 0.0, 1.0) : 1.0;
 }
@@ -166,7 +169,7 @@ struct dpcf {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        const glm::vec3 soft(softness);
+        const glm::vec4 soft(softness);
         if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
         return umbrage::dpcf<32>(fetch, coord, receiver, soft, rotation, comparison{direction});

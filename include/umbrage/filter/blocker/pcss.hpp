@@ -2,9 +2,8 @@
 //
 // Percentage-closer soft shadows (PCSS): sharp where a caster touches the receiver, softer with distance.
 //
-//     glm::vec2 units = umbrage::make_light_units(light, map.size());
-//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(units, light_radius);  // a shadow: no units
-//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec3(soft),
+//     umbrage::penumbra_params soft = umbrage::make_penumbra_params(light, map.size(), light_radius);
+//     float visibility = umbrage::pcss<16>(umbrage::bordered(map), coord, depth - bias, glm::vec4(soft),
 //                                          umbrage::disc_rotation(pixel));
 //
 // 1. Search a disc for texels nearer to the light (blockers). It is as wide as the light appears from the receiver.
@@ -24,16 +23,17 @@
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/filter.hpp>
+#include <umbrage/filter/pcf/disc.hpp>
 
 namespace umbrage {
 
 /// Visibility of a receiver under a light that has a size.
 /// @tparam Points    8, 16 or 32: texels read by the search, and again by the filter
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 2 * Points times, with indices up
-///                   to softness.z / 16 texels outside the map. Depth must be z/w, not linear
+///                   to softness.w / 16 texels outside the map. Depth must be z/w, not linear
 /// @param coord      receiver position in the map, in texels: (0.5, 0.5) is the center of the first texel
 /// @param receiver   receiver depth in [0, 1], with the bias already applied
-/// @param softness   (per_code, min_radius, max_radius), from make_penumbra_params
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius), from make_penumbra_params
 /// @param rotation   from disc_rotation. Trades banding for noise
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]. A multiple of 1 / Points
@@ -41,21 +41,21 @@ namespace umbrage {
 ///                   decides. coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0.
 ///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
-///                   disc(penumbra(z - floor(s / m)) / 16)
+///                   ellipse(penumbra(z - floor(s / m)))
 /// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
 ///                   down to 16 bits. It is also off by 1/256 of itself, from the rounding of per_code
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
     const glm::vec<2, T> found =
         blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
-    const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
-    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), rotation, is_lit);
+    const glm::vec<2, T> radius = penumbra(z - floor_divide(found.y, found.x), softness);
+    return ellipse<Points>(fetch, coord, receiver, radius, rotation, is_lit);
 }
 
 namespace glsl {
@@ -70,17 +70,17 @@ namespace detail {
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
                                    UMBRAGE_HIGHP vec2 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
-    UMBRAGE_HIGHP float search_radius = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 search_radius = umbrage_penumbra(z, softness);
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, search_radius, rotation);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
-    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP vec2 radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is that of the search, whose points are all lit
-    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), rotation);
+    return umbrage_ellipse$n(map, size, coord, receiver, radius, rotation);
 }
 )GLSL",
                   {{'n', points}});
@@ -95,7 +95,7 @@ inline constexpr snippet pcss{
                : Points == 16 ? "percentage-closer soft shadows (PCSS), 16 points twice"
                               : "percentage-closer soft shadows (PCSS), 32 points twice",
     .exactness = tier::a,
-    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .needs = list<&in_filter_domain, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &ellipse<Points>>,
     .source = {detail::pcss_text, Points}};
 
 inline constexpr const snippet* pcss_snippets[]{&pcss<8>, &pcss<16>, &pcss<32>};
@@ -129,7 +129,7 @@ struct pcss {
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
         const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
-        const glm::vec3 soft(softness);
+        const glm::vec4 soft(softness);
         if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
         return umbrage::pcss<32>(fetch, coord, receiver, soft, rotation, comparison{direction});

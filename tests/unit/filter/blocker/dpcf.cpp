@@ -39,16 +39,18 @@ void check_dpcf(bool forward) {
     for (int i = 0; i < 4000; ++i) {
         const whole::receiver r = all.draw();
         const whole::softness light = all.light();
-        const std::int64_t z = whole::code(double(r.depth), forward), max_radius = light.radius(z);
-        const whole::search found = whole::blockers<Points>(all.map, r, max_radius, forward);
+        const std::int64_t z = whole::code(double(r.depth), forward);
+        const whole::ellipse widest = light.radius(z);
+        const whole::search found = whole::blockers<Points>(all.map, r, widest, forward);
         const std::int64_t k = found.count, mean = k ? found.sum / k : 0;
-        const std::int64_t q = max_radius ? 256 * light.radius(z - mean) / max_radius : 0;
+        const whole::ellipse own = light.radius(z - mean);
+        const std::int64_t whole_width = widest.x + widest.y, q = whole_width ? 256 * (own.x + own.y) / whole_width : 0;
         const std::int64_t u = 2 * k - n, d = n - std::abs(u), steep = n * n * n - d * d * d;
         const std::int64_t dark = (n * n * n + (u < 0 ? -steep : steep)) * (256 - q) + 2 * n * n * k * q;
         const double share = 1.0 - double(dark) / double(512 * n * n * n);
         wrong += double(dpcf<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.rotation),
                                      is_lit)) != share;
-        wrong += dpcf<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec3(light.values()),
+        wrong += dpcf<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec4(light.values()),
                               glm::dvec2(r.rotation), is_lit) != share;
         partly += k > 0 && k < n;
     }
@@ -74,7 +76,7 @@ TEST_CASE("dpcf: search, mean, ratio and kernel in whole numbers, in float and d
 
 TEST_CASE("dpcf: a disc's share where the penumbra is the disc, and the cases without one") {
     const glm::vec2 rotation = disc_rotation(glm::vec2(1, 3)), middle(8.3f, 9.1f);
-    const glm::vec3 soft(0.25f, 0.0f, 64.0f), always_widest(0.25f, 64.0f, 64.0f);
+    const glm::vec4 soft(0.25f, 0.25f, 0.0f, 64.0f), always_widest(0.25f, 0.25f, 64.0f, 64.0f);
     whole::cases all;
     for (int i = 0; i < 500; ++i) {
         const whole::receiver r = all.draw();
@@ -86,7 +88,7 @@ TEST_CASE("dpcf: a disc's share where the penumbra is the disc, and the cases wi
     CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, soft, rotation) == 0.0f);
     CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.0f, soft, rotation) == 1.0f);
     CHECK(dpcf<16>([](glm::ivec2) { return 0.0f; }, middle, 0.5f, soft, rotation) == 0.0f);
-    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, glm::vec3(0.0f), rotation) == 0.0f);
+    CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 0.9f, glm::vec4(0.0f), rotation) == 0.0f);
     CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, nan32, soft, rotation) == 0.0f);
     CHECK(dpcf<16>([](glm::ivec2) { return nan32; }, middle, 0.5f, soft, rotation) == 0.0f);
     CHECK(dpcf<16>([](glm::ivec2) { return 0.25f; }, middle, 1.5f, soft, rotation) == 1.0f);

@@ -41,7 +41,7 @@ void check_pcss(bool forward) {
         const float share = static_cast<float>(lit) / Points;
         wrong +=
             pcss<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.rotation), is_lit) != share;
-        wrong += pcss<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec3(light.values()),
+        wrong += pcss<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec4(light.values()),
                               glm::dvec2(r.rotation), is_lit) != double(share);
         partly += lit > 0 && lit < Points;
     }
@@ -60,14 +60,14 @@ TEST_CASE("pcss: search, mean, penumbra and filter in whole numbers, in float an
 }
 
 TEST_CASE("pcss: a straight edge's penumbra is as wide as rays to an area light see it") {
-    check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 rotation, comparison is_lit) {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec2 rotation, comparison is_lit) {
         const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
 }
 
 TEST_CASE("pcss: no blocker is lit, all blocked is filtered, and contact is as hard as least says") {
-    const glm::vec3 soft(0.25f, 0.0f, 200.0f);
+    const glm::vec4 soft(0.25f, 0.25f, 0.0f, 200.0f);
     const auto nothing = [](glm::ivec2) { return 1.0f; };
     CHECK(pcss<16>(nothing, a_receiver, 0.9f, soft, a_turn) == 1.0f);
     const auto roof = [](glm::ivec2) { return 0.25f; };
@@ -85,8 +85,8 @@ TEST_CASE("pcss: no blocker is lit, all blocked is filtered, and contact is as h
 }
 
 TEST_CASE("pcss: a light of no size, and depths that are none, give finite shares") {
-    const glm::vec3 point_light(0.0f, 0.0f, 200.0f),
-        soft(0.25f, 48.0f, 64.0f);  // a NaN touches: it is on the far plane
+    const glm::vec4 point_light(0.0f, 0.0f, 0.0f, 200.0f),
+        soft(0.25f, 0.25f, 48.0f, 64.0f);  // a NaN touches: it is on the far plane
     whole::cases all;
     for (int i = 0; i < 500; ++i) {
         const whole::receiver r = all.draw();
@@ -132,7 +132,7 @@ TEST_CASE("filters::pcss: knows itself, and reads no texel beyond its reach") {
 TEST_CASE("pcss: a straight edge in contact has smaller stair steps than under pcf_2x2") {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> any(0, 1);
-    const penumbra_params at_contact{.per_code = 0.0f};
+    const penumbra_params at_contact{.per_code_x = 0.0f, .per_code_y = 0.0f};
     double by_pcss = 0, by_pcf = 0;
     for (int i = 0; i < rounds(40); ++i) {
         const float angle = 6.2831853f * any(random);

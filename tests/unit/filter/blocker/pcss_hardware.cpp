@@ -26,7 +26,7 @@ const glm::vec2 one_turn = disc_rotation(glm::vec2(2, 1)), one_place(8.3f, 9.1f)
 
 /// The texels under a disc's points, in real numbers; nothing where one is too near a border to tell.
 template <int Points>
-std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 rotation, double radius) {
+std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 rotation, glm::dvec2 radius) {
     std::vector<double> found;
     bool told = true;
     in_reals::for_each_point<Points>(coord, rotation, radius, [&](glm::dvec2 at) {
@@ -45,8 +45,8 @@ void check_sampled_search(bool forward) {
     int checked = 0, several = 0, wrong = 0;
     for (int i = 0; i < rounds(4000); ++i) {
         const whole::receiver r = all.draw();
-        const float radius = static_cast<float>(i % 97) / 8.0f;
-        const auto under = depths_under<Points>(all.map, r.coord, r.rotation, double(radius));
+        const glm::vec2 radius(static_cast<float>(i % 97) / 8.0f, static_cast<float>(i % 41) / 4.0f);
+        const auto under = depths_under<Points>(all.map, r.coord, r.rotation, radius);
         if (under.empty()) continue;
         double count = 0, sum = 0;
         for (const double stored : under)
@@ -83,27 +83,27 @@ TEST_CASE_TEMPLATE("blocker_at: the texel's depth where it is before the receive
 
 TEST_CASE_TEMPLATE("pcss_radius: by hand, finite whatever comes", T, float, double) {
     using vec2 = glm::vec<2, T>;
-    const glm::vec<3, T> soft(T(0.0625), T(16), T(96));  // 256 texels of depth 1, 1 to 6
-    CHECK(pcss_radius(vec2(2, 1), T(0.515625), soft) == T(4));
-    CHECK(pcss_radius(vec2(2, 1), T(0.484375), soft, greater_equal{}) == T(4));
-    CHECK(pcss_radius(vec2(2, 1), T(0.5), soft) == T(1));
-    CHECK(pcss_radius(vec2(2, 1), T(0.75), soft) == T(6));
-    CHECK(pcss_radius(vec2(0, 0), T(0.0078125), soft) == T(2));  // as if a blocker were at the near plane
-    CHECK(pcss_radius(vec2(0, 0), T(0.9921875), soft, greater_equal{}) == T(2));
+    const glm::vec<4, T> soft(T(0.0625), T(0.125), T(16), T(96));  // 256 and 512 texels of depth 1, 1 to 6
+    CHECK(pcss_radius(vec2(2, 1), T(0.515625), soft) == vec2(4, 6));
+    CHECK(pcss_radius(vec2(2, 1), T(0.484375), soft, greater_equal{}) == vec2(4, 6));
+    CHECK(pcss_radius(vec2(2, 1), T(0.5), soft) == vec2(1));
+    CHECK(pcss_radius(vec2(2, 1), T(0.75), soft) == vec2(6));
+    CHECK(pcss_radius(vec2(0, 0), T(0.0078125), soft) == vec2(2, 4));  // as if a blocker were at the near plane
+    CHECK(pcss_radius(vec2(0, 0), T(0.9921875), soft, greater_equal{}) == vec2(2, 4));
     const T nan = std::numeric_limits<T>::quiet_NaN(), inf = std::numeric_limits<T>::infinity();
-    CHECK(pcss_radius(vec2(1, nan), T(0.5), soft) == T(1));
-    CHECK(pcss_radius(vec2(1, 0), nan, soft) == T(1));
-    CHECK(pcss_radius(vec2(1, -inf), T(0.5), soft) == T(6));
-    CHECK(pcss_radius(vec2(1, inf), T(0.5), soft) == T(1));
+    CHECK(pcss_radius(vec2(1, nan), T(0.5), soft) == vec2(1));
+    CHECK(pcss_radius(vec2(1, 0), nan, soft) == vec2(1));
+    CHECK(pcss_radius(vec2(1, -inf), T(0.5), soft) == vec2(6));
+    CHECK(pcss_radius(vec2(1, inf), T(0.5), soft) == vec2(1));
 }
 
 TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
     const float per_code = 0.5f, mean = 0.75f;
-    const glm::vec3 soft(per_code, 0.0f, 4095.0f);
+    const glm::vec4 soft(per_code, per_code, 0.0f, 4095.0f);
     for (const int ulps : {-4, 4}) {
         const float off = mean + static_cast<float>(ulps) * 0x1p-24f;
-        const double moved = double(pcss_radius(glm::vec2(1.0f, off), 0.8f, soft)) -
-                             double(pcss_radius(glm::vec2(1.0f, mean), 0.8f, soft));
+        const double moved = double(pcss_radius(glm::vec2(1.0f, off), 0.8f, soft).x) -
+                             double(pcss_radius(glm::vec2(1.0f, mean), 0.8f, soft).x);
         CHECK(std::abs(moved) <= double(per_code) * 0x1p-9);
         CHECK(std::abs(moved) <= double(glsl::pcss_radius.within));
         CHECK(moved != 0);
@@ -111,14 +111,14 @@ TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
 }
 
 TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an area light see it") {
-    check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 rotation, comparison is_lit) {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec2 rotation, comparison is_lit) {
         const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
 }
 
 TEST_CASE("pcss_hardware: no blocker is lit, all blocked is dark; what is no number, or outside, is finite") {
-    const glm::vec3 soft(0.25f, 0.0f, 200.0f);
+    const glm::vec4 soft(0.25f, 0.25f, 0.0f, 200.0f);
     const auto roof = [](glm::ivec2) { return 0.25f; };
     CHECK(pcss_hardware<16>([](glm::ivec2) { return 1.0f; }, one_place, 0.9f, soft, one_turn) == 1.0f);
     CHECK(pcss_hardware<16>(roof, one_place, 0.9f, soft, one_turn) == 0.0f);
@@ -134,15 +134,15 @@ TEST_CASE("pcss_hardware: no blocker is lit, all blocked is dark; what is no num
         const float share = pcss_hardware<16>(mixed, one_place, 0.9f, soft, one_turn);
         CHECK(share >= 0.0f);
         CHECK(share <= 1.0f);
-        CHECK(pcss_hardware<16>(roof, one_place, 0.9f, glm::vec3(0.0f), glm::vec2(odd)) >= 0.0f);
+        CHECK(pcss_hardware<16>(roof, one_place, 0.9f, glm::vec4(0.0f), glm::vec2(odd)) >= 0.0f);
     }
 }
 
 // Off by 2^-14 texel at most, the radius moves a point's weights by that much along either axis.
 TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, within the filter's bound") {
     whole::cases all;
-    const glm::vec3 soft(0.03125f, 16.0f, 96.0f);
-    const auto radius_of = [](double apart) { return std::clamp(apart * 4096 / 32, 1.0, 6.0); };
+    const glm::vec4 soft(0.03125f, 0.015625f, 16.0f, 96.0f);
+    const auto radius_of = [](double apart) { return glm::clamp(apart * glm::dvec2(128, 64), 1.0, 6.0); };
     double worst = 0;
     int partly = 0;
     for (int i = 0; i < rounds(4000); ++i) {

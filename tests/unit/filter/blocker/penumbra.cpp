@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <umbrage/bias/light_units.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -33,10 +32,11 @@ void check_search(bool forward) {
     int wrong = 0, some = 0;
     for (int i = 0; i < 4000; ++i) {
         const whole::receiver r = all.draw();
-        const auto radius = static_cast<std::int64_t>(all.random() % (i % 4 ? 96 : 4096));
-        const whole::search wanted = whole::blockers<Points>(all.map, r, radius, forward);
+        const auto draw = [&] { return static_cast<std::int64_t>(all.random() % (i % 4 ? 96 : 4096)); };
+        const std::int64_t wide = draw(), high = i % 2 ? wide : draw();
+        const whole::search wanted = whole::blockers<Points>(all.map, r, {wide, high}, forward);
         const glm::vec2 found = blockers<Points>(clamped(all.map), glm::floor(r.coord * 256.0f), r.depth,
-                                                 static_cast<float>(radius), glm::vec2(r.rotation), is_lit);
+                                                 glm::vec2(float(wide), float(high)), glm::vec2(r.rotation), is_lit);
         wrong += found != glm::vec2(static_cast<float>(wanted.count), static_cast<float>(wanted.sum));
         some += wanted.count > 0 && wanted.count < Points;
     }
@@ -66,9 +66,10 @@ TEST_CASE("penumbra: whole numbers, from min_radius to max_radius") {
     for (int i = 0; i < 5000; ++i) {
         const whole::softness light = all.light();
         const auto apart = static_cast<std::int64_t>(all.random() % 131071) - 65535;
-        CHECK(penumbra(static_cast<float>(apart), light.values()) == static_cast<float>(light.radius(apart)));
+        const whole::ellipse wanted = light.radius(apart);
+        CHECK(penumbra(static_cast<float>(apart), light.values()) == glm::vec2(float(wanted.x), float(wanted.y)));
     }
-    CHECK(penumbra(65535.0f, glm::vec3(0.0f, 3.0f, 4095.0f)) == 3.0f);  // a light of no size
+    CHECK(penumbra(65535.0f, glm::vec4(0.0f, 0.0f, 3.0f, 4095.0f)) == glm::vec2(3.0f));  // a light of no size
 }
 
 TEST_CASE("blocker, blockers: counts and sums of codes by brute force, NaN a blocker on the far plane") {
@@ -86,15 +87,21 @@ TEST_CASE("blocker, blockers: counts and sums of codes by brute force, NaN a blo
 }
 
 TEST_CASE("make_penumbra_params: similar triangles, for spots and directional lights of every convention") {
+    // Maps of three shapes: as wide as high, narrower, wider. `texels` are those of light_map_size.
     const auto check = [](const light_space<float>& light, double size, double blocker, double receiver,
                           double texels) {
-        const penumbra_params soft =
-            make_penumbra_params(make_light_units(light, light_map_size), static_cast<float>(size));
         const double apart = 65536.0 * (depth_at(light, receiver) - depth_at(light, blocker));
-        CHECK(std::abs(apart * double(soft.per_code) / 16.0 / texels - 1.0) < 1.0 / 256 + 1e-4);
-        int exponent = 0;
-        const float digits = std::frexp(soft.per_code, &exponent) * 256.0f;
-        CHECK(digits == std::floor(digits));
+        for (const glm::ivec2 map_size : {light_map_size, glm::ivec2(300, 512), glm::ivec2(512, 96)}) {
+            const penumbra_params soft = make_penumbra_params(light, map_size, static_cast<float>(size));
+            const glm::dvec2 exact = texels * glm::dvec2(map_size) / glm::dvec2(light_map_size);
+            CHECK(std::abs(apart * double(soft.per_code_x) / 16.0 / exact.x - 1.0) < 1.0 / 256 + 1e-4);
+            CHECK(std::abs(apart * double(soft.per_code_y) / 16.0 / exact.y - 1.0) < 1.0 / 256 + 1e-4);
+            for (const float per_code : {soft.per_code_x, soft.per_code_y}) {
+                int exponent = 0;
+                const float digits = std::frexp(per_code, &exponent) * 256.0f;
+                CHECK(digits == std::floor(digits));
+            }
+        }
     };
     for (const clip_space clip :
          {opengl_clip_space, vulkan_clip_space,
@@ -120,20 +127,30 @@ TEST_CASE("make_penumbra_params: similar triangles, for spots and directional li
 }
 
 TEST_CASE("make_penumbra_params: lights of no size, of any size, and what it refuses") {
-    const glm::vec2 units(0.01f, 0.5f);
-    CHECK(make_penumbra_params(units, 0.0f).per_code == 0.0f);
-    CHECK(make_penumbra_params(units, 1e-30f).per_code == 0.0f);
-    CHECK(make_penumbra_params(units, 1e30f).per_code == 4096.0f);
-    CHECK(make_penumbra_params(glm::vec2(0.0625f, 0.25f), 2.0f).per_code == 1.0f / 32.0f);
-    const penumbra_params soft = make_penumbra_params(glm::dvec2(units), 0.1, 0.5, 7.03);
+    // A texel is 1/16 wide, and 4 units are all depths.
+    const auto sun = make_directional_light<float>({.direction = {0, 0, -1},
+                                                    .offset = 0,
+                                                    .map_size = {64, 64},
+                                                    .texels_per_unit = 16,
+                                                    .z_near = 0,
+                                                    .z_far = 4,
+                                                    .clip = cpu_clip_space});
+    const glm::ivec2 size(64, 64);
+    const auto per_code = [&](const penumbra_params& p) { return glm::vec2(p.per_code_x, p.per_code_y); };
+    CHECK(per_code(make_penumbra_params(sun, size, 0.0f)) == glm::vec2(0));
+    CHECK(per_code(make_penumbra_params(sun, size, 1e-30f)) == glm::vec2(0));
+    CHECK(per_code(make_penumbra_params(sun, size, 1e30f)) == glm::vec2(4096));
+    CHECK(per_code(make_penumbra_params(sun, size, 2.0f)) == glm::vec2(1.0f / 32));
+    CHECK(per_code(make_penumbra_params(sun, {64, 256}, 2.0f)) == glm::vec2(1.0f / 32, 1.0f / 8));
+    const penumbra_params soft = make_penumbra_params(sun, size, 0.1f, 0.5f, 7.03f);
     CHECK(soft.min_radius == 8.0f);
     CHECK(soft.max_radius == 112.0f);
-    CHECK(glm::vec3(soft) == glm::vec3(soft.per_code, 8.0f, 112.0f));
+    CHECK(glm::vec4(soft) == glm::vec4(soft.per_code_x, soft.per_code_y, 8.0f, 112.0f));
     for (const float bad : {-1.0f, inf32, nan32})
-        CHECK_THROWS_AS((void)make_penumbra_params(units, bad), std::invalid_argument);
-    for (const float bad : {0.0f, -1.0f, inf32, nan32})
-        CHECK_THROWS_AS((void)make_penumbra_params(glm::vec2(0.01f, bad), 0.1f), std::invalid_argument);
+        CHECK_THROWS_AS((void)make_penumbra_params(sun, size, bad), std::invalid_argument);
+    CHECK_THROWS_AS((void)make_penumbra_params(sun, {0, 64}, 0.1f), std::invalid_argument);
+    CHECK_THROWS_AS((void)make_penumbra_params(light_space<float>{}, size, 0.1f), std::invalid_argument);
     for (const float bad : {-1.0f, 17.0f, nan32})
-        CHECK_THROWS_AS((void)make_penumbra_params(units, 0.1f, bad, 16.0f), std::invalid_argument);
-    CHECK_THROWS_AS((void)make_penumbra_params(units, 0.1f, 1.0f, 256.0f), std::invalid_argument);
+        CHECK_THROWS_AS((void)make_penumbra_params(sun, size, 0.1f, bad, 16.0f), std::invalid_argument);
+    CHECK_THROWS_AS((void)make_penumbra_params(sun, size, 0.1f, 1.0f, 256.0f), std::invalid_argument);
 }

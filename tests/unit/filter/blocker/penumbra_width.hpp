@@ -9,7 +9,6 @@
 #include <cmath>
 #include <vector>
 
-#include <umbrage/bias/light_units.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -44,8 +43,7 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
         for (int x = 0; x < size / 2; ++x) map[{x, y}] = placed(0, blocker).z;
     const bool spot = light.projection[2][3] != 0.0f;
     const double left = double(placed(-1, receiver).x), texels = double(placed(1, receiver).x) - left;  // in 2 units
-    const auto soft =
-        make_penumbra_params(make_light_units(light, {size, size}), static_cast<float>(lamp), 0.0f, 64.0f);
+    const auto soft = make_penumbra_params(light, {size, size}, static_cast<float>(lamp), 0.0f, 64.0f);
     const comparison is_lit{light.clip.direction};
     std::vector<double> filtered, traced;
     for (int i = 0; i < steps; ++i) {
@@ -54,7 +52,7 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
         double share = 0;
         for (int pixel = 0; pixel < 16; ++pixel) {
             const glm::vec2 turned = disc_rotation(glm::vec2(float(pixel % 4), float(pixel / 4)));
-            share += double(pcss(map, at, glm::vec3(soft), turned, is_lit)) / 16.0;
+            share += double(pcss(map, at, glm::vec4(soft), turned, is_lit)) / 16.0;
         }
         filtered.push_back(share);
         int seen = 0;

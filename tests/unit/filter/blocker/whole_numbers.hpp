@@ -20,16 +20,26 @@ using umbrage::image;
 
 inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// A light's size as L / 2^j sixteenths of a texel a code.
-struct softness {
-    std::int64_t digits, shift, min_radius, max_radius;
+/// Radii of an ellipse along x and y, in 1/16 texel.
+struct ellipse {
+    std::int64_t x, y;
+};
 
-    [[nodiscard]] std::int64_t radius(std::int64_t apart) const {
-        return std::clamp(floor_divide(apart * digits, std::int64_t(1) << shift), min_radius, max_radius);
+/// A light's size as L / 2^j sixteenths of a texel a code, along x and y.
+struct softness {
+    std::int64_t digits_x, digits_y, shift, min_radius, max_radius;
+
+    [[nodiscard]] ellipse radius(std::int64_t apart) const {
+        const auto along = [&](std::int64_t digits) {
+            return std::clamp(floor_divide(apart * digits, std::int64_t(1) << shift), min_radius, max_radius);
+        };
+        return {along(digits_x), along(digits_y)};
     }
-    [[nodiscard]] glm::vec3 values() const {
-        return {std::ldexp(static_cast<float>(digits), -static_cast<int>(shift)), static_cast<float>(min_radius),
-                static_cast<float>(max_radius)};
+    [[nodiscard]] glm::vec4 values() const {
+        const auto scaled = [&](std::int64_t digits) {
+            return std::ldexp(static_cast<float>(digits), -static_cast<int>(shift));
+        };
+        return {scaled(digits_x), scaled(digits_y), static_cast<float>(min_radius), static_cast<float>(max_radius)};
     }
 };
 
@@ -51,19 +61,19 @@ inline std::int64_t code(double depth, bool forward) {
 
 /// Calls use(stored depth) for the texel under each point.
 template <int Points, class Use>
-void for_each_tap(const image<float>& map, const receiver& r, std::int64_t radius, Use use) {
+void for_each_tap(const image<float>& map, const receiver& r, ellipse radius, Use use) {
     const auto x = static_cast<std::int64_t>(std::floor(double(r.coord.x) * 256));
     const auto y = static_cast<std::int64_t>(std::floor(double(r.coord.y) * 256));
     for (const glm::ivec2 p : umbrage::disc_points<Points>) {
         const std::int64_t turned_x = r.rotation.x * p.x - r.rotation.y * p.y,
                            turned_y = r.rotation.y * p.x + r.rotation.x * p.y;
-        use(texel_at(map, floor_divide(x + floor_divide(turned_x * radius, 64), 256),
-                     floor_divide(y + floor_divide(turned_y * radius, 64), 256)));
+        use(texel_at(map, floor_divide(x + floor_divide(turned_x * radius.x, 64), 256),
+                     floor_divide(y + floor_divide(turned_y * radius.y, 64), 256)));
     }
 }
 
 template <int Points>
-search blockers(const image<float>& map, const receiver& r, std::int64_t radius, bool forward) {
+search blockers(const image<float>& map, const receiver& r, ellipse radius, bool forward) {
     search found;
     for_each_tap<Points>(map, r, radius, [&](double stored) {
         if (forward ? double(r.depth) <= stored : double(r.depth) >= stored) return;
@@ -89,10 +99,12 @@ struct cases {
         return {{x, y}, depth, glm::ivec2(umbrage::disc_rotation(glm::vec2(pixel_x, pixel_y)))};
     }
     [[nodiscard]] softness light() {
-        const auto digits = static_cast<std::int64_t>(random() % 256), shift = static_cast<std::int64_t>(random() % 16);
+        const auto digits_x = static_cast<std::int64_t>(random() % 256),
+                   digits_y = random() % 2 ? digits_x : static_cast<std::int64_t>(random() % 256),
+                   shift = static_cast<std::int64_t>(random() % 16);
         const auto min_radius = static_cast<std::int64_t>(random() % 32),
                    more = static_cast<std::int64_t>(random() % 200);
-        return {digits, shift, min_radius, random() % 8 ? min_radius + more : 4095};
+        return {digits_x, digits_y, shift, min_radius, random() % 8 ? min_radius + more : 4095};
     }
 };
 

@@ -54,9 +54,17 @@ TEST_CASE_TEMPLATE("check: a disc has 8, 16 or 32 points; alone, any other numbe
 }
 
 TEST_CASE_TEMPLATE("check: a softness is what make_penumbra_params makes", Filter, filters::pcss, filters::dpcf) {
-    const auto of = [](float per_code, float low, float high) { return Filter{.softness = {per_code, low, high}}; };
-    for (const float per_code : {0.0f, 0.06f, 4096.0f}) CHECK(passes(of(per_code, 16, 96)));
-    for (const float bad : {-0.06f, 4097.0f, 1e30f, nan32, inf32}) CHECK_FALSE(passes(of(bad, 16, 96)));
+    const auto of = [](float x, float low, float high, float y = 0.06f) {
+        return Filter{.softness = {x, y, low, high}};
+    };
+    for (const float per_code : {0.0f, 0.06f, 4096.0f}) {
+        CHECK(passes(of(per_code, 16, 96)));
+        CHECK(passes(of(0.06f, 16, 96, per_code)));
+    }
+    for (const float bad : {-0.06f, 4097.0f, 1e30f, nan32, inf32}) {
+        CHECK_FALSE(passes(of(bad, 16, 96)));
+        CHECK_FALSE(passes(of(0.06f, 16, 96, bad)));
+    }
     CHECK(passes(of(0.06f, 0, 0)));
     CHECK(passes(of(0.06f, 4095, 4095)));
     for (const glm::vec2 bad :
@@ -78,7 +86,7 @@ TEST_CASE_TEMPLATE("check: alone, any softness gives a visibility", Filter, filt
         for (const float low : odd)
             for (const float high : odd)
                 for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
-                    const float one = alone(Filter{.softness = {per_code, low, high}, .direction = direction});
+                    const float one = alone(Filter{.softness = {per_code, 0.06f, low, high}, .direction = direction});
                     CHECK(one >= 0.0f);
                     CHECK(one <= 1.0f);
                 }
@@ -87,7 +95,7 @@ TEST_CASE_TEMPLATE("check: alone, any softness gives a visibility", Filter, filt
 TEST_CASE("check: alone, any rotation gives a visibility, that of the first where it is none of disc_rotation's") {
     const image<float> map = step();
     const glm::vec2 at(19.7f, 20.2f);
-    const glm::vec3 soft(0.06f, 16, 96);
+    const glm::vec4 soft(0.06f, 0.04f, 16, 96);
     for (const glm::vec2 odd : {glm::vec2(nan32), {inf32, 0}, {0, -inf32}, {1e30f, 0}, {64, 65}, {nan32, 64}}) {
         CHECK(disc<16>(bordered(map), at, 0.5f, 3.0f, odd) ==
               disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec2(64, 0)));

@@ -27,12 +27,17 @@ void check_against_real_numbers() {
     for (int i = 0; i < 4000; ++i) {
         const glm::vec2 coord(static_cast<float>(random() % 8192) / 256.0f - 4.0f,
                               static_cast<float>(random() % 8192) / 256.0f - 6.0f);
-        const float radius = static_cast<float>(random() % 256) / 32.0f,
+        const float wide = static_cast<float>(random() % 256) / 32.0f,
+                    high = static_cast<float>(random() % 256) / 32.0f,
                     receiver = static_cast<float>(random() % 33) / 32.0f;
         const glm::vec2 rotation = disc_rotation(glm::vec2(float(i % 4), float(i / 4 % 4)));
-        const double ours = double(disc_hardware<Points>(clamped(map), coord, receiver, radius, rotation));
-        worst = std::max(worst, std::abs(ours - in_reals::lit_share<Points>(map, coord, double(receiver),
-                                                                            double(radius), rotation)));
+        const auto try_one = [&](float ours, glm::dvec2 radius) {
+            const double share = in_reals::lit_share<Points>(map, coord, double(receiver), radius, rotation);
+            worst = std::max(worst, std::abs(double(ours) - share));
+        };
+        try_one(disc_hardware<Points>(clamped(map), coord, receiver, wide, rotation), glm::dvec2(double(wide)));
+        const glm::vec2 both(wide, high);
+        try_one(ellipse_hardware<Points>(clamped(map), coord, receiver, both, rotation), both);
     }
     MESSAGE(Points << " points: off by " << worst << " of the bound of " << glsl::disc_hardware<Points>.within);
     CHECK(worst <= double(glsl::disc_hardware<Points>.within));

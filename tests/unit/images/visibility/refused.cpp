@@ -49,7 +49,8 @@ TEST_CASE("visibility: a window of 16 weights is refused") {
 
 TEST_CASE_TEMPLATE("visibility: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
                    filters::dpcf) {
-    for (const penumbra_params& bad : {penumbra_params{-1, 16, 96}, {0.06f, 96, 16}, {0.06f, 1.5f, 7.25f}})
+    for (const penumbra_params& bad :
+         {penumbra_params{-1, 0.06f, 16, 96}, {0.06f, -1, 16, 96}, {0.06f, 0.06f, 96, 16}, {0.06f, 0.06f, 1.5f, 7.25f}})
         CHECK(refused(Filter{.softness = bad}));
-    CHECK_FALSE(refused(Filter{.softness = {0.06f, 0, 4095}}));
+    CHECK_FALSE(refused(Filter{.softness = {0.06f, 0.04f, 0, 4095}}));
 }

@@ -75,8 +75,9 @@ TEST_CASE("shadow: a window of 16 weights is refused") {
 TEST_CASE_TEMPLATE("shadow: a softness that make_penumbra_params never makes is refused", Filter, filters::pcss,
                    filters::dpcf) {
     const std::string name = "umbrage::shadow: filter.softness.";
-    CHECK(refused(Filter{.softness = {0, 96, 16, 1}}).starts_with(name + "min_radius and max_radius must be integers"));
-    CHECK(refused(Filter{.softness = {0, 1.5f, 16, 1}}).starts_with(name + "min_radius and max_radius must be "));
+    CHECK(refused(Filter{.softness = {0, 0, 96, 16, 1}})
+              .starts_with(name + "min_radius and max_radius must be integers"));
+    CHECK(refused(Filter{.softness = {0, 0, 1.5f, 16, 1}}).starts_with(name + "min_radius and max_radius must be "));
     CHECK(refused(Filter{.softness = make_penumbra_params(0.1f)}) == "no error");
 }
 
@@ -84,9 +85,9 @@ TEST_CASE_TEMPLATE("shadow: contact hardening without a size of the light is ref
                    filters::dpcf) {
     const std::string name = "umbrage::shadow: filter.softness.light_size must be above 0 and finite; got ";
     CHECK(refused(Filter{}).starts_with(name + "0. make_penumbra_params(light_size) gives it"));
-    CHECK(refused(Filter{.softness = {0.06f, 16, 96}}).starts_with(name + "0"));  // of one map, by itself
-    CHECK(refused(Filter{.softness = {0, 16, 96, -1}}).starts_with(name + "-1"));
-    CHECK(refused(Filter{.softness = {0, 16, 96, detail::highest<float> * 2}}).starts_with(name + "inf"));
+    CHECK(refused(Filter{.softness = {0.06f, 0.06f, 16, 96}}).starts_with(name + "0"));  // of one map, by itself
+    CHECK(refused(Filter{.softness = {0, 0, 16, 96, -1}}).starts_with(name + "-1"));
+    CHECK(refused(Filter{.softness = {0, 0, 16, 96, detail::highest<float> * 2}}).starts_with(name + "inf"));
 }
 
 TEST_CASE("shadow: cascades that were moved from or taken away are refused, as are more than there are maps") {

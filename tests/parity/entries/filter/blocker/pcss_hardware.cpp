@@ -11,7 +11,7 @@ using namespace umbrage;
 
 template <int Points>
 constexpr auto search_twin = [](auto fetch, const sample& s, auto is_lit) {
-    const vec2 found = blockers_hardware<Points>(fetch, at(s), s.x[0].z, turned_radius(s), turned_by(s), is_lit);
+    const vec2 found = blockers_hardware<Points>(fetch, at(s), s.x[0].z, turned_radii(s), turned_by(s), is_lit);
     return vec4(found.x, found.y, 0.0f, 0.0f);
 };
 
@@ -21,7 +21,7 @@ void add_search(std::vector<entry>& all, entry e) {
     e.call.insert(e.call.size() - 1, ", 0.0, 0.0");
     e.classes = receivers_with([](const sample& s) {
         for (const ivec2 point : disc_points<Points>)
-            if (!off_borders(disc_position(at(s), vec2(point), turned_by(s), clamped_disc_radius(turned_radius(s)))))
+            if (!off_borders(disc_position(at(s), vec2(point), turned_by(s), clamped_disc_radius(turned_radii(s)))))
                 return false;
         return true;
     });
@@ -31,14 +31,14 @@ void add_search(std::vector<entry>& all, entry e) {
 }
 template <int Points>
 void add_search(std::vector<entry>& all) {
-    add_search<Points>(all, filter(glsl::blockers_hardware<Points>, turned_arguments,
+    add_search<Points>(all, filter(glsl::blockers_hardware<Points>, turned_ellipse,
                                    [](const sample& s) { return search_twin<Points>(s.depth(), s, less_equal{}); }));
     all.back().alike = Points != 16;
 }
 template <int Points>
 void add_search(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
     add_search<Points>(all,
-                       bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as, search_twin<Points>));
+                       bound_filter(glsl::blockers_hardware<Points>, turned_ellipse, name, as, search_twin<Points>));
 }
 
 /// Number of blockers in x0.x, the sum of their depths in x0.y, the receiver in x0.z, and a softness in x1.
@@ -50,8 +50,9 @@ std::vector<input_class> found_blockers() {
             if (i % 8 != 0) s.x[0].x = static_cast<float>(r.below(33));
             if (i % 8 == 1) s.x[0].x = s.x[0].y = 0.0f;
             const auto least = static_cast<float>(r.below(64));
-            s.x[1] = {static_cast<float>(r.below(256)) / 1024.0f, least, least + static_cast<float>(r.below(4032)),
-                      0.0f};
+            const auto per_code = [&] { return static_cast<float>(r.below(256)) / 1024.0f; };
+            s.x[1].x = per_code(), s.x[1].y = per_code();
+            s.x[1].z = least, s.x[1].w = least + static_cast<float>(r.below(4032));
         };
     return all;
 }
@@ -67,9 +68,10 @@ void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
                        .classes = found_blockers(),
                        .twin =
                            [direction](const sample& s) {
-                               return vec4(pcss_radius(vec2(s.x[0]), s.x[0].z, vec3(s.x[1]), comparison{direction}));
+                               const vec2 r = pcss_radius(vec2(s.x[0]), s.x[0].z, s.x[1], comparison{direction});
+                               return vec4(r.x, r.y, 0.0f, 0.0f);
                            },
-                       .call = "vec4(umbrage_pcss_radius(vec2(x0.x, x0.y), x0.z, vec3(x1.x, x1.y, x1.z)))",
+                       .call = "vec4(umbrage_pcss_radius(vec2(x0.x, x0.y), x0.z, x1), 0.0, 0.0)",
                        .map_kind = {.direction = direction}});
     }
     add_search<8>(all);

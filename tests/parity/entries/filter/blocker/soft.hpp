@@ -10,11 +10,12 @@
 namespace parity {
 
 /// A softness of the receiver's x0.w, for C++ and for GLSL: of no size, small, large, hard and soft where things touch.
-[[nodiscard]] inline vec3 softness_of(const sample& s) {
-    return {(s.x[0].w + 1.0f) * (1.0f / 512.0f), s.x[0].w < 4.0f ? 0.0f : 24.0f, 96.0f};
+[[nodiscard]] inline vec4 softness_of(const sample& s) {
+    return {(s.x[0].w + 1.0f) * (1.0f / 512.0f), s.x[0].w * (1.0f / 128.0f), s.x[0].w < 4.0f ? 0.0f : 24.0f, 96.0f};
 }
 inline constexpr auto soft_arguments =
-    ", vec3((x0.w + 1.0) * (1.0 / 512.0), x0.w < 4.0 ? 0.0 : 24.0, 96.0), umbrage_disc_rotation(vec2(x0.x, x0.y))";
+    ", vec4((x0.w + 1.0) * (1.0 / 512.0), x0.w * (1.0 / 128.0), x0.w < 4.0 ? 0.0 : 24.0, 96.0), "
+    "umbrage_disc_rotation(vec2(x0.x, x0.y))";
 
 /// A filter called with a softness and a rotation, forward and reversed.
 /// @param alike   to another but for the number of points

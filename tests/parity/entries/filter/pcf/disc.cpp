@@ -8,33 +8,12 @@ namespace {
 
 using namespace umbrage;
 
-/// An integer in either direction.
-float whole(random& r, int below) { return static_cast<float>(r.below(2 * below + 1) - below); }
-
-/// position x0.xy, point x0.zw, rotation x1.xy and radius x1.z of disc_tap.
-std::vector<input_class> taps() {
-    return {
-        {"random",
-         [](auto, random& r, sample& s) {
-             s.x[0] = {whole(r, 1 << 23), whole(r, 1 << 23), whole(r, 16), whole(r, 16)};
-             const vec2 rotation = disc_rotation(vec2{static_cast<float>(r.below(4)), static_cast<float>(r.below(4))});
-             s.x[1] = {rotation.x, rotation.y, static_cast<float>(r.below(4096)), 0.0f};
-         }},
-        {"texel edges", [](std::uint64_t i, random& r, sample& s) {
-             s.x[0] = {whole(r, 1 << 10) * 256.0f, whole(r, 1 << 10) * 256.0f, i % 2 ? 16.0f : -16.0f, 0.0f};
-             s.x[1] = {i & 4 ? 64.0f : 0.0f, i & 4 ? 0.0f : -64.0f, static_cast<float>(r.below(256)) * 16.0f, 0.0f};
-         }}};
-}
-
-template <int Points>
-void add(std::vector<entry>& all, std::size_t share) {
-    const auto lit = [](const sample& s, auto... is_lit) {
-        return vec4(disc<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.375f, disc_rotation(at(s)), is_lit...));
-    };
-    const std::string arguments = ", x0.w * 0.375, umbrage_disc_rotation(vec2(x0.x, x0.y))";
-    all.push_back(filter(umbrage::glsl::disc<Points>, arguments, [lit](const sample& s) { return lit(s); }));
-    all.push_back(reversed_filter(umbrage::glsl::disc<Points>, arguments,
-                                  [lit](const sample& s) { return lit(s, greater_equal{}); }));
+/// Forward and reversed.
+/// @param lit   (sample, is_lit) -> visibility
+void add(std::vector<entry>& all, const snippet& s, const std::string& radius, std::size_t share, const auto& lit) {
+    const std::string arguments = radius + ", umbrage_disc_rotation(vec2(x0.x, x0.y))";
+    all.push_back(filter(s, arguments, [lit](const sample& x) { return vec4(lit(x, less_equal{})); }));
+    all.push_back(reversed_filter(s, arguments, [lit](const sample& x) { return vec4(lit(x, greater_equal{})); }));
     for (entry* e : {&all.back() - 1, &all.back()}) {
         e->also = {&umbrage::glsl::disc_rotation};
         e->share = share;
@@ -42,32 +21,21 @@ void add(std::vector<entry>& all, std::size_t share) {
     all.back().alike = true;
 }
 
+template <int Points>
+void add(std::vector<entry>& all, std::size_t share) {
+    add(all, umbrage::glsl::ellipse<Points>, ", vec2(floor(x0.w * 6.0), floor(x0.w * 15.0))", share,
+        [](const sample& s, auto is_lit) {
+            const vec2 radius = glm::floor(s.x[0].w * vec2(6.0f, 15.0f));
+            return ellipse<Points>(s.depth(), at(s), s.x[0].z, radius, disc_rotation(at(s)), is_lit);
+        });
+    add(all, umbrage::glsl::disc<Points>, ", x0.w * 0.375", share, [](const sample& s, auto is_lit) {
+        return disc<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.375f, disc_rotation(at(s)), is_lit);
+    });
+}
+
 }  // namespace
 
 void add_filter_pcf_disc(std::vector<entry>& all) {
-    namespace glsl = umbrage::glsl;
-    all.push_back({.primitive = &glsl::disc_rotation,
-                   .classes = spread({{-40.0f, 4000.0f}, {-40.0f, 4000.0f}}, special_values()),
-                   .twin =
-                       [](const sample& s) {
-                           const vec2 rotation = disc_rotation(vec2(s.x[0]));
-                           return vec4(rotation.x, rotation.y, 0.0f, 0.0f);
-                       },
-                   .call = "vec4(umbrage_disc_rotation(vec2(x0.x, x0.y)), 0.0, 0.0)"});
-    all.push_back({.primitive = &glsl::disc_tap,
-                   .classes = taps(),
-                   .twin =
-                       [](const sample& s) {
-                           const vec4 x = s.x[0];
-                           const vec2 texel = disc_tap(vec2(x), vec2(x.z, x.w), vec2(s.x[1]), s.x[1].z);
-                           return vec4(texel.x, texel.y, 0.0f, 0.0f);
-                       },
-                   .call = "vec4(umbrage_disc_tap(vec2(x0.x, x0.y), vec2(x0.z, x0.w), vec2(x1.x, x1.y), x1.z), 0.0, "
-                           "0.0)"});
-    all.push_back({.primitive = &glsl::disc_radius,
-                   .classes = spread({{-1.0f, 300.0f}}, special_values()),
-                   .twin = [](const sample& s) { return vec4(disc_radius(s.x[0].x)); },
-                   .call = "vec4(umbrage_disc_radius(x0.x))"});
     add<8>(all, 2);
     add<16>(all, 4);
     add<32>(all, 8);

@@ -14,18 +14,28 @@ constexpr auto disc_twin = [](auto fetch, const sample& s, auto is_lit) {
 };
 
 template <int Points>
+constexpr auto ellipse_twin = [](auto fetch, const sample& s, auto is_lit) {
+    return ellipse_hardware<Points>(fetch, at(s), s.x[0].z, turned_radii(s), turned_by(s), is_lit);
+};
+
+template <int Points>
 void add(std::vector<entry>& all) {
-    const snippet& one = glsl::disc_hardware<Points>;
-    all.push_back(filter(one, turned_arguments,
-                         [](const sample& s) { return vec4(disc_twin<Points>(s.depth(), s, less_equal{})); }));
-    all.back().also = {&glsl::disc_rotation};
-    all.back().share = Points;
-    all.back().alike = Points != 16;
+    const auto add_one = [&](const snippet& one, const std::string& arguments, const auto& twin) {
+        all.push_back(
+            filter(one, arguments, [twin](const sample& s) { return vec4(twin(s.depth(), s, less_equal{})); }));
+        all.back().also = {&glsl::disc_rotation};
+        all.back().share = Points;
+        all.back().alike = Points != 16;
+    };
+    add_one(glsl::ellipse_hardware<Points>, turned_ellipse, ellipse_twin<Points>);
+    add_one(glsl::disc_hardware<Points>, turned_arguments, disc_twin<Points>);
 }
 
 /// By the sampler of a kind of map.
 template <int Points>
 void add(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
+    all.push_back(sampled_filter(glsl::ellipse_hardware<Points>, turned_ellipse, name, as, ellipse_twin<Points>));
+    all.back().also = {&glsl::disc_rotation};
     all.push_back(sampled_filter(glsl::disc_hardware<Points>, turned_arguments, name, as, disc_twin<Points>));
     all.back().also = {&glsl::disc_rotation};
 }
