@@ -70,6 +70,7 @@
 #include <umbrage/shadow/map_tile.hpp>
 #include <umbrage/shadow/page_places.hpp>
 #include <umbrage/shadow/paraboloid_maps.hpp>
+#include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/single_map.hpp>
 #include <umbrage/shadow/softness.hpp>
 #include <umbrage/shadow/tetrahedron_map.hpp>
@@ -158,7 +159,7 @@ template <class Use = umbrage::detail::on_use>
             // shadow
             .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_choice_snippets,
                       cascade_places_snippets, cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets,
-                      warped_places_snippets, page_places_snippets, softness_snippets})
+                      warped_places_snippets, page_places_snippets, softness_snippets, penumbra_shape_snippets})
             .members();
     }();
     return all;

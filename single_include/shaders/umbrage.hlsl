@@ -129,6 +129,7 @@
 // depth_at, tier C: within 4 x 2^-23 x S of the exact result.
 // compare_dx_sdk, tier B: within 1 x 2^-23 x S of the exact result.
 // compare_exercise, tier B: within 1 x 2^-23 x S of the exact result.
+// sheared_rotation, tier B: within 2 x 2^-23 x S of the exact result.
 // pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
 // box, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5, tier B: within 80 x 2^-23 x S of the exact result.
@@ -238,6 +239,8 @@
 // warped_maps_choice, tier C: within 12 x 2^-23 x S of the exact result.
 // warped_maps_place, tier C: within 121 x 2^-23 x S of the exact result.
 // adaptive_maps_places, tier C: within 68 x 2^-23 x S of the exact result.
+// warp_shape, tier B: within 2 x 2^-23 x S of the exact result.
+// shaped_softness, tier C: within 9 x 2^-23 x S of the exact result.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5_shadow, tier B: within 80 x 2^-23 x S of the exact result.
 // castano7_shadow, tier B: within 138 x 2^-23 x S of the exact result.
@@ -1303,9 +1306,9 @@ float umbrage_compare_exercise(float current, float stored, float epsilon) {
 
 #ifndef UMBRAGE_HAS_DISC_ROTATION
 #define UMBRAGE_HAS_DISC_ROTATION
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-float2 umbrage_disc_rotation(float2 pixel) {
+float4 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -1316,7 +1319,20 @@ float2 umbrage_disc_rotation(float2 pixel) {
     float2 first = base < 1.5 ? low : high;
     float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
     float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    float2 turned = quarter < 1.5 ? once : twice;
+    return float4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SHEARED_ROTATION
+#define UMBRAGE_HAS_SHEARED_ROTATION
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+float4 umbrage_sheared_rotation(float4 rotation, float shear) {
+    precise float x = rotation.x + shear * rotation.z;
+    precise float y = rotation.y + shear * rotation.w;
+    return float4(x, y, rotation.z, rotation.w);
 }
 #endif
 
@@ -1327,14 +1343,14 @@ float2 umbrage_disc_rotation(float2 pixel) {
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float2 radius) {
+float2 umbrage_disc_tap(float2 position, float2 p, float4 rotation, float2 radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = floor(at);
     float2 within = clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    float2 high = rotation * (radius.y * (1.0 / 16384.0));
-    float x = wide.x * p.x + within.x - wide.y * p.y;
-    float y = high.y * p.x + within.y + high.x * p.y;
+    float2 wide = float2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    float2 high = float2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    float x = wide.x * p.x + within.x + wide.y * p.y;
+    float y = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(float2(x, y));
 }
 #endif
@@ -2190,6 +2206,19 @@ float4x4 umbrage_tetrahedron_map_places(float4x4 to_texels, float4x4 planes, flo
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_SHAPE
+#define UMBRAGE_HAS_TETRAHEDRON_SHAPE
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+float3 umbrage_tetrahedron_shape(float4 center, float number, float2 at) {
+    bool beside = abs(at.x - center.x) > abs(at.y - center.x);
+    return beside ? float3(0.577350269, 1.73205081, 0.0) : float3(1.0, 1.0, 0.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_PARABOLOID_MAPS_PLACES
 #define UMBRAGE_HAS_PARABOLOID_MAPS_PLACES
 // umbrage_paraboloid_maps_places: place of a point of the world in two paraboloid maps
@@ -2337,6 +2366,32 @@ float2 umbrage_map_softness(float4x4 eight, float number) {
     float column = floor(number * 0.5);
     float4 two = umbrage_cascade_column(eight, column);
     return number - 2.0 * column < 0.5 ? float2(two.x, two.y) : float2(two.z, two.w);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_SHAPE
+#define UMBRAGE_HAS_WARP_SHAPE
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+float3 umbrage_warp_shape(float4x4 warps, float number, float2 at) {
+    float4 own = umbrage_cascade_column(warps, number);
+    precise float factor = own.x + own.y * at.y;
+    precise float shear = own.z + own.w * at.x;
+    return float3(1.0, factor, clamp(shear, -2.0, 2.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SHAPED_SOFTNESS
+#define UMBRAGE_HAS_SHAPED_SOFTNESS
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+float4 umbrage_shaped_softness(float4 softness, float3 shape) {
+    float max_radius = softness.w / sqrt(1.0 + shape.z * shape.z);
+    return float4(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
 }
 #endif
 
@@ -2985,7 +3040,7 @@ float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, floa
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                       float2 rotation) {
+                       float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3010,7 +3065,7 @@ float umbrage_ellipse8(Texture2D<float4> map, float2 size, float2 coord, float r
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                        float2 rotation) {
+                        float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3043,7 +3098,7 @@ float umbrage_ellipse16(Texture2D<float4> map, float2 size, float2 coord, float 
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                        float2 rotation) {
+                        float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3091,7 +3146,7 @@ float umbrage_ellipse32(Texture2D<float4> map, float2 size, float2 coord, float 
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse8(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3105,7 +3160,7 @@ float umbrage_disc8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3119,7 +3174,7 @@ float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-float umbrage_disc32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 rotation) {
+float umbrage_disc32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse32(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3656,14 +3711,14 @@ float umbrage_window_hardware7(Texture2D<float4> map, float2 size, float2 coord,
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                float2 rotation) {
+                                float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -3688,14 +3743,14 @@ float umbrage_ellipse_hardware8(Texture2D<float4> map, float2 size, float2 coord
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                 float2 rotation) {
+                                 float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -3728,14 +3783,14 @@ float umbrage_ellipse_hardware16(Texture2D<float4> map, float2 size, float2 coor
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                 float2 rotation) {
+                                 float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -3784,7 +3839,7 @@ float umbrage_ellipse_hardware32(Texture2D<float4> map, float2 size, float2 coor
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                             float2 rotation) {
+                             float4 rotation) {
     return umbrage_ellipse_hardware8(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3799,7 +3854,7 @@ float umbrage_disc_hardware8(Texture2D<float4> map, float2 size, float2 coord, f
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+                              float4 rotation) {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3814,7 +3869,7 @@ float umbrage_disc_hardware16(Texture2D<float4> map, float2 size, float2 coord, 
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius,
-                              float2 rotation) {
+                              float4 rotation) {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3868,7 +3923,7 @@ float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float r
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
-                         float2 rotation) {
+                         float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
@@ -3891,7 +3946,7 @@ float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, fl
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
-                          float2 rotation) {
+                          float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), rotation, radius), receiver);
@@ -3922,7 +3977,7 @@ float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, f
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, float receiver, float2 radius,
-                          float2 rotation) {
+                          float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
@@ -3969,7 +4024,7 @@ float2 umbrage_blockers32(Texture2D<float4> map, float2 size, float2 position, f
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                    float2 rotation) {
+                    float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -3991,7 +4046,7 @@ float umbrage_pcss8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                     float2 rotation) {
+                     float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4013,7 +4068,7 @@ float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_pcss32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                     float2 rotation) {
+                     float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4064,14 +4119,14 @@ float2 umbrage_pcss_radius(float2 found, float receiver, float4 softness) {
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                  float2 rotation) {
+                                  float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -4094,14 +4149,14 @@ float2 umbrage_blockers_hardware8(Texture2D<float4> map, float2 size, float2 coo
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                   float2 rotation) {
+                                   float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -4132,14 +4187,14 @@ float2 umbrage_blockers_hardware16(Texture2D<float4> map, float2 size, float2 co
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float2 radius,
-                                   float2 rotation) {
+                                   float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -4186,7 +4241,7 @@ float2 umbrage_blockers_hardware32(Texture2D<float4> map, float2 size, float2 co
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                    float2 rotation) {
+                    float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4210,7 +4265,7 @@ float umbrage_dpcf8(Texture2D<float4> map, float2 size, float2 coord, float rece
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                     float2 rotation) {
+                     float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4234,7 +4289,7 @@ float umbrage_dpcf16(Texture2D<float4> map, float2 size, float2 coord, float rec
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_dpcf32(Texture2D<float4> map, float2 size, float2 coord, float receiver, float4 softness,
-                     float2 rotation) {
+                     float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -5209,7 +5264,7 @@ float umbrage_castano7_shadow(Texture2D<float> map, SamplerComparisonState map_s
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
-                               float receiver, float2 radius, float2 rotation) {
+                               float receiver, float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -5265,7 +5320,7 @@ float umbrage_ellipse16_shadow(Texture2D<float> map, SamplerComparisonState map_
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size, float2 coord,
-                            float receiver, float radius, float2 rotation) {
+                            float receiver, float radius, float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16_shadow(map, map_sampler, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -5517,14 +5572,14 @@ float umbrage_window_hardware7_shadow(Texture2D<float> map, SamplerComparisonSta
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_ellipse_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
-                                        float2 coord, float receiver, float2 radius, float2 rotation) {
+                                        float2 coord, float receiver, float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -5557,7 +5612,7 @@ float umbrage_ellipse_hardware16_shadow(Texture2D<float> map, SamplerComparisonS
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float umbrage_disc_hardware16_shadow(Texture2D<float> map, SamplerComparisonState map_sampler, float2 size,
-                                     float2 coord, float receiver, float radius, float2 rotation) {
+                                     float2 coord, float receiver, float radius, float4 rotation) {
     return umbrage_ellipse_hardware16_shadow(map, map_sampler, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -5645,14 +5700,14 @@ float2 umbrage_blocker_at_depths(Texture2D<float> map, float2 size, float2 uv, f
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 float2 umbrage_blockers_hardware16_depths(Texture2D<float> map, float2 size, float2 coord, float receiver,
-                                          float2 radius, float2 rotation) {
+                                          float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);

@@ -129,6 +129,7 @@
 // depth_at, tier C: within 4 x 2^-23 x S of the exact result.
 // compare_dx_sdk, tier B: within 1 x 2^-23 x S of the exact result.
 // compare_exercise, tier B: within 1 x 2^-23 x S of the exact result.
+// sheared_rotation, tier B: within 2 x 2^-23 x S of the exact result.
 // pcf_2x2_dx_sdk, tier B: within 20 x 2^-23 x S of the exact result.
 // box, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5, tier B: within 80 x 2^-23 x S of the exact result.
@@ -238,6 +239,8 @@
 // warped_maps_choice, tier C: within 12 x 2^-23 x S of the exact result.
 // warped_maps_place, tier C: within 121 x 2^-23 x S of the exact result.
 // adaptive_maps_places, tier C: within 68 x 2^-23 x S of the exact result.
+// warp_shape, tier B: within 2 x 2^-23 x S of the exact result.
+// shaped_softness, tier C: within 9 x 2^-23 x S of the exact result.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5_shadow, tier B: within 80 x 2^-23 x S of the exact result.
 // castano7_shadow, tier B: within 138 x 2^-23 x S of the exact result.
@@ -1308,9 +1311,9 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
 
 #ifndef UMBRAGE_HAS_DISC_ROTATION
 #define UMBRAGE_HAS_DISC_ROTATION
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-inline float2 umbrage_disc_rotation(float2 pixel) {
+inline float4 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
     v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
@@ -1321,7 +1324,20 @@ inline float2 umbrage_disc_rotation(float2 pixel) {
     float2 first = base < 1.5 ? low : high;
     float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
     float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    float2 turned = quarter < 1.5 ? once : twice;
+    return float4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SHEARED_ROTATION
+#define UMBRAGE_HAS_SHEARED_ROTATION
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+inline float4 umbrage_sheared_rotation(float4 rotation, float shear) {
+    float x = rotation.x + shear * rotation.z;
+    float y = rotation.y + shear * rotation.w;
+    return float4(x, y, rotation.z, rotation.w);
 }
 #endif
 
@@ -1332,14 +1348,14 @@ inline float2 umbrage_disc_rotation(float2 pixel) {
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float2 radius) {
+inline float2 umbrage_disc_tap(float2 position, float2 p, float4 rotation, float2 radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
     float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    float2 high = rotation * (radius.y * (1.0 / 16384.0));
-    float x = wide.x * p.x + within.x - wide.y * p.y;
-    float y = high.y * p.x + within.y + high.x * p.y;
+    float2 wide = float2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    float2 high = float2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    float x = wide.x * p.x + within.x + wide.y * p.y;
+    float y = high.x * p.x + within.y + high.y * p.y;
     return texel + metal::floor(float2(x, y));
 }
 #endif
@@ -2193,6 +2209,19 @@ inline metal::float4x4 umbrage_tetrahedron_map_places(metal::float4x4 to_texels,
 }
 #endif
 
+#ifndef UMBRAGE_HAS_TETRAHEDRON_SHAPE
+#define UMBRAGE_HAS_TETRAHEDRON_SHAPE
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+inline float3 umbrage_tetrahedron_shape(float4 center, float number, float2 at) {
+    bool beside = metal::abs(at.x - center.x) > metal::abs(at.y - center.x);
+    return beside ? float3(0.577350269, 1.73205081, 0.0) : float3(1.0, 1.0, 0.0);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_PARABOLOID_MAPS_PLACES
 #define UMBRAGE_HAS_PARABOLOID_MAPS_PLACES
 // umbrage_paraboloid_maps_places: place of a point of the world in two paraboloid maps
@@ -2344,6 +2373,32 @@ inline float2 umbrage_map_softness(metal::float4x4 eight, float number) {
     float column = metal::floor(number * 0.5);
     float4 two = umbrage_cascade_column(eight, column);
     return number - 2.0 * column < 0.5 ? float2(two.x, two.y) : float2(two.z, two.w);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_SHAPE
+#define UMBRAGE_HAS_WARP_SHAPE
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+inline float3 umbrage_warp_shape(metal::float4x4 warps, float number, float2 at) {
+    float4 own = umbrage_cascade_column(warps, number);
+    float factor = own.x + own.y * at.y;
+    float shear = own.z + own.w * at.x;
+    return float3(1.0, factor, metal::clamp(shear, -2.0, 2.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SHAPED_SOFTNESS
+#define UMBRAGE_HAS_SHAPED_SOFTNESS
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+inline float4 umbrage_shaped_softness(float4 softness, float3 shape) {
+    float max_radius = softness.w / metal::sqrt(1.0 + shape.z * shape.z);
+    return float4(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
 }
 #endif
 
@@ -2993,7 +3048,7 @@ inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                              float2 rotation) {
+                              float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3018,7 +3073,7 @@ inline float umbrage_ellipse8(metal::texture2d<float> map, float2 size, float2 c
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                               float2 rotation) {
+                               float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3051,7 +3106,7 @@ inline float umbrage_ellipse16(metal::texture2d<float> map, float2 size, float2 
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                               float2 rotation) {
+                               float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -3100,7 +3155,7 @@ inline float umbrage_ellipse32(metal::texture2d<float> map, float2 size, float2 
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                           float2 rotation) {
+                           float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse8(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3115,7 +3170,7 @@ inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coor
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                            float2 rotation) {
+                            float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3130,7 +3185,7 @@ inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coo
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                            float2 rotation) {
+                            float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse32(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -3671,14 +3726,14 @@ inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, 
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                       float2 radius, float2 rotation) {
+                                       float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -3703,14 +3758,14 @@ inline float umbrage_ellipse_hardware8(metal::texture2d<float> map, float2 size,
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                        float2 radius, float2 rotation) {
+                                        float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -3743,14 +3798,14 @@ inline float umbrage_ellipse_hardware16(metal::texture2d<float> map, float2 size
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                        float2 radius, float2 rotation) {
+                                        float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -3799,7 +3854,7 @@ inline float umbrage_ellipse_hardware32(metal::texture2d<float> map, float2 size
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                    float radius, float2 rotation) {
+                                    float radius, float4 rotation) {
     return umbrage_ellipse_hardware8(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3814,7 +3869,7 @@ inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, fl
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                     float radius, float2 rotation) {
+                                     float radius, float4 rotation) {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3829,7 +3884,7 @@ inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, f
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                     float radius, float2 rotation) {
+                                     float radius, float4 rotation) {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -3884,7 +3939,7 @@ inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 t
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                float2 radius, float2 rotation) {
+                                float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
@@ -3907,7 +3962,7 @@ inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers16(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                 float2 radius, float2 rotation) {
+                                 float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), rotation, radius), receiver);
@@ -3938,7 +3993,7 @@ inline float2 umbrage_blockers16(metal::texture2d<float> map, float2 size, float
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                 float2 radius, float2 rotation) {
+                                 float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
@@ -3985,7 +4040,7 @@ inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                           float2 rotation) {
+                           float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4007,7 +4062,7 @@ inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coor
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4029,7 +4084,7 @@ inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coo
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4080,14 +4135,14 @@ inline float2 umbrage_pcss_radius(float2 found, float receiver, float4 softness)
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                         float2 radius, float2 rotation) {
+                                         float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -4110,14 +4165,14 @@ inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 siz
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                          float2 radius, float2 rotation) {
+                                          float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -4148,14 +4203,14 @@ inline float2 umbrage_blockers_hardware16(metal::texture2d<float> map, float2 si
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                          float2 radius, float2 rotation) {
+                                          float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -4202,7 +4257,7 @@ inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 si
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                           float2 rotation) {
+                           float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4226,7 +4281,7 @@ inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coor
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4250,7 +4305,7 @@ inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coo
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -5230,7 +5285,7 @@ inline float umbrage_castano7_shadow(metal::depth2d<float> map, metal::sampler m
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 coord,
-                                      float receiver, float2 radius, float2 rotation) {
+                                      float receiver, float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -5286,7 +5341,7 @@ inline float umbrage_ellipse16_shadow(metal::depth2d<float> map, metal::sampler 
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size, float2 coord,
-                                   float receiver, float radius, float2 rotation) {
+                                   float receiver, float radius, float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16_shadow(map, map_sampler, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -5538,14 +5593,14 @@ inline float umbrage_window_hardware7_shadow(metal::depth2d<float> map, metal::s
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
-                                               float2 coord, float receiver, float2 radius, float2 rotation) {
+                                               float2 coord, float receiver, float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -5578,7 +5633,7 @@ inline float umbrage_ellipse_hardware16_shadow(metal::depth2d<float> map, metal:
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware16_shadow(metal::depth2d<float> map, metal::sampler map_sampler, float2 size,
-                                            float2 coord, float receiver, float radius, float2 rotation) {
+                                            float2 coord, float receiver, float radius, float4 rotation) {
     return umbrage_ellipse_hardware16_shadow(map, map_sampler, size, coord, receiver, float2(radius, radius), rotation);
 }
 #endif
@@ -5666,14 +5721,14 @@ inline float2 umbrage_blocker_at_depths(metal::depth2d<float> map, float2 size, 
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware16_depths(metal::depth2d<float> map, float2 size, float2 coord, float receiver,
-                                                 float2 radius, float2 rotation) {
+                                                 float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);

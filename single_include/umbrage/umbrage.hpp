@@ -5509,7 +5509,8 @@ struct rgb24 {
 // ---- umbrage/filter/pcf/disc_tap.hpp
 // Points of a disc, and the texels that they fall on: 8, 16 or 32 points, rotated per pixel to hide the pattern.
 //
-//     const glm::vec2 rotation = umbrage::disc_rotation(pixel), radius(umbrage::disc_radius(3.0f));
+//     const glm::vec4 rotation = umbrage::disc_rotation(pixel);
+//     const glm::vec2 radius(umbrage::disc_radius(3.0f));
 //     for (const glm::ivec2 point : umbrage::disc_points<16>)
 //         use(umbrage::disc_tap(glm::floor(coord * 256.0f), glm::vec2(point), rotation, radius));
 //
@@ -5557,10 +5558,13 @@ namespace detail {
     return disc_points<32>;
 }
 
-/// Rotation from disc_rotation, whose components are at most 64. Any other, NaN included: the first one.
+/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the first
+/// one of disc_rotation.
 template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> bounded_rotation(glm::vec<2, T> rotation) {
-    return inside_texel_space(rotation * T(511)) ? rotation : glm::vec<2, T>(T(64), T(0));
+[[nodiscard]] constexpr glm::vec<4, T> bounded_rotation(glm::vec<4, T> rotation) {
+    const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(170)) &&
+                         inside_texel_space(glm::vec<2, T>(rotation.z, rotation.w) * T(170));
+    return bounded ? rotation : glm::vec<4, T>(T(64), T(0), T(0), T(64));
 }
 
 /// Radii of an ellipse that are no integers from 0 to 4095: clamped to -4095 .. 4095, and 0 for NaN. So all taps lie
@@ -5575,24 +5579,35 @@ template <real T>
 
 /// Rotation of the disc for a pixel: one of 16, each used once in every 4 x 4 pixels.
 /// @param pixel      pixel position, in pixels; fractions are dropped
-/// @return           (cos, sin) in 1/64: integers, length 63.6 to 64
-/// @edge             |x| or |y| >= 2^15, or NaN: the first rotation, (64, 0)
+/// @return           (cos, -sin, sin, cos) in 1/64, the rows of a matrix: integers, each row of length 63.6 to 64
+/// @edge             |x| or |y| >= 2^15, or NaN: the first rotation, (64, 0, 0, 64)
 /// @formula          v = 4x + y mod 16; rotates by floor(v / 4) quarter turns and (v mod 4) times 22.5 degrees
 /// @exactness        A
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_rotation(glm::vec<2, T> pixel) {
-    if (!inside_texel_space(pixel)) return {T(64), T(0)};
+[[nodiscard]] glm::vec<4, T> disc_rotation(glm::vec<2, T> pixel) {
+    const auto turned = [](T c, T s) { return glm::vec<4, T>(c, T(0) - s, s, c); };
+    if (!inside_texel_space(pixel)) return turned(T(64), T(0));
     const glm::vec<2, T> whole = glm::floor(pixel);
     const T sum = whole.x * T(4) + whole.y;
     const auto v = static_cast<int>(sum - glm::floor(sum * T(1.0 / 16.0)) * T(16));
     constexpr int base[4][2]{{64, 0}, {59, 24}, {45, 45}, {24, 59}};
     const T c = T(base[v % 4][0]), s = T(base[v % 4][1]);
     switch (v / 4) {
-        case 0: return {c, s};
-        case 1: return {T(0) - s, c};
-        case 2: return {T(0) - c, T(0) - s};
-        default: return {s, T(0) - c};
+        case 0: return turned(c, s);
+        case 1: return turned(T(0) - s, c);
+        case 2: return turned(T(0) - c, T(0) - s);
+        default: return turned(s, T(0) - c);
     }
+}
+
+/// Rotation of a disc that an ellipse's shear follows, where a map's texels are no rectangles of the world.
+/// @param rotation   from disc_rotation
+/// @param shear      how far x moves with y, in radii; -2 to 2
+/// @return           rows (x, y) + shear (z, w) and (z, w)
+/// @exactness        B, n = 2
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> sheared_rotation(glm::vec<4, T> rotation, T shear) {
+    return {rotation.x + shear * rotation.z, rotation.y + shear * rotation.w, rotation.z, rotation.w};
 }
 
 /// Texel that a point of a disc falls on.
@@ -5601,17 +5616,17 @@ template <real T>
 /// @param rotation   from disc_rotation
 /// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095
 /// @return           index of the texel
-/// @formula          floor((position + rotated point * radius / 64) / 256), where (c, s) rotates point (x, y) to
-///                   (c x - s y, s x + c y)
+/// @formula          floor((position + rotated point * radius / 64) / 256), where the rotated point is the rotation's
+///                   rows times p
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation,
+[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                       glm::vec<2, T> radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
     const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // no sum is regrouped across the clamp
-    const glm::vec<2, T> wide = rotation * (radius.x * T(1.0 / 16384.0)),
-                         high = rotation * (radius.y * T(1.0 / 16384.0));
-    return texel + glm::floor(within + glm::vec<2, T>(wide.x * p.x - wide.y * p.y, high.y * p.x + high.x * p.y));
+    const glm::vec<2, T> wide = glm::vec<2, T>(rotation.x, rotation.y) * (radius.x * T(1.0 / 16384.0)),
+                         high = glm::vec<2, T>(rotation.z, rotation.w) * (radius.y * T(1.0 / 16384.0));
+    return texel + glm::floor(within + glm::vec<2, T>(wide.x * p.x + wide.y * p.y, high.x * p.x + high.y * p.y));
 }
 
 /// Radius of a disc in 1/16 texel, from one in texels: floor(16 radius), at most 4095. Negative or NaN: 0.
@@ -5630,9 +5645,9 @@ inline constexpr snippet disc_rotation{
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
+UMBRAGE_HIGHP vec4 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -5643,7 +5658,25 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
     UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
     UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    UMBRAGE_HIGHP vec2 turned = quarter < 1.5 ? once : twice;
+    return vec4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+)GLSL",
+};
+
+inline constexpr snippet sheared_rotation{
+    .name = "sheared_rotation",
+    .summary = "rotation of a disc, sheared to an ellipse",
+    .exactness = tier::b,
+    .operations = 2,
+    .source = R"GLSL(
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;
+    return vec4(x, y, rotation.z, rotation.w);
 }
 )GLSL",
 };
@@ -5658,15 +5691,15 @@ inline constexpr snippet disc_tap{
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec4 rotation,
                                     UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
-    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = vec2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = vec2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x + wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2(x, y));
 }
 )GLSL",
@@ -5686,7 +5719,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 )GLSL",
 };
 
-inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &disc_tap, &disc_radius};
+inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &sheared_rotation, &disc_tap, &disc_radius};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5856,12 +5889,13 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
 /// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
-///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
+///                   either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0, 0, 64)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, glm::vec<2, T> radius,
-                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const glm::vec<2, T> turn = detail::bounded_rotation(rotation), rho = detail::bounded_radius(radius);
+                                      glm::vec<4, T> rotation, Compare is_lit = {}) {
+    const glm::vec<4, T> turn = detail::bounded_rotation(rotation);
+    const glm::vec<2, T> rho = detail::bounded_radius(radius);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
         found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
@@ -5931,7 +5965,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
                               {{'n', points}});
@@ -5982,16 +6016,16 @@ namespace umbrage {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
-///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation:
-///                   (64, 0)
+///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0,
+///                   0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T ellipse(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius, glm::vec<2, T> rotation,
+[[nodiscard]] T ellipse(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius, glm::vec<4, T> rotation,
                         Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation),
-                         rho = detail::bounded_radius(radius);
+    const glm::vec<2, T> position = glm::floor(coord * T(256)), rho = detail::bounded_radius(radius);
+    const glm::vec<4, T> turn = detail::bounded_rotation(rotation);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
         const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
@@ -6011,11 +6045,11 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
-///                   NaN or longer than any of disc_rotation: (64, 0)
+///                   NaN or of components above 192: (64, 0, 0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
+[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<4, T> rotation,
                      Compare is_lit = {}) {
     return ellipse<Points>(fetch, coord, receiver, glm::vec<2, T>(disc_radius(radius)), rotation, is_lit);
 }
@@ -6035,7 +6069,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;
@@ -6059,7 +6093,7 @@ UMBRAGE_HIGHP float umbrage_ellipse$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse$n(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
@@ -6120,7 +6154,7 @@ struct disc {
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        const glm::vec4 rotation = disc_rotation(glm::vec2(pixel));
         if (points == 8)
             return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
         if (points == 16)
@@ -6182,7 +6216,7 @@ template <int Points, real T>
 ///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)), each radius x + y
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<4, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
@@ -6224,7 +6258,7 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel$n(UMBRAGE_HIGHP float blocked, UMBRA
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -6292,7 +6326,11 @@ struct dpcf {
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        return rotated(fetch, coord, receiver, disc_rotation(glm::vec2(pixel)));
+    }
+    /// The filter by a rotation of its disc.
+    template <class Fetch>
+    [[nodiscard]] float rotated(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec4 rotation) const {
         const glm::vec4 soft(softness);
         if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
@@ -6344,7 +6382,7 @@ namespace umbrage {
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<4, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
@@ -6368,7 +6406,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -6425,7 +6463,11 @@ struct pcss {
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        return rotated(fetch, coord, receiver, disc_rotation(glm::vec2(pixel)));
+    }
+    /// The filter by a rotation of its disc.
+    template <class Fetch>
+    [[nodiscard]] float rotated(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec4 rotation) const {
         const glm::vec4 soft(softness);
         if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});
@@ -6806,12 +6848,13 @@ template <real T>
 /// @param p          one of disc_points, in 1/16 of the radius
 /// @param rotation   from disc_rotation
 /// @param radius     along x and y, in texels
-/// @formula          coord + rotated point * radius / 1024, where (c, s) rotates (x, y) to (c x - s y, s x + c y)
+/// @formula          coord + rotated point * radius / 1024, where the rotated point is the rotation's rows times p
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation,
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                            glm::vec<2, T> radius) {
     const glm::vec<2, T> part = radius * T(1.0 / 1024.0);
-    const glm::vec<2, T> x = rotation * part, y = glm::vec<2, T>(T(0) - rotation.y, rotation.x) * part;
+    const glm::vec<2, T> x = glm::vec<2, T>(rotation.x, rotation.z) * part,
+                         y = glm::vec<2, T>(rotation.y, rotation.w) * part;
     return coord + x * p.x + y * p.y;
 }
 
@@ -6831,7 +6874,7 @@ template <real T>
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T ellipse_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
-                                 glm::vec<2, T> rotation, Compare is_lit = {}) {
+                                 glm::vec<4, T> rotation, Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> rho = clamped_disc_radius(radius);
     T sum = T(0);
@@ -6855,7 +6898,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @exactness        C, within 1/128 as pcf_2x2_hardware: the error of a mean is at most that of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
+[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<4, T> rotation,
                               Compare is_lit = {}) {
     return ellipse_hardware<Points>(fetch, coord, receiver, glm::vec<2, T>(radius), rotation, is_lit);
 }
@@ -6871,8 +6914,8 @@ inline constexpr const char* disc_in_uv = R"GLSL(
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
 )GLSL";
 
 /// Appends a point's position in uv to the text: center + x $x + y $y.
@@ -6897,7 +6940,7 @@ inline void append_point(std::string& text, disc_point p, const char* before, co
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
+                                               UMBRAGE_HIGHP vec4 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
@@ -6923,7 +6966,7 @@ UMBRAGE_HIGHP float umbrage_ellipse_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 rotation) {
+                                            UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware$n(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 )GLSL",
@@ -7010,7 +7053,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @exactness        C, n = 24: exact in a shader except at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
-                                               glm::vec<2, T> rotation, Compare is_lit = {}) {
+                                               glm::vec<4, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
     if (!in_filter_domain(coord, receiver, is_lit)) return found;
     const glm::vec<2, T> rho = clamped_disc_radius(radius);
@@ -7065,7 +7108,7 @@ template <real T, class Compare = less_equal>
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness,
-                              glm::vec<2, T> rotation, Compare is_lit = {}) {
+                              glm::vec<4, T> rotation, Compare is_lit = {}) {
     const auto search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
     const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
@@ -7130,7 +7173,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
+                                               UMBRAGE_HIGHP vec4 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
@@ -18185,12 +18228,12 @@ struct disc_table {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 4; ++x) {
-                const glm::ivec2 rotation(disc_rotation(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
+                const glm::ivec4 rotation(disc_rotation(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
                 for (int p = 0; p < count; ++p) {
                     const disc_point point = points[p];
                     tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
-                    const int right = (rotation.x * point.x - rotation.y * point.y) * rho >> 6;
-                    const int up = (rotation.y * point.x + rotation.x * point.y) * rho >> 6;
+                    const int right = (rotation.x * point.x + rotation.y * point.y) * rho >> 6;
+                    const int up = (rotation.z * point.x + rotation.w * point.y) * rho >> 6;
                     for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
                     for (int i = x; i < block; i += 4) {
                         taps.x[i] = right;
@@ -23783,11 +23826,12 @@ struct map_grid {
 /// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
 /// argument. In C++ chosen_places joins the two.
 ///
-/// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Six kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
-/// peter_panning_distance. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
+/// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
+/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -23833,6 +23877,17 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 /// softness for each map.
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
+
+/// True for a setup whose maps may be warped. Under contact hardening its block ends with a matrix of warps
+/// (penumbra_shape.hpp), and it says in is_warped() whether one is.
+template <class Setup>
+inline constexpr bool has_warps = false;
+
+/// Function that gives the shape of penumbras at a place: (argument, number of the map, vec2 of texels) -> vec3.
+struct shape_function {
+    const glsl::snippet* calls = nullptr;
+    std::string_view argument{};  ///< name of a field
+};
 
 /// Places in a chosen map and in the next one.
 /// @param choice     (number of the map, weight of the next one), as the snippet `choosing` returns it
@@ -23990,12 +24045,13 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// World units for each texel across the light, along the x and the y of a map, at a point of the world: the edges of a
-/// texel's footprint where its corners are square.
+/// Edge of a texel's footprint across the light along the x of its map, at a point of the world, and its height. Where
+/// its corners are square both are its edges.
 [[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
     const auto sides = across(unit(direction_of(m)));
     const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    return 1.0 / glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
 }
 
 /// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
@@ -25221,6 +25277,110 @@ struct setup_for<dual_paraboloid_light<T>> {
 
 }  // namespace umbrage
 
+// ---- umbrage/shadow/penumbra_shape.hpp
+// Shape of penumbras at a place of a map: by how much its softness differs from the map's, along either axis, and its
+// shear. A warp (LiSPSM, TSM, PSM) has smaller and more slanted texels from place to place. Other maps have one shape.
+//
+//     const glm::vec3 shape = umbrage::warp_shape(warps, 0.0f, coord);  // factors in x and y, shear
+//     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
+//     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
+//
+// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
+// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel's row, and the shear is
+// linear in its column.
+// See also: softness.hpp, filter/pcf/disc_tap.hpp.
+
+namespace umbrage {
+
+/// Shape of penumbras at a texel of a warped map.
+/// @param warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+/// @param number   number of the map, an integer from 0 to 3
+/// @param at       place in the map, texels
+/// @return         factors of the map's softness in x, which is 1, and in y; shear from -2 to 2
+/// @exactness      B, n = 2
+template <real T>
+[[nodiscard]] glm::vec<3, T> warp_shape(const glm::mat<4, 4, T>& warps, T number, glm::vec<2, T> at) {
+    const glm::vec<4, T> own = cascade_column(warps, number);
+    return {T(1), own.x + own.y * at.y, (glm::clamp)(own.z + own.w * at.x, T(-2), T(2))};
+}
+
+/// Softness of a place. Its largest radius shrinks with the shear, as the filter's reach holds for the ellipse.
+/// @param softness   (per_code_x, per_code_y, min_radius, max_radius) of the map
+/// @param shape      factors in x and y, shear
+/// @formula          max_radius / sqrt(1 + shear^2)
+/// @exactness        C, n = 8
+template <real T>
+[[nodiscard]] glm::vec<4, T> shaped_softness(glm::vec<4, T> softness, glm::vec<3, T> shape) {
+    return {softness.x * shape.x, softness.y * shape.y, softness.z, softness.w / std::sqrt(T(1) + shape.z * shape.z)};
+}
+
+namespace detail {
+
+/// Numbers of a map for warp_shape: a column of it. (1, 0, 0, 0) where no warp changes the shape.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
+    // d(texel) / d(world across the light) is (x - column w, y - row w) / w, of the matrix' rows x, y and w.
+    const glm::dvec3 way = glm::normalize(direction_of(m)), x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
+    const auto across = [&](const glm::dvec3& v) { return v - way * glm::dot(way, v); };
+    const glm::dvec2 size(map_size);
+    const glm::dvec3 middle = across(y - 0.5 * size.y * w);
+    const auto factor = [&](double row) { return glm::dot(across(y - row * w), middle) / glm::dot(middle, middle); };
+    const auto shear = [&](double column) {
+        const glm::dvec3 a = across(x - column * w);
+        return glm::dot(a, middle) / glm::length(glm::cross(a, middle));
+    };
+    const glm::dvec4 all(factor(0), (factor(size.y) - factor(0)) / size.y, shear(0),
+                         (shear(size.x) - shear(0)) / size.x);
+    const bool changes = std::abs(all.y * size.y) > 1e-6 || std::abs(all.z) > 1e-6 || std::abs(all.w * size.x) > 1e-6;
+    return changes ? glm::vec4(all) : glm::vec4(1, 0, 0, 0);
+}
+
+}  // namespace detail
+
+namespace glsl {
+
+inline constexpr snippet warp_shape{
+    .name = "warp_shape",
+    .summary = "shape of penumbras at a texel of a warped map",
+    .exactness = tier::b,
+    .operations = 2,
+    .needs = list<&cascade_column>,
+    .source = R"GLSL(
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+UMBRAGE_HIGHP vec3 umbrage_warp_shape(UMBRAGE_HIGHP mat4 warps, UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 at) {
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(warps, number);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float factor = own.x + own.y * at.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float shear = own.z + own.w * at.x;
+    return vec3(1.0, factor, clamp(shear, -2.0, 2.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet shaped_softness{
+    .name = "shaped_softness",
+    .summary = "softness of a place, by its shape",
+    .exactness = tier::c,
+    .operations = 9,
+    .source = R"GLSL(
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+UMBRAGE_HIGHP vec4 umbrage_shaped_softness(UMBRAGE_HIGHP vec4 softness, UMBRAGE_HIGHP vec3 shape) {
+    UMBRAGE_HIGHP float max_radius = softness.w / sqrt(1.0 + shape.z * shape.z);
+    return vec4(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
+}
+)GLSL",
+};
+
+inline constexpr const snippet* penumbra_shape_snippets[]{&warp_shape, &shaped_softness};
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/shadow/place_blocks.hpp
 // Places of a block of 64 receivers in a light's one map, biased along their planes. It is anchored_place and
 // receiver_of, with the same bits, as a loop that compilers vectorize: an image under tent<3> takes 0.4 of the time.
@@ -25397,6 +25557,11 @@ struct single_map {
     static constexpr outside_map outside = outside_map::bordered;
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
+    /// True where rays are parallel but w varies.
+    [[nodiscard]] bool is_warped() const {
+        const glm::dmat4 m = light.projection * light.view;
+        return detail::row_of(m, 3) != glm::dvec3(0) && detail::has_parallel_rays(light);
+    }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         return make_anchored_map(light, map_size, origin);
@@ -25412,6 +25577,9 @@ struct single_map {
         detail::place_anchored_block<Forward>(u, terms, points, normals, to);
     }
 };
+
+template <>
+inline constexpr bool has_warps<single_map> = true;
 
 /// Setup of a light with one map.
 template <real T>
@@ -26531,9 +26699,10 @@ template <class Setup, class Filter>
 
 /// Visibility of a receiver in one map, by a filter.
 /// @param own        this map alone
+/// @param filter     a Filter, or one that calls it
 /// @param receiver   x and y in texels of the map, z depth with the bias already applied
 template <class Setup, class Filter, class Encoding>
-[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
+[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const auto& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
     const glm::vec2 coord(receiver);
     const auto on = [&](const auto& map) {
@@ -26572,9 +26741,12 @@ template <class Filter>
 }
 
 /// Arguments of a filter's function after coordinate and receiver, in GLSL.
+/// @param sheared   true where the rotation of a disc follows `shear`
 template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+[[nodiscard]] std::string arguments_of(bool sheared = false) {
+    if (!turning<Filter>) return numbers_text<Filter>(4);
+    const std::string rotation = "umbrage_disc_rotation(pixel)";
+    return numbers_text<Filter>(4) + ", " + (sheared ? "umbrage_sheared_rotation(" + rotation + ", shear)" : rotation);
 }
 
 /// Snippet that computes the bias for a filter's whole reach.
@@ -26602,15 +26774,17 @@ template <class Setup, class Filter>
 /// GLSL version of look: umbrage_look, for one filter and its map.
 /// @param terms          declaration of shadow_terms
 /// @param pixel          declaration of a pixel, for filters with a rotated disc
+/// @param sheared        true for a filter whose disc's rotation follows a shear, behind the pixel
 /// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
 template <class Setup, class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
-                                       const glsl::linear_form& linear = {}) {
+                                       bool sheared = false, const glsl::linear_form& linear = {}) {
     const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
     std::string text =
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
-    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel);
+    text.append(sheared ? ", UMBRAGE_HIGHP float shear) {\n" : ") {\n");
     text.append(bias_text<Setup, Filter>(linear.what != nullptr));
     text.append("    bool is_compared = umbrage_beyond_far_plane(at.z) ? false : ");
     text.append(along_plane<Setup, Filter> ? "is_seen;\n" : "true;\n");
@@ -26624,10 +26798,11 @@ template <class Setup, class Filter>
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
     text.append("    return umbrage_").append(called.name);
     text.append("(map, vec2(terms.x, terms.y), coord, receiver").append(linear.weights);
-    text.append(arguments_of<Filter>()).append(");\n}\n");
+    text.append(arguments_of<Filter>(sheared)).append(");\n}\n");
     glsl::own_text look{"look", std::move(text), {&glsl::beyond_far_plane, &glsl::cleared_depth, &called}};
     if (!along_plane<Setup, Filter>) look.needs.push_back(&kernel_bias_snippet<Filter>());
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
+    if (sheared) look.needs.push_back(&glsl::sheared_rotation);
     return look;
 }
 
@@ -26650,6 +26825,7 @@ template <class Setup, class Filter, class Encoding>
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
 // The uniform block holds those of eight maps in a matrix. Setups whose maps are alike have none: `has_like_maps`.
+// Within a warped map, and from face to face of a tetrahedron, it changes once more: penumbra_shape.hpp.
 
 namespace umbrage {
 
@@ -26688,9 +26864,13 @@ inline constexpr const snippet* softness_snippets[]{&map_softness};
 namespace detail {
 
 /// Matrices of a uniform block that hold the softness of each map.
+template <class Setup>
+inline constexpr int matrices_of_maps = has_like_maps<Setup> ? 0 : (Setup::grid.columns* Setup::grid.rows + 7) / 8;
+/// The same, with that of the warps behind them.
 template <class Setup, class Filter>
-inline constexpr int softness_matrices =
-    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 7) / 8 : 0;
+inline constexpr int softness_matrices = contact_hardening<Filter>
+                                             ? matrices_of_maps<Setup> + (has_warps<Setup> ? 1 : 0)
+                                             : 0;
 
 inline constexpr std::array<uniform_field, 8> softness_fields{{{"softness_0"},
                                                                {"softness_1"},
@@ -26700,6 +26880,27 @@ inline constexpr std::array<uniform_field, 8> softness_fields{{{"softness_0"},
                                                                {"softness_5"},
                                                                {"softness_6"},
                                                                {"softness_7"}}};
+
+/// Fields of a uniform block for these matrices, in their order.
+template <class Setup, class Filter>
+[[nodiscard]] std::vector<uniform_field> softness_fields_of() {
+    constexpr int all = softness_matrices<Setup, Filter>;
+    constexpr auto maps = all > 0 ? std::size_t(matrices_of_maps<Setup>) : 0;
+    std::vector<uniform_field> fields(softness_fields.begin(), softness_fields.begin() + maps);
+    if (std::size_t(all) > maps) fields.push_back({"warps"});
+    return fields;
+}
+
+/// True where the shape of penumbras may change within a map.
+template <class Setup, class Filter>
+inline constexpr bool has_shapes = contact_hardening<Filter> && (has_warps<Setup> || requires { Setup::shaping; });
+
+/// True where it does.
+template <class Setup>
+[[nodiscard]] bool changes_shape(const Setup& setup) {
+    if constexpr (has_warps<Setup>) return setup.is_warped();
+    else return true;
+}
 
 /// The one number of a contact-hardening filter.
 template <contact_hardening Filter>
@@ -26742,31 +26943,91 @@ template <shadow_setup Setup>
     return all;
 }
 
-/// Words of the frame's text that find a map's softness. All are empty but `terms` for other filters, and for maps that
-/// are alike.
+/// Warps of a setup's maps, one column each: up to four.
+template <shadow_setup Setup>
+[[nodiscard]] glm::mat4 warps_of(const Setup& setup, glm::ivec2 map_size) {
+    glm::mat4 all(0);
+    glm::length_t column = 0;
+    for (const light_space<double>& light : setup.lights())
+        if (column < 4) all[column++] = warp_of(texture_matrix(light, map_size), map_size);
+    return all;
+}
+
+/// A filter by the shape of penumbras at each coordinate.
+/// @tparam Shape   (coord) -> vec3, as warp_shape gives it
+template <contact_hardening Filter, class Shape>
+struct shaped_filter {
+    Filter filter;
+    Shape shape;
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec3 own = shape(coord);
+        const glm::vec4 soft = shaped_softness(glm::vec4(softness_of(filter)), own);
+        Filter at = filter;
+        softness_of(at) = {soft.x, soft.y, soft.z, soft.w};
+        return at.rotated(fetch, coord, receiver, sheared_rotation(disc_rotation(glm::vec2(pixel)), own.z));
+    }
+    [[nodiscard]] float reach() const { return filter.reach(); }
+};
+
+/// The filter of one map, by the shapes that its penumbras have.
+/// @param uniforms   a shadow_uniforms of the setup and the filter
+template <class Setup, class Filter, class Uniforms>
+[[nodiscard]] auto shaped(const Filter& filter, const Uniforms& uniforms, int number) {
+    const auto shape = [&uniforms, number](glm::vec2 at) {
+        if constexpr (has_warps<Setup>) return warp_shape(uniforms.softness.back(), float(number), at);
+        else return Setup::shape(uniforms.maps, float(number), at);
+    };
+    return shaped_filter<Filter, decltype(shape)>{filter, shape};
+}
+
+/// Words of the frame's text that find the softness of a place. All are empty but `terms` for other filters, and for
+/// maps that are alike.
 struct softness_words {
     std::string fields{}, names{};          ///< matrices, as parameters and as arguments
-    std::vector<std::string> statements{};  ///< those that find `own_terms` of the map `number`
-    std::string terms = "filter_terms";     ///< terms of the filter in that map
+    std::vector<std::string> statements{};  ///< those that find `own_terms` of the place, and its `shape`
+    std::string terms = "filter_terms";     ///< terms of the filter there
+    bool has_shape = false;                 ///< true where umbrage_look takes the shear behind the pixel
     std::vector<const glsl::snippet*> needs{};
 };
 
-/// Words for a number of matrices.
-[[nodiscard]] inline softness_words softness_words_of(int matrices) {
+/// Words for a setup and a filter.
+template <class Setup, class Filter>
+[[nodiscard]] softness_words softness_words_of([[maybe_unused]] const Setup& setup) {
     softness_words w;
-    if (matrices == 0) return w;
-    w.statements = {"UMBRAGE_HIGHP vec2 softness = umbrage_map_softness(softness_0, number);"};
-    for (int i = 0; i < matrices; ++i) {
-        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(8 * i) + ".0";
-        w.fields += "UMBRAGE_HIGHP mat4 " + name + ", ";
-        w.names += name + ", ";
-        if (i > 0)
-            w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
-                                   ", number - " + before + ") : softness;");
+    if constexpr (contact_hardening<Filter>) {
+        constexpr int matrices = matrices_of_maps<Setup>;
+        for (const uniform_field& field : softness_fields_of<Setup, Filter>()) {
+            w.fields.append("UMBRAGE_HIGHP mat4 ").append(field.name).append(", ");
+            w.names.append(field.name).append(", ");
+        }
+        std::string softness = w.terms;
+        if (matrices > 0) {
+            w.statements = {"UMBRAGE_HIGHP vec2 softness = umbrage_map_softness(softness_0, number);"};
+            for (int i = 1; i < matrices; ++i) {
+                const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(8 * i) + ".0";
+                w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
+                                       ", number - " + before + ") : softness;");
+            }
+            softness = "vec4(softness, filter_terms.z, filter_terms.w)";
+            w.needs = {&glsl::map_softness};
+        }
+        if constexpr (has_shapes<Setup, Filter>)
+            if (changes_shape(setup)) {
+                shape_function shaping{&glsl::warp_shape, "warps"};
+                if constexpr (!has_warps<Setup>) shaping = Setup::shaping;
+                w.statements.push_back("UMBRAGE_HIGHP vec3 shape = umbrage_" + std::string(shaping.calls->name) + '(' +
+                                       std::string(shaping.argument) + ", number, vec2(at.x, at.y));");
+                softness = "umbrage_shaped_softness(" + softness + ", shape)";
+                w.has_shape = true;
+                for (const glsl::snippet* need : {shaping.calls, &glsl::shaped_softness}) w.needs.push_back(need);
+            }
+        if (softness != w.terms) {
+            w.statements.push_back("UMBRAGE_HIGHP vec4 own_terms = " + softness + ";");
+            w.terms = "own_terms";
+        }
     }
-    w.statements.push_back("UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.z, filter_terms.w);");
-    w.terms = "own_terms";
-    w.needs = {&glsl::map_softness};
     return w;
 }
 
@@ -26807,7 +27068,38 @@ namespace umbrage {
     return {place};
 }
 
+/// Shape of penumbras at a texel of a tetrahedron's map. Triangles of the world are wider than high in it. Those of two
+/// faces lie on their sides.
+/// @param center   x: half the map's size, texels
+/// @param at       place in the map, texels
+/// @return         factors of face 0's softness in x and in y, and no shear: (1, 1, 0), or (1 / sqrt(3), sqrt(3), 0) on
+///                 the left and right
+/// @exactness      A: differences and comparisons
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> tetrahedron_shape(const glm::vec<4, T>& center, T, glm::vec<2, T> at) {
+    const bool beside = glm::abs(at.x - center.x) > glm::abs(at.y - center.x);
+    return beside ? glm::vec<3, T>(T(0.577350269f), T(1.73205081f), T(0)) : glm::vec<3, T>(T(1), T(1), T(0));
+}
+
 namespace glsl {
+
+inline constexpr snippet tetrahedron_shape{
+    .name = "tetrahedron_shape",
+    .summary = "shape of penumbras at a texel of a tetrahedron's map",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_shape(UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP float number,
+                                             UMBRAGE_HIGHP vec2 at) {
+    bool beside = abs(at.x - center.x) > abs(at.y - center.x);
+    return beside ? vec3(0.577350269, 1.73205081, 0.0) : vec3(1.0, 1.0, 0.0);
+}
+)GLSL",
+};
 
 inline constexpr snippet tetrahedron_map_places{
     .name = "tetrahedron_map_places",
@@ -26839,7 +27131,7 @@ UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, 
 )GLSL",
 };
 
-inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places};
+inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places, &tetrahedron_shape};
 
 }  // namespace glsl
 
@@ -26901,6 +27193,10 @@ struct tetrahedron_map {
                                       normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
+    [[nodiscard]] static glm::vec3 shape(const uniforms& u, float number, glm::vec2 at) {
+        return tetrahedron_shape(u.center, number, at);
+    }
+    static constexpr shape_function shaping{&glsl::tetrahedron_shape, "center"};
 };
 
 /// Setup of a light with the map of a tetrahedron.
@@ -27132,7 +27428,7 @@ template <class Use = umbrage::detail::on_use>
             // shadow
             .add_all({map_tile_snippets, anchored_map_snippets, single_map_snippets, cascade_choice_snippets,
                       cascade_places_snippets, cube_maps_snippets, tetrahedron_map_snippets, paraboloid_maps_snippets,
-                      warped_places_snippets, page_places_snippets, softness_snippets})
+                      warped_places_snippets, page_places_snippets, softness_snippets, penumbra_shape_snippets})
             .members();
     }();
     return all;
@@ -29629,9 +29925,10 @@ struct world_receivers {
 };
 
 /// Filter of a shadow, ready for one of its maps.
+/// @param filter   a Filter, or one that calls it
 template <class Setup, class Filter, class Encoding, class ParallelFor>
 [[nodiscard]] row_filter<place_receivers<along_plane<Setup, Filter>>> make_place_filter(
-    image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding, double count,
+    image_view<const typename Encoding::texel> own, const auto& filter, const Encoding& encoding, double count,
     ParallelFor&& parallel) {
     if constexpr (prefilter<Filter>)
         return [own, filter](const receiver_planes& at, image_view<float> out, int first, int last) {
@@ -29761,7 +30058,7 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
     for (int number = 0; number < maps; ++number) {
         const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
         filters.push_back(
-            make_place_filter<Setup>(own, filter_of(number), encoding, area_of(out.size) / maps, parallel));
+            make_place_filter<Setup, Filter>(own, filter_of(number), encoding, area_of(out.size) / maps, parallel));
     }
     using tile_type = place_tile<Setup, Filter>;
     parallel(out.size.y, [&](int first, int last) {
@@ -29839,7 +30136,9 @@ template <shadow_setup Setup, class Filter>
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front().x;
         all.terms.filter_terms.y = each.front().y;
-        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (matrices_of_maps < Setup >> 0)
+            std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (has_warps<Setup>) all.softness.back() = warps_of(setup, map_size);
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
     std::memcpy(numbers.data(), &all, sizeof all);
@@ -29847,13 +30146,13 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter for one map. Contact hardening gets the softness of that map.
+/// Filter for one map. Contact hardening gets the softness of that map, in the middle of a warped one.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
-    else if constexpr (softness_matrices<Setup, Filter> == 0)
+    else if constexpr (matrices_of_maps<Setup> == 0)
         return with_per_code(filter, glm::vec2(uniforms.terms.filter_terms));
     else {
         const glm::mat4& eight = uniforms.softness[static_cast<std::size_t>(number) / 8];
@@ -29981,7 +30280,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map, here that of its
+    /// middle.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -30072,7 +30372,13 @@ public:
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
         return detail::blended(Setup::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
             const auto own = map.region(detail::first_texel(place.number, Setup::grid, map_size_), map_size_);
-            return detail::look<Setup>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
+            const auto look = [&](const auto& filter) {
+                return detail::look<Setup, Filter>(own, filter, encoding_, receiver(place), place.slope, pixel);
+            };
+            if constexpr (detail::has_shapes<Setup, Filter>)
+                if (detail::changes_shape(setup_))
+                    return look(detail::shaped<Setup>(filter_of(place.number), uniforms_, place.number));
+            return look(filter_of(place.number));
         });
     }
 
@@ -30160,8 +30466,13 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     const detail::world_receivers<Setup, Filter> receivers{uniforms_.maps, uniforms_.terms, encoding_.direction, points,
                                                            normals};
-    const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
+    const auto filters = [&](const auto& filter_of_map) {
+        detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
+    };
+    if constexpr (detail::has_shapes<Setup, Filter>)
+        if (detail::changes_shape(setup_))
+            return filters([&](int number) { return detail::shaped<Setup>(filter_of(number), uniforms_, number); });
+    filters([&](int number) { return filter_of(number); });
 }
 
 }  // namespace umbrage
@@ -30665,7 +30976,7 @@ template <class Setup, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Setup& setup, const Filter& filter, const Encoding& encoding,
                                                  bool layers, bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
+    const auto soft = umbrage::detail::softness_words_of<Setup, Filter>(setup);
     const auto words = umbrage::detail::frame_words_of(setup, layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
@@ -30674,17 +30985,19 @@ template <class Setup, class Filter, class Encoding>
         .type = "float",
         .lit = "1.0",
         .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
-                words.of_pixel + ")",
+                words.of_pixel + (soft.has_shape ? ", shape.z)" : ")"),
         .blend = "umbrage_blend_cascades(sum, next, weight)"};
     std::vector<std::string> statements = words.chooses_map;
     statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
     door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
     door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
-    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, linear), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, soft.has_shape, linear),
+                              std::move(door)};
     if (!debug) return all;
     for (own_text& text : umbrage::detail::probe_texts<Setup, Filter>(words)) all.push_back(std::move(text));
-    const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    if (soft.has_shape) pixel += ", 0.0";
     std::string choice;
     for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
     for (own_text& text : umbrage::detail::calibration_texts<Setup, Filter>(encoding, terms, pixel, choice))
@@ -30770,8 +31083,7 @@ template <class Setup, class Filter, class Encoding>
              .arguments = {{"number", 1}}});
     }
     for (const uniform_field& f : Setup::fields) declared.fields.push_back(f);
-    for (int i = 0; i < umbrage::detail::softness_matrices<Setup, Filter>; ++i)
-        declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
+    for (const uniform_field& f : umbrage::detail::softness_fields_of<Setup, Filter>()) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);
     return item;
@@ -30834,6 +31146,7 @@ struct warped_maps {
         require_cascades();
         return cascades.front().light.clip;
     }
+    [[nodiscard]] static bool is_warped() { return true; }
     /// Anchor of receivers and of vertices: what is near the camera needs the most digits.
     [[nodiscard]] glm::dvec3 anchor() const { return position; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -30879,6 +31192,9 @@ private:
                         cascades.size(), "A setup that was moved from has none.");
     }
 };
+
+template <>
+inline constexpr bool has_warps<warped_maps> = true;
 
 /// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>

@@ -61,7 +61,7 @@ struct greater {
 };
 
 template <class Compare>
-float visibility(const std::string& filter, const image<float>& map, const float* r, glm::vec2 rotation, float per_code,
+float visibility(const std::string& filter, const image<float>& map, const float* r, glm::vec4 rotation, float per_code,
                  Compare is_lit) {
     const auto texels = bordered(map, is_lit(0.0f, 1.0f) ? 1.0f : 0.0f);
     const glm::vec2 at(r[0], r[1]);
@@ -95,7 +95,7 @@ int main(int argc, char** argv) try {
             const float* const r = &receivers[pixel * 4];
             if (r[0] == 0 && r[1] == 0 && r[2] == 0 && r[3] == 0) continue;  // where nothing was drawn
             const auto layer = static_cast<std::size_t>(layers[pixel]);
-            const glm::vec2 rotation = disc_rotation(glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
+            const glm::vec4 rotation = disc_rotation(glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
             const auto expected_by = [&](auto is_lit) {
                 return visibility(filter, of_layer(maps, layer), r, rotation, of_layer(per_codes, layer), is_lit);
             };

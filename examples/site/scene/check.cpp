@@ -35,7 +35,7 @@ std::vector<glm::vec4> floats;   ///< texels of a map of floats
 std::vector<float> visibility;
 std::vector<glm::vec4> places;  ///< texel in the map, x and y, the map's number, and 1 where a map was read
 umbrage::image<float> depths;   ///< the map, decoded
-float block[256];
+float block[320];
 
 /// Any texel of at most four channels from the GPU's four.
 template <class Texel>
@@ -83,7 +83,12 @@ void look_up_all(Filter filter, umbrage::depth_direction direction, int width) {
             const glm::vec3 receiver = umbrage::detail::receiver_of<Setup, Filter>(terms, place, direction);
             places[i] = glm::vec4(place.at.x, place.at.y, static_cast<float>(place.number), 1.0f);
             const Filter in_map = umbrage::detail::filter_of_map<Setup>(filter, uniforms, place.number);
-            return umbrage::detail::look<Setup>(own, in_map, stored, receiver, place.slope, pixel);
+            const auto by = [&](const auto& f) {
+                return umbrage::detail::look<Setup, Filter>(own, f, stored, receiver, place.slope, pixel);
+            };
+            if constexpr (umbrage::detail::has_shapes<Setup, Filter> && !std::is_same_v<Setup, umbrage::single_map>)
+                return by(umbrage::detail::shaped<Setup>(in_map, uniforms, place.number));
+            else return by(in_map);
         };
         const auto of_point = Setup::places(maps, terms, glm::vec3(points[i]), glm::vec3(normals[i]));
         visibility[i] = umbrage::detail::blended(of_point, look);
@@ -110,7 +115,7 @@ void* site_room(int what, int count) {
     }
 }
 
-/// The uniform block: at most 256 floats.
+/// The uniform block: at most 320 floats.
 float* site_block() { return block; }
 
 /// Decodes the texels in the encoding of a number, in the order of the package's list.

@@ -124,8 +124,8 @@ template <class Setup, class Filter, class Encoding>
     const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<Setup>(own, of.filter_of(0), of.encoding(),
-                                   glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
+        return detail::look<Setup, Filter>(own, of.filter_of(0), of.encoding(),
+                                           glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);

@@ -84,7 +84,7 @@ template <class Setup, class Filter, class Encoding>
 [[nodiscard]] std::vector<own_text> shadow_texts(const Setup& setup, const Filter& filter, const Encoding& encoding,
                                                  bool layers, bool debug, const linear_form& linear = {}) {
     const std::string terms = "UMBRAGE_HIGHP vec4 terms, UMBRAGE_HIGHP vec4 filter_terms, ";
-    const auto soft = umbrage::detail::softness_words_of(umbrage::detail::softness_matrices<Setup, Filter>);
+    const auto soft = umbrage::detail::softness_words_of<Setup, Filter>(setup);
     const auto words = umbrage::detail::frame_words_of(setup, layers, umbrage::detail::turning<Filter>, soft);
     const umbrage::detail::frame_result visibility{
         .head =
@@ -93,17 +93,19 @@ template <class Setup, class Filter, class Encoding>
         .type = "float",
         .lit = "1.0",
         .look = "umbrage_look(map, terms, " + soft.terms + ", vec3(at.x, at.y, at.z), vec3(slope.x, slope.y, slope.w)" +
-                words.of_pixel + ")",
+                words.of_pixel + (soft.has_shape ? ", shape.z)" : ")"),
         .blend = "umbrage_blend_cascades(sum, next, weight)"};
     std::vector<std::string> statements = words.chooses_map;
     statements.insert(statements.end(), soft.statements.begin(), soft.statements.end());
     own_text door{"shadow", umbrage::detail::frame_text(visibility, words, statements), words.needs()};
     door.needs.insert(door.needs.end(), words.chooses.begin(), words.chooses.end());
     door.needs.insert(door.needs.end(), soft.needs.begin(), soft.needs.end());
-    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, linear), std::move(door)};
+    std::vector<own_text> all{umbrage::detail::look_text<Setup>(filter, terms, words.pixel, soft.has_shape, linear),
+                              std::move(door)};
     if (!debug) return all;
     for (own_text& text : umbrage::detail::probe_texts<Setup, Filter>(words)) all.push_back(std::move(text));
-    const std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    std::string pixel = words.pixel.empty() ? "" : ", vec2(0.5, 0.5)";
+    if (soft.has_shape) pixel += ", 0.0";
     std::string choice;
     for (const std::string& line : words.chooses_map) choice += "    " + line + '\n';
     for (own_text& text : umbrage::detail::calibration_texts<Setup, Filter>(encoding, terms, pixel, choice))
@@ -189,8 +191,7 @@ template <class Setup, class Filter, class Encoding>
              .arguments = {{"number", 1}}});
     }
     for (const uniform_field& f : Setup::fields) declared.fields.push_back(f);
-    for (int i = 0; i < umbrage::detail::softness_matrices<Setup, Filter>; ++i)
-        declared.fields.push_back(umbrage::detail::softness_fields[static_cast<std::size_t>(i)]);
+    for (const uniform_field& f : umbrage::detail::softness_fields_of<Setup, Filter>()) declared.fields.push_back(f);
     for (const uniform_field& f : shadow_terms::fields) declared.fields.push_back(f);
     item.declared = std::move(declared);
     return item;

@@ -179,9 +179,10 @@ template <class Setup, class Filter>
 
 /// Visibility of a receiver in one map, by a filter.
 /// @param own        this map alone
+/// @param filter     a Filter, or one that calls it
 /// @param receiver   x and y in texels of the map, z depth with the bias already applied
 template <class Setup, class Filter, class Encoding>
-[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding,
+[[nodiscard]] float look(image_view<const typename Encoding::texel> own, const auto& filter, const Encoding& encoding,
                          glm::vec3 receiver, [[maybe_unused]] glm::vec2 slope, [[maybe_unused]] glm::ivec2 pixel) {
     const glm::vec2 coord(receiver);
     const auto on = [&](const auto& map) {
@@ -220,9 +221,12 @@ template <class Filter>
 }
 
 /// Arguments of a filter's function after coordinate and receiver, in GLSL.
+/// @param sheared   true where the rotation of a disc follows `shear`
 template <class Filter>
-[[nodiscard]] std::string arguments_of() {
-    return numbers_text<Filter>(4) + (turning<Filter> ? ", umbrage_disc_rotation(pixel)" : "");
+[[nodiscard]] std::string arguments_of(bool sheared = false) {
+    if (!turning<Filter>) return numbers_text<Filter>(4);
+    const std::string rotation = "umbrage_disc_rotation(pixel)";
+    return numbers_text<Filter>(4) + ", " + (sheared ? "umbrage_sheared_rotation(" + rotation + ", shear)" : rotation);
 }
 
 /// Snippet that computes the bias for a filter's whole reach.
@@ -250,15 +254,17 @@ template <class Setup, class Filter>
 /// GLSL version of look: umbrage_look, for one filter and its map.
 /// @param terms          declaration of shadow_terms
 /// @param pixel          declaration of a pixel, for filters with a rotated disc
+/// @param sheared        true for a filter whose disc's rotation follows a shear, behind the pixel
 /// @param linear         form of the filter for a linear comparison sampler; none: the filter itself
 template <class Setup, class Filter>
 [[nodiscard]] glsl::own_text look_text(const Filter& filter, const std::string& terms, const std::string& pixel,
-                                       const glsl::linear_form& linear = {}) {
+                                       bool sheared = false, const glsl::linear_form& linear = {}) {
     const glsl::snippet& called = linear.what ? *linear.what : *filter.snippet;
     std::string text =
         "\n// umbrage_look: visibility of a receiver in one map\n"
         "UMBRAGE_HIGHP float umbrage_look(UMBRAGE_MAP map, ";
-    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel).append(") {\n");
+    text.append(terms).append("UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP vec3 slope").append(pixel);
+    text.append(sheared ? ", UMBRAGE_HIGHP float shear) {\n" : ") {\n");
     text.append(bias_text<Setup, Filter>(linear.what != nullptr));
     text.append("    bool is_compared = umbrage_beyond_far_plane(at.z) ? false : ");
     text.append(along_plane<Setup, Filter> ? "is_seen;\n" : "true;\n");
@@ -272,10 +278,11 @@ template <class Setup, class Filter>
             "    UMBRAGE_HIGHP vec3 receiver_at = vec3(at.x, at.y, receiver);\n";
     text.append("    return umbrage_").append(called.name);
     text.append("(map, vec2(terms.x, terms.y), coord, receiver").append(linear.weights);
-    text.append(arguments_of<Filter>()).append(");\n}\n");
+    text.append(arguments_of<Filter>(sheared)).append(");\n}\n");
     glsl::own_text look{"look", std::move(text), {&glsl::beyond_far_plane, &glsl::cleared_depth, &called}};
     if (!along_plane<Setup, Filter>) look.needs.push_back(&kernel_bias_snippet<Filter>());
     if (turning<Filter>) look.needs.push_back(&glsl::disc_rotation);
+    if (sheared) look.needs.push_back(&glsl::sheared_rotation);
     return look;
 }
 

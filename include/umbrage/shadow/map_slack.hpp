@@ -103,12 +103,13 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// World units for each texel across the light, along the x and the y of a map, at a point of the world: the edges of a
-/// texel's footprint where its corners are square.
+/// Edge of a texel's footprint across the light along the x of its map, at a point of the world, and its height. Where
+/// its corners are square both are its edges.
 [[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
     const auto sides = across(unit(direction_of(m)));
     const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    return 1.0 / glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
 }
 
 /// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any

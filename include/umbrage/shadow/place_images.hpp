@@ -99,9 +99,10 @@ struct world_receivers {
 };
 
 /// Filter of a shadow, ready for one of its maps.
+/// @param filter   a Filter, or one that calls it
 template <class Setup, class Filter, class Encoding, class ParallelFor>
 [[nodiscard]] row_filter<place_receivers<along_plane<Setup, Filter>>> make_place_filter(
-    image_view<const typename Encoding::texel> own, const Filter& filter, const Encoding& encoding, double count,
+    image_view<const typename Encoding::texel> own, const auto& filter, const Encoding& encoding, double count,
     ParallelFor&& parallel) {
     if constexpr (prefilter<Filter>)
         return [own, filter](const receiver_planes& at, image_view<float> out, int first, int last) {
@@ -231,7 +232,7 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
     for (int number = 0; number < maps; ++number) {
         const auto own = map.region(first_texel(number, Setup::grid, map_size), map_size);
         filters.push_back(
-            make_place_filter<Setup>(own, filter_of(number), encoding, area_of(out.size) / maps, parallel));
+            make_place_filter<Setup, Filter>(own, filter_of(number), encoding, area_of(out.size) / maps, parallel));
     }
     using tile_type = place_tile<Setup, Filter>;
     parallel(out.size.y, [&](int first, int last) {

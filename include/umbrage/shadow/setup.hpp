@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -61,11 +62,12 @@ struct map_grid {
 /// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
 /// argument. In C++ chosen_places joins the two.
 ///
-/// Five kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Six kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
-/// peter_panning_distance. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
+/// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
+/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -111,6 +113,17 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 /// softness for each map.
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
+
+/// True for a setup whose maps may be warped. Under contact hardening its block ends with a matrix of warps
+/// (penumbra_shape.hpp), and it says in is_warped() whether one is.
+template <class Setup>
+inline constexpr bool has_warps = false;
+
+/// Function that gives the shape of penumbras at a place: (argument, number of the map, vec2 of texels) -> vec3.
+struct shape_function {
+    const glsl::snippet* calls = nullptr;
+    std::string_view argument{};  ///< name of a field
+};
 
 /// Places in a chosen map and in the next one.
 /// @param choice     (number of the map, weight of the next one), as the snippet `choosing` returns it

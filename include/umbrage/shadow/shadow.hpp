@@ -148,7 +148,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map, here that of its
+    /// middle.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -239,7 +240,13 @@ public:
         detail::require_size(map.size, size(), "shadow", "map.size", "the shadow's size()");
         return detail::blended(Setup::places(uniforms_.maps, uniforms_.terms, world, normal), [&](const auto& place) {
             const auto own = map.region(detail::first_texel(place.number, Setup::grid, map_size_), map_size_);
-            return detail::look<Setup>(own, filter_of(place.number), encoding_, receiver(place), place.slope, pixel);
+            const auto look = [&](const auto& filter) {
+                return detail::look<Setup, Filter>(own, filter, encoding_, receiver(place), place.slope, pixel);
+            };
+            if constexpr (detail::has_shapes<Setup, Filter>)
+                if (detail::changes_shape(setup_))
+                    return look(detail::shaped<Setup>(filter_of(place.number), uniforms_, place.number));
+            return look(filter_of(place.number));
         });
     }
 
@@ -327,8 +334,13 @@ void shadow<Setup, Filter, Encoding>::visibility(image_view<const texel> map, im
     detail::require_size(out.size, points.size, function, "out.size", "the size of points");
     const detail::world_receivers<Setup, Filter> receivers{uniforms_.maps, uniforms_.terms, encoding_.direction, points,
                                                            normals};
-    const auto filter_of_map = [&](int number) { return filter_of(number); };
-    detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
+    const auto filters = [&](const auto& filter_of_map) {
+        detail::visibility_of_places(map, map_size_, filter_of_map, encoding_, receivers, out, parallel);
+    };
+    if constexpr (detail::has_shapes<Setup, Filter>)
+        if (detail::changes_shape(setup_))
+            return filters([&](int number) { return detail::shaped<Setup>(filter_of(number), uniforms_, number); });
+    filters([&](int number) { return filter_of(number); });
 }
 
 }  // namespace umbrage

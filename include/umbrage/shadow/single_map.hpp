@@ -125,6 +125,11 @@ struct single_map {
     static constexpr outside_map outside = outside_map::bordered;
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
+    /// True where rays are parallel but w varies.
+    [[nodiscard]] bool is_warped() const {
+        const glm::dmat4 m = light.projection * light.view;
+        return detail::row_of(m, 3) != glm::dvec3(0) && detail::has_parallel_rays(light);
+    }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         return make_anchored_map(light, map_size, origin);
@@ -140,6 +145,9 @@ struct single_map {
         detail::place_anchored_block<Forward>(u, terms, points, normals, to);
     }
 };
+
+template <>
+inline constexpr bool has_warps<single_map> = true;
 
 /// Setup of a light with one map.
 template <real T>

@@ -7,6 +7,7 @@
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
 // The uniform block holds those of eight maps in a matrix. Setups whose maps are alike have none: `has_like_maps`.
+// Within a warped map, and from face to face of a tetrahedron, it changes once more: penumbra_shape.hpp.
 #pragma once
 
 #include <array>
@@ -26,6 +27,7 @@
 #include <umbrage/shader/interface.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/lookup.hpp>
+#include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/setup.hpp>
 
 namespace umbrage {
@@ -65,9 +67,13 @@ inline constexpr const snippet* softness_snippets[]{&map_softness};
 namespace detail {
 
 /// Matrices of a uniform block that hold the softness of each map.
+template <class Setup>
+inline constexpr int matrices_of_maps = has_like_maps<Setup> ? 0 : (Setup::grid.columns* Setup::grid.rows + 7) / 8;
+/// The same, with that of the warps behind them.
 template <class Setup, class Filter>
-inline constexpr int softness_matrices =
-    contact_hardening<Filter> && !has_like_maps<Setup> ? (Setup::grid.columns * Setup::grid.rows + 7) / 8 : 0;
+inline constexpr int softness_matrices = contact_hardening<Filter>
+                                             ? matrices_of_maps<Setup> + (has_warps<Setup> ? 1 : 0)
+                                             : 0;
 
 inline constexpr std::array<uniform_field, 8> softness_fields{{{"softness_0"},
                                                                {"softness_1"},
@@ -77,6 +83,27 @@ inline constexpr std::array<uniform_field, 8> softness_fields{{{"softness_0"},
                                                                {"softness_5"},
                                                                {"softness_6"},
                                                                {"softness_7"}}};
+
+/// Fields of a uniform block for these matrices, in their order.
+template <class Setup, class Filter>
+[[nodiscard]] std::vector<uniform_field> softness_fields_of() {
+    constexpr int all = softness_matrices<Setup, Filter>;
+    constexpr auto maps = all > 0 ? std::size_t(matrices_of_maps<Setup>) : 0;
+    std::vector<uniform_field> fields(softness_fields.begin(), softness_fields.begin() + maps);
+    if (std::size_t(all) > maps) fields.push_back({"warps"});
+    return fields;
+}
+
+/// True where the shape of penumbras may change within a map.
+template <class Setup, class Filter>
+inline constexpr bool has_shapes = contact_hardening<Filter> && (has_warps<Setup> || requires { Setup::shaping; });
+
+/// True where it does.
+template <class Setup>
+[[nodiscard]] bool changes_shape(const Setup& setup) {
+    if constexpr (has_warps<Setup>) return setup.is_warped();
+    else return true;
+}
 
 /// The one number of a contact-hardening filter.
 template <contact_hardening Filter>
@@ -119,31 +146,91 @@ template <shadow_setup Setup>
     return all;
 }
 
-/// Words of the frame's text that find a map's softness. All are empty but `terms` for other filters, and for maps that
-/// are alike.
+/// Warps of a setup's maps, one column each: up to four.
+template <shadow_setup Setup>
+[[nodiscard]] glm::mat4 warps_of(const Setup& setup, glm::ivec2 map_size) {
+    glm::mat4 all(0);
+    glm::length_t column = 0;
+    for (const light_space<double>& light : setup.lights())
+        if (column < 4) all[column++] = warp_of(texture_matrix(light, map_size), map_size);
+    return all;
+}
+
+/// A filter by the shape of penumbras at each coordinate.
+/// @tparam Shape   (coord) -> vec3, as warp_shape gives it
+template <contact_hardening Filter, class Shape>
+struct shaped_filter {
+    Filter filter;
+    Shape shape;
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec3 own = shape(coord);
+        const glm::vec4 soft = shaped_softness(glm::vec4(softness_of(filter)), own);
+        Filter at = filter;
+        softness_of(at) = {soft.x, soft.y, soft.z, soft.w};
+        return at.rotated(fetch, coord, receiver, sheared_rotation(disc_rotation(glm::vec2(pixel)), own.z));
+    }
+    [[nodiscard]] float reach() const { return filter.reach(); }
+};
+
+/// The filter of one map, by the shapes that its penumbras have.
+/// @param uniforms   a shadow_uniforms of the setup and the filter
+template <class Setup, class Filter, class Uniforms>
+[[nodiscard]] auto shaped(const Filter& filter, const Uniforms& uniforms, int number) {
+    const auto shape = [&uniforms, number](glm::vec2 at) {
+        if constexpr (has_warps<Setup>) return warp_shape(uniforms.softness.back(), float(number), at);
+        else return Setup::shape(uniforms.maps, float(number), at);
+    };
+    return shaped_filter<Filter, decltype(shape)>{filter, shape};
+}
+
+/// Words of the frame's text that find the softness of a place. All are empty but `terms` for other filters, and for
+/// maps that are alike.
 struct softness_words {
     std::string fields{}, names{};          ///< matrices, as parameters and as arguments
-    std::vector<std::string> statements{};  ///< those that find `own_terms` of the map `number`
-    std::string terms = "filter_terms";     ///< terms of the filter in that map
+    std::vector<std::string> statements{};  ///< those that find `own_terms` of the place, and its `shape`
+    std::string terms = "filter_terms";     ///< terms of the filter there
+    bool has_shape = false;                 ///< true where umbrage_look takes the shear behind the pixel
     std::vector<const glsl::snippet*> needs{};
 };
 
-/// Words for a number of matrices.
-[[nodiscard]] inline softness_words softness_words_of(int matrices) {
+/// Words for a setup and a filter.
+template <class Setup, class Filter>
+[[nodiscard]] softness_words softness_words_of([[maybe_unused]] const Setup& setup) {
     softness_words w;
-    if (matrices == 0) return w;
-    w.statements = {"UMBRAGE_HIGHP vec2 softness = umbrage_map_softness(softness_0, number);"};
-    for (int i = 0; i < matrices; ++i) {
-        const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(8 * i) + ".0";
-        w.fields += "UMBRAGE_HIGHP mat4 " + name + ", ";
-        w.names += name + ", ";
-        if (i > 0)
-            w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
-                                   ", number - " + before + ") : softness;");
+    if constexpr (contact_hardening<Filter>) {
+        constexpr int matrices = matrices_of_maps<Setup>;
+        for (const uniform_field& field : softness_fields_of<Setup, Filter>()) {
+            w.fields.append("UMBRAGE_HIGHP mat4 ").append(field.name).append(", ");
+            w.names.append(field.name).append(", ");
+        }
+        std::string softness = w.terms;
+        if (matrices > 0) {
+            w.statements = {"UMBRAGE_HIGHP vec2 softness = umbrage_map_softness(softness_0, number);"};
+            for (int i = 1; i < matrices; ++i) {
+                const std::string name(softness_fields[std::size_t(i)].name), before = std::to_string(8 * i) + ".0";
+                w.statements.push_back("softness = number >= " + before + " ? umbrage_map_softness(" + name +
+                                       ", number - " + before + ") : softness;");
+            }
+            softness = "vec4(softness, filter_terms.z, filter_terms.w)";
+            w.needs = {&glsl::map_softness};
+        }
+        if constexpr (has_shapes<Setup, Filter>)
+            if (changes_shape(setup)) {
+                shape_function shaping{&glsl::warp_shape, "warps"};
+                if constexpr (!has_warps<Setup>) shaping = Setup::shaping;
+                w.statements.push_back("UMBRAGE_HIGHP vec3 shape = umbrage_" + std::string(shaping.calls->name) + '(' +
+                                       std::string(shaping.argument) + ", number, vec2(at.x, at.y));");
+                softness = "umbrage_shaped_softness(" + softness + ", shape)";
+                w.has_shape = true;
+                for (const glsl::snippet* need : {shaping.calls, &glsl::shaped_softness}) w.needs.push_back(need);
+            }
+        if (softness != w.terms) {
+            w.statements.push_back("UMBRAGE_HIGHP vec4 own_terms = " + softness + ";");
+            w.terms = "own_terms";
+        }
     }
-    w.statements.push_back("UMBRAGE_HIGHP vec4 own_terms = vec4(softness, filter_terms.z, filter_terms.w);");
-    w.terms = "own_terms";
-    w.needs = {&glsl::map_softness};
     return w;
 }
 

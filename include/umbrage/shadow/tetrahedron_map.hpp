@@ -48,7 +48,38 @@ namespace umbrage {
     return {place};
 }
 
+/// Shape of penumbras at a texel of a tetrahedron's map. Triangles of the world are wider than high in it. Those of two
+/// faces lie on their sides.
+/// @param center   x: half the map's size, texels
+/// @param at       place in the map, texels
+/// @return         factors of face 0's softness in x and in y, and no shear: (1, 1, 0), or (1 / sqrt(3), sqrt(3), 0) on
+///                 the left and right
+/// @exactness      A: differences and comparisons
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> tetrahedron_shape(const glm::vec<4, T>& center, T, glm::vec<2, T> at) {
+    const bool beside = glm::abs(at.x - center.x) > glm::abs(at.y - center.x);
+    return beside ? glm::vec<3, T>(T(0.577350269f), T(1.73205081f), T(0)) : glm::vec<3, T>(T(1), T(1), T(0));
+}
+
 namespace glsl {
+
+inline constexpr snippet tetrahedron_shape{
+    .name = "tetrahedron_shape",
+    .summary = "shape of penumbras at a texel of a tetrahedron's map",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_shape(UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP float number,
+                                             UMBRAGE_HIGHP vec2 at) {
+    bool beside = abs(at.x - center.x) > abs(at.y - center.x);
+    return beside ? vec3(0.577350269, 1.73205081, 0.0) : vec3(1.0, 1.0, 0.0);
+}
+)GLSL",
+};
 
 inline constexpr snippet tetrahedron_map_places{
     .name = "tetrahedron_map_places",
@@ -80,7 +111,7 @@ UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, 
 )GLSL",
 };
 
-inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places};
+inline constexpr const snippet* tetrahedron_map_snippets[]{&tetrahedron_map_places, &tetrahedron_shape};
 
 }  // namespace glsl
 
@@ -142,6 +173,10 @@ struct tetrahedron_map {
                                       normal);
     }
     static constexpr const glsl::snippet* placing = &glsl::tetrahedron_map_places;
+    [[nodiscard]] static glm::vec3 shape(const uniforms& u, float number, glm::vec2 at) {
+        return tetrahedron_shape(u.center, number, at);
+    }
+    static constexpr shape_function shaping{&glsl::tetrahedron_shape, "center"};
 };
 
 /// Setup of a light with the map of a tetrahedron.

@@ -70,7 +70,9 @@ template <shadow_setup Setup, class Filter>
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front().x;
         all.terms.filter_terms.y = each.front().y;
-        if constexpr (matrices > 0) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (matrices_of_maps < Setup >> 0)
+            std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (has_warps<Setup>) all.softness.back() = warps_of(setup, map_size);
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
     std::memcpy(numbers.data(), &all, sizeof all);
@@ -78,13 +80,13 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter for one map. Contact hardening gets the softness of that map.
+/// Filter for one map. Contact hardening gets the softness of that map, in the middle of a warped one.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
                                    [[maybe_unused]] int number) {
     if constexpr (!contact_hardening<Filter>) return filter;
-    else if constexpr (softness_matrices<Setup, Filter> == 0)
+    else if constexpr (matrices_of_maps<Setup> == 0)
         return with_per_code(filter, glm::vec2(uniforms.terms.filter_terms));
     else {
         const glm::mat4& eight = uniforms.softness[static_cast<std::size_t>(number) / 8];

@@ -68,6 +68,7 @@ struct warped_maps {
         require_cascades();
         return cascades.front().light.clip;
     }
+    [[nodiscard]] static bool is_warped() { return true; }
     /// Anchor of receivers and of vertices: what is near the camera needs the most digits.
     [[nodiscard]] glm::dvec3 anchor() const { return position; }
     [[nodiscard]] std::vector<light_space<double>> lights() const {
@@ -113,6 +114,9 @@ private:
                         cascades.size(), "A setup that was moved from has none.");
     }
 };
+
+template <>
+inline constexpr bool has_warps<warped_maps> = true;
 
 /// Refuses an array of warped cascades, which lacks its camera.
 template <real T, std::size_t Count>

@@ -1872,9 +1872,9 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIG
 export const disc_rotation = { language, name: "disc_rotation", summary: "rotation of a disc for a pixel, one of 16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space], text: `
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
+UMBRAGE_HIGHP vec4 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -1885,7 +1885,21 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
     UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
     UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    UMBRAGE_HIGHP vec2 turned = quarter < 1.5 ? once : twice;
+    return vec4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+` };
+
+export const sheared_rotation = { language, name: "sheared_rotation", summary: "rotation of a disc, sheared to an ellipse",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;
+    return vec4(x, y, rotation.z, rotation.w);
 }
 ` };
 
@@ -1897,15 +1911,15 @@ export const disc_tap = { language, name: "disc_tap", summary: "texel that a poi
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec4 rotation,
                                     UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
-    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = vec2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = vec2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x + wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2(x, y));
 }
 ` };
@@ -1932,7 +1946,7 @@ export const ellipse8 = { language, name: "ellipse8", summary: "PCF over an elli
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                     UMBRAGE_HIGHP vec2 rotation) {
+                                     UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;
@@ -1959,7 +1973,7 @@ export const ellipse16 = { language, name: "ellipse16", summary: "PCF over an el
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;
@@ -1994,7 +2008,7 @@ export const ellipse32 = { language, name: "ellipse32", summary: "PCF over an el
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;
@@ -2036,7 +2050,7 @@ UMBRAGE_HIGHP float umbrage_ellipse32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
+    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2045,7 +2059,7 @@ export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, ro
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                  UMBRAGE_HIGHP vec2 rotation) {
+                                  UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse8(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
@@ -2053,7 +2067,7 @@ UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
+    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2062,7 +2076,7 @@ export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points,
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
@@ -2070,7 +2084,7 @@ UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
+    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2079,7 +2093,7 @@ export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points,
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse32(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
@@ -2691,14 +2705,14 @@ export const ellipse_hardware8 = { language, name: "ellipse_hardware8", summary:
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                              UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                              UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -2725,14 +2739,14 @@ export const ellipse_hardware16 = { language, name: "ellipse_hardware16", summar
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -2767,14 +2781,14 @@ export const ellipse_hardware32 = { language, name: "ellipse_hardware32", summar
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -2825,7 +2839,7 @@ export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                            UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                           UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                           UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware8(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 ` };
@@ -2842,7 +2856,7 @@ export const disc_hardware16 = { language, name: "disc_hardware16", summary: "di
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 ` };
@@ -2859,7 +2873,7 @@ export const disc_hardware32 = { language, name: "disc_hardware32", summary: "di
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 ` };
@@ -2933,7 +2947,7 @@ export const blockers8 = { language, name: "blockers8", summary: "blocker search
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                     UMBRAGE_HIGHP vec2 rotation) {
+                                     UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), rotation, radius), receiver);
@@ -2958,7 +2972,7 @@ export const blockers16 = { language, name: "blockers16", summary: "blocker sear
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 2.0), rotation, radius), receiver);
@@ -2991,7 +3005,7 @@ export const blockers32 = { language, name: "blockers32", summary: "blocker sear
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), rotation, radius), receiver);
@@ -3031,7 +3045,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3040,7 +3054,7 @@ export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                  UMBRAGE_HIGHP vec2 rotation) {
+                                  UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -3055,7 +3069,7 @@ UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3064,7 +3078,7 @@ export const pcss16 = { language, name: "pcss16", summary: "percentage-closer so
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -3079,7 +3093,7 @@ UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3088,7 +3102,7 @@ export const pcss32 = { language, name: "pcss32", summary: "percentage-closer so
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -3145,14 +3159,14 @@ export const blockers_hardware8 = { language, name: "blockers_hardware8", summar
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                               UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                              UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                              UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -3177,14 +3191,14 @@ export const blockers_hardware16 = { language, name: "blockers_hardware16", summ
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -3217,14 +3231,14 @@ export const blockers_hardware32 = { language, name: "blockers_hardware32", summ
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -3309,7 +3323,7 @@ UMBRAGE_HIGHP float umbrage_hardened_kernel32(UMBRAGE_HIGHP float blocked, UMBRA
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3318,7 +3332,7 @@ export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                  UMBRAGE_HIGHP vec2 rotation) {
+                                  UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -3335,7 +3349,7 @@ UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3344,7 +3358,7 @@ export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening fr
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -3361,7 +3375,7 @@ UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3370,7 +3384,7 @@ export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening fr
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_dpcf32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -5014,6 +5028,21 @@ UMBRAGE_HIGHP mat4 umbrage_tetrahedron_map_places(UMBRAGE_HIGHP mat4 to_texels, 
 }
 ` };
 
+export const tetrahedron_shape = { language, name: "tetrahedron_shape", summary: "shape of penumbras at a texel of a tetrahedron's map",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_shape(UMBRAGE_HIGHP vec4 center, UMBRAGE_HIGHP float number,
+                                             UMBRAGE_HIGHP vec2 at) {
+    bool beside = abs(at.x - center.x) > abs(at.y - center.x);
+    return beside ? vec3(0.577350269, 1.73205081, 0.0) : vec3(1.0, 1.0, 0.0);
+}
+` };
+
 export const paraboloid_maps_places = { language, name: "paraboloid_maps_places", summary: "place of a point of the world in two paraboloid maps",
     exactness: "c", operations: 57, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [dual_paraboloid_coordinate, distance_depth, dual_paraboloid_slope], text: `
@@ -5178,5 +5207,33 @@ UMBRAGE_HIGHP vec2 umbrage_map_softness(UMBRAGE_HIGHP mat4 eight, UMBRAGE_HIGHP 
     UMBRAGE_HIGHP float column = floor(number * 0.5);
     UMBRAGE_HIGHP vec4 two = umbrage_cascade_column(eight, column);
     return number - 2.0 * column < 0.5 ? vec2(two.x, two.y) : vec2(two.z, two.w);
+}
+` };
+
+export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+UMBRAGE_HIGHP vec3 umbrage_warp_shape(UMBRAGE_HIGHP mat4 warps, UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 at) {
+    UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(warps, number);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float factor = own.x + own.y * at.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float shear = own.z + own.w * at.x;
+    return vec3(1.0, factor, clamp(shear, -2.0, 2.0));
+}
+` };
+
+export const shaped_softness = { language, name: "shaped_softness", summary: "softness of a place, by its shape",
+    exactness: "c", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+UMBRAGE_HIGHP vec4 umbrage_shaped_softness(UMBRAGE_HIGHP vec4 softness, UMBRAGE_HIGHP vec3 shape) {
+    UMBRAGE_HIGHP float max_radius = softness.w / sqrt(1.0 + shape.z * shape.z);
+    return vec4(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
 }
 ` };

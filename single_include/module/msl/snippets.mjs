@@ -1837,9 +1837,9 @@ inline float umbrage_window_sum7(metal::texture2d<float> map, float2 size, float
 export const disc_rotation = { language, name: "disc_rotation", summary: "rotation of a disc for a pixel, one of 16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space], text: `
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-inline float2 umbrage_disc_rotation(float2 pixel) {
+inline float4 umbrage_disc_rotation(float2 pixel) {
     float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
     float v = whole.x * 4.0 + whole.y;
     v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
@@ -1850,7 +1850,21 @@ inline float2 umbrage_disc_rotation(float2 pixel) {
     float2 first = base < 1.5 ? low : high;
     float2 once = quarter < 0.5 ? first : float2(0.0 - first.y, first.x);
     float2 twice = quarter < 2.5 ? float2(0.0 - first.x, 0.0 - first.y) : float2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    float2 turned = quarter < 1.5 ? once : twice;
+    return float4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+` };
+
+export const sheared_rotation = { language, name: "sheared_rotation", summary: "rotation of a disc, sheared to an ellipse",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+inline float4 umbrage_sheared_rotation(float4 rotation, float shear) {
+    float x = rotation.x + shear * rotation.z;
+    float y = rotation.y + shear * rotation.w;
+    return float4(x, y, rotation.z, rotation.w);
 }
 ` };
 
@@ -1862,14 +1876,14 @@ export const disc_tap = { language, name: "disc_tap", summary: "texel that a poi
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-inline float2 umbrage_disc_tap(float2 position, float2 p, float2 rotation, float2 radius) {
+inline float2 umbrage_disc_tap(float2 position, float2 p, float4 rotation, float2 radius) {
     float2 at = position * (1.0 / 256.0);
     float2 texel = metal::floor(at);
     float2 within = metal::clamp(at - texel, float2(0.0, 0.0), float2(1.0, 1.0));  // no sum is regrouped across it
-    float2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    float2 high = rotation * (radius.y * (1.0 / 16384.0));
-    float x = wide.x * p.x + within.x - wide.y * p.y;
-    float y = high.y * p.x + within.y + high.x * p.y;
+    float2 wide = float2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    float2 high = float2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    float x = wide.x * p.x + within.x + wide.y * p.y;
+    float y = high.x * p.x + within.y + high.y * p.y;
     return texel + metal::floor(float2(x, y));
 }
 ` };
@@ -1895,7 +1909,7 @@ export const ellipse8 = { language, name: "ellipse8", summary: "PCF over an elli
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                              float2 rotation) {
+                              float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -1921,7 +1935,7 @@ export const ellipse16 = { language, name: "ellipse16", summary: "PCF over an el
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                               float2 rotation) {
+                               float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -1955,7 +1969,7 @@ export const ellipse32 = { language, name: "ellipse32", summary: "PCF over an el
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float2 radius,
-                               float2 rotation) {
+                               float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
     float n = 0.0;
@@ -1997,7 +2011,7 @@ inline float umbrage_ellipse32(metal::texture2d<float> map, float2 size, float2 
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
+    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2005,7 +2019,7 @@ export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, ro
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                           float2 rotation) {
+                           float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse8(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -2013,7 +2027,7 @@ inline float umbrage_disc8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
+    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2021,7 +2035,7 @@ export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                            float2 rotation) {
+                            float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse16(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -2029,7 +2043,7 @@ inline float umbrage_disc16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
+    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2037,7 +2051,7 @@ export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points,
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float radius,
-                            float2 rotation) {
+                            float4 rotation) {
     float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse32(map, size, coord, receiver, float2(rho, rho), rotation);
 }
@@ -2623,14 +2637,14 @@ export const ellipse_hardware8 = { language, name: "ellipse_hardware8", summary:
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                       float2 radius, float2 rotation) {
+                                       float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -2656,14 +2670,14 @@ export const ellipse_hardware16 = { language, name: "ellipse_hardware16", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                        float2 radius, float2 rotation) {
+                                        float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -2697,14 +2711,14 @@ export const ellipse_hardware32 = { language, name: "ellipse_hardware32", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_ellipse_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                        float2 radius, float2 rotation) {
+                                        float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -2754,7 +2768,7 @@ export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                    float radius, float2 rotation) {
+                                    float radius, float4 rotation) {
     return umbrage_ellipse_hardware8(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 ` };
@@ -2770,7 +2784,7 @@ export const disc_hardware16 = { language, name: "disc_hardware16", summary: "di
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                     float radius, float2 rotation) {
+                                     float radius, float4 rotation) {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 ` };
@@ -2786,7 +2800,7 @@ export const disc_hardware32 = { language, name: "disc_hardware32", summary: "di
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                     float radius, float2 rotation) {
+                                     float radius, float4 rotation) {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, float2(radius, radius), rotation);
 }
 ` };
@@ -2857,7 +2871,7 @@ export const blockers8 = { language, name: "blockers8", summary: "blocker search
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                float2 radius, float2 rotation) {
+                                float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), rotation, radius), receiver);
@@ -2881,7 +2895,7 @@ export const blockers16 = { language, name: "blockers16", summary: "blocker sear
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers16(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                 float2 radius, float2 rotation) {
+                                 float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), rotation, radius), receiver);
@@ -2913,7 +2927,7 @@ export const blockers32 = { language, name: "blockers32", summary: "blocker sear
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float2 position, float receiver,
-                                 float2 radius, float2 rotation) {
+                                 float2 radius, float4 rotation) {
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), rotation, radius), receiver);
@@ -2953,7 +2967,7 @@ inline float2 umbrage_blockers32(metal::texture2d<float> map, float2 size, float
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2961,7 +2975,7 @@ export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                           float2 rotation) {
+                           float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -2976,7 +2990,7 @@ inline float umbrage_pcss8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2984,7 +2998,7 @@ export const pcss16 = { language, name: "pcss16", summary: "percentage-closer so
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -2999,7 +3013,7 @@ inline float umbrage_pcss16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3007,7 +3021,7 @@ export const pcss32 = { language, name: "pcss32", summary: "percentage-closer so
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_pcss32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -3061,14 +3075,14 @@ export const blockers_hardware8 = { language, name: "blockers_hardware8", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                         float2 radius, float2 rotation) {
+                                         float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -3092,14 +3106,14 @@ export const blockers_hardware16 = { language, name: "blockers_hardware16", summ
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware16(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                          float2 radius, float2 rotation) {
+                                          float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -3131,14 +3145,14 @@ export const blockers_hardware32 = { language, name: "blockers_hardware32", summ
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                          float2 radius, float2 rotation) {
+                                          float2 radius, float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 center = (compared ? coord : float2(0.0, 0.0)) / size;
     float wide = radius.x > 0.0 ? metal::min(radius.x, 255.9375) : 0.0;
     float high = radius.y > 0.0 ? metal::min(radius.y, 255.9375) : 0.0;
     float2 part = float2(wide, high) * (1.0 / 1024.0) / size;
-    float2 x = rotation * part;
-    float2 y = float2(0.0 - rotation.y, rotation.x) * part;
+    float2 x = float2(rotation.x, rotation.z) * part;
+    float2 y = float2(rotation.y, rotation.w) * part;
     float2 n = float2(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -3223,7 +3237,7 @@ inline float umbrage_hardened_kernel32(float blocked, float ratio) {
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3231,7 +3245,7 @@ export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                           float2 rotation) {
+                           float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -3248,7 +3262,7 @@ inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coor
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3256,7 +3270,7 @@ export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening fr
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -3273,7 +3287,7 @@ inline float umbrage_dpcf16(metal::texture2d<float> map, float2 size, float2 coo
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3281,7 +3295,7 @@ export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening fr
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 inline float umbrage_dpcf32(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float4 softness,
-                            float2 rotation) {
+                            float4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
     float z = umbrage_distance_code(receiver);
@@ -4835,6 +4849,20 @@ inline metal::float4x4 umbrage_tetrahedron_map_places(metal::float4x4 to_texels,
 }
 ` };
 
+export const tetrahedron_shape = { language, name: "tetrahedron_shape", summary: "shape of penumbras at a texel of a tetrahedron's map",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+inline float3 umbrage_tetrahedron_shape(float4 center, float number, float2 at) {
+    bool beside = metal::abs(at.x - center.x) > metal::abs(at.y - center.x);
+    return beside ? float3(0.577350269, 1.73205081, 0.0) : float3(1.0, 1.0, 0.0);
+}
+` };
+
 export const paraboloid_maps_places = { language, name: "paraboloid_maps_places", summary: "place of a point of the world in two paraboloid maps",
     exactness: "c", operations: 57, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [dual_paraboloid_coordinate, distance_depth, dual_paraboloid_slope], text: `
@@ -4992,5 +5020,33 @@ inline float2 umbrage_map_softness(metal::float4x4 eight, float number) {
     float column = metal::floor(number * 0.5);
     float4 two = umbrage_cascade_column(eight, column);
     return number - 2.0 * column < 0.5 ? float2(two.x, two.y) : float2(two.z, two.w);
+}
+` };
+
+export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+inline float3 umbrage_warp_shape(metal::float4x4 warps, float number, float2 at) {
+    float4 own = umbrage_cascade_column(warps, number);
+    float factor = own.x + own.y * at.y;
+    float shear = own.z + own.w * at.x;
+    return float3(1.0, factor, metal::clamp(shear, -2.0, 2.0));
+}
+` };
+
+export const shaped_softness = { language, name: "shaped_softness", summary: "softness of a place, by its shape",
+    exactness: "c", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+inline float4 umbrage_shaped_softness(float4 softness, float3 shape) {
+    float max_radius = softness.w / metal::sqrt(1.0 + shape.z * shape.z);
+    return float4(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
 }
 ` };

@@ -420,53 +420,55 @@ export const calls = {
     blend_cascades: snippets.blend_cascades,
     map_tile: snippets.map_tile,
     map_softness: snippets.map_softness,
+    shaped_softness: snippets.shaped_softness,
+    sheared_rotation: snippets.sheared_rotation,
     cleared_depth: snippets.cleared_depth,
     anchored_vertex: snippets.anchored_vertex,
     pancake: snippets.pancake,
 };
 
 const one_map = {
-    grid: [1, 1], outside: "bordered", bends: false, softness: 0,
+    grid: [1, 1], outside: "bordered", bends: false, softness: 0, warps: true,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.single_map_places,
 };
 const parallel_map = {
-    grid: [1, 1], outside: "bordered", bends: false, softness: 0,
+    grid: [1, 1], outside: "bordered", bends: false, softness: 0, warps: true,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.parallel_map_places,
 };
 const cascaded_maps = {
-    grid: [2, 2], outside: "bordered", bends: false, softness: 1,
+    grid: [2, 2], outside: "bordered", bends: false, softness: 1, warps: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
     placing: snippets.cascaded_maps_place, choosing: { calls: snippets.cascaded_maps_choice, arguments: "rotation, scales, offsets, anchor, blending, terms, " },
 };
 const cascaded_maps_8 = {
-    grid: [2, 4], outside: "bordered", bends: false, softness: 1,
+    grid: [2, 4], outside: "bordered", bends: false, softness: 1, warps: false,
     fields: [{ name: "rotation", matrix: true }, { name: "scales", matrix: true }, { name: "offsets", matrix: true }, { name: "farther_scales", matrix: true }, { name: "farther_offsets", matrix: true }, { name: "anchor", matrix: false }, { name: "blending", matrix: false }],
     placing: snippets.cascaded_maps_place_8, choosing: { calls: snippets.cascaded_maps_choice_8, arguments: "rotation, scales, offsets, farther_scales, farther_offsets, anchor, blending, terms, " },
 };
 const warped_maps = {
-    grid: [2, 2], outside: "bordered", bends: false, softness: 1,
+    grid: [2, 2], outside: "bordered", bends: false, softness: 1, warps: true,
     fields: [{ name: "to_texels_0", matrix: true }, { name: "to_texels_1", matrix: true }, { name: "to_texels_2", matrix: true }, { name: "to_texels_3", matrix: true }, { name: "planes_0", matrix: true }, { name: "planes_1", matrix: true }, { name: "planes_2", matrix: true }, { name: "planes_3", matrix: true }, { name: "rounding", matrix: true }, { name: "slack", matrix: true }, { name: "fades", matrix: true }, { name: "anchor", matrix: false }, { name: "ahead", matrix: false }, { name: "ends", matrix: false }],
-    placing: snippets.warped_maps_place, choosing: { calls: snippets.warped_maps_choice, arguments: "fades, anchor, ahead, ends, " },
+    placing: snippets.warped_maps_place, choosing: { calls: snippets.warped_maps_choice, arguments: "fades, anchor, ahead, ends, " }, shape: { calls: snippets.warp_shape, argument: "warps" },
 };
 const adaptive_maps = {
-    grid: [8, 8], outside: "clamped", bends: false, softness: 8,
+    grid: [8, 8], outside: "clamped", bends: false, softness: 8, warps: false,
     fields: [{ name: "to_root", matrix: true }, { name: "planes", matrix: true }, { name: "cells_0", matrix: true }, { name: "cells_1", matrix: true }, { name: "cells_2", matrix: true }, { name: "cells_3", matrix: true }, { name: "cells_4", matrix: true }, { name: "cells_5", matrix: true }, { name: "cells_6", matrix: true }, { name: "cells_7", matrix: true }, { name: "anchor", matrix: false }, { name: "pages", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.adaptive_maps_places,
 };
 const cube_maps = {
-    grid: [3, 2], outside: "clamped", bends: false, softness: 0,
+    grid: [3, 2], outside: "clamped", bends: false, softness: 0, warps: false,
     fields: [{ name: "face", matrix: false }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }],
     placing: snippets.cube_maps_places,
 };
 const tetrahedron_map = {
-    grid: [1, 1], outside: "clamped", bends: false, softness: 0,
+    grid: [1, 1], outside: "clamped", bends: false, softness: 0, warps: false,
     fields: [{ name: "to_texels", matrix: true }, { name: "planes", matrix: true }, { name: "anchor", matrix: false }, { name: "rounding", matrix: false }, { name: "slack", matrix: false }, { name: "center", matrix: false }],
-    placing: snippets.tetrahedron_map_places,
+    placing: snippets.tetrahedron_map_places, shape: { calls: snippets.tetrahedron_shape, argument: "center" },
 };
 const paraboloid_maps = {
-    grid: [2, 1], outside: "clamped", bends: true, softness: 0,
+    grid: [2, 1], outside: "clamped", bends: true, softness: 0, warps: false,
     fields: [{ name: "position", matrix: false }, { name: "halves", matrix: false }, { name: "rounding", matrix: false }],
     placing: snippets.paraboloid_maps_places,
     vertex: { calls: snippets.paraboloid_vertex, arguments: [['vec4', 'anchor'], ['float', 'number']] },

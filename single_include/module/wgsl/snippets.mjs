@@ -1834,9 +1834,9 @@ fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
 export const disc_rotation = { language, name: "disc_rotation", summary: "rotation of a disc for a pixel, one of 16",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [inside_texel_space], text: `
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
+fn umbrage_disc_rotation(pixel: vec2f) -> vec4f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -1847,7 +1847,21 @@ fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let first: vec2f = select(high, low, base < 1.5);
     let once: vec2f = select(vec2f(0.0 - first.y, first.x), first, quarter < 0.5);
     let twice: vec2f = select(vec2f(first.y, 0.0 - first.x), vec2f(0.0 - first.x, 0.0 - first.y), quarter < 2.5);
-    return select(twice, once, quarter < 1.5);
+    let turned: vec2f = select(twice, once, quarter < 1.5);
+    return vec4f(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+` };
+
+export const sheared_rotation = { language, name: "sheared_rotation", summary: "rotation of a disc, sheared to an ellipse",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+fn umbrage_sheared_rotation(rotation: vec4f, shear: f32) -> vec4f {
+    let x: f32 = rotation.x + shear * rotation.z;
+    let y: f32 = rotation.y + shear * rotation.w;
+    return vec4f(x, y, rotation.z, rotation.w);
 }
 ` };
 
@@ -1859,14 +1873,14 @@ export const disc_tap = { language, name: "disc_tap", summary: "texel that a poi
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec4f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
-    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
-    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
-    let y: f32 = high.y * p.x + within.y + high.x * p.y;
+    let wide: vec2f = vec2f(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = vec2f(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x + wide.y * p.y;
+    let y: f32 = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2f(x, y));
 }
 ` };
@@ -1892,7 +1906,7 @@ export const ellipse8 = { language, name: "ellipse8", summary: "PCF over an elli
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                    rotation: vec2f) -> f32 {
+                    rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     var n: f32 = 0.0;
@@ -1918,7 +1932,7 @@ export const ellipse16 = { language, name: "ellipse16", summary: "PCF over an el
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                     rotation: vec2f) -> f32 {
+                     rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     var n: f32 = 0.0;
@@ -1952,7 +1966,7 @@ export const ellipse32 = { language, name: "ellipse32", summary: "PCF over an el
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                     rotation: vec2f) -> f32 {
+                     rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     var n: f32 = 0.0;
@@ -1994,14 +2008,14 @@ fn umbrage_ellipse32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: 
 
 export const disc8 = { language, name: "disc8", summary: "disc PCF, 8 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
+    needs: [disc_radius, ellipse8], filter: { reads: "comparisons", reach: 2.1328125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware8", weights: "" } }, text: `
 // umbrage_disc8: PCF over a rotated disc of 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec4f) -> f32 {
     let rho: f32 = umbrage_disc_radius(radius);
     return umbrage_ellipse8(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
@@ -2009,14 +2023,14 @@ fn umbrage_disc8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 export const disc16 = { language, name: "disc16", summary: "disc PCF, 16 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
+    needs: [disc_radius, ellipse16], filter: { reads: "comparisons", reach: 2.2578125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware16", weights: "" } }, text: `
 // umbrage_disc16: PCF over a rotated disc of 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec4f) -> f32 {
     let rho: f32 = umbrage_disc_radius(radius);
     return umbrage_ellipse16(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
@@ -2024,14 +2038,14 @@ fn umbrage_disc16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 export const disc32 = { language, name: "disc32", summary: "disc PCF, 32 points, rotated per pixel",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
+    needs: [disc_radius, ellipse32], filter: { reads: "comparisons", reach: 2.3828125, arguments: [{ name: "radius", type: "float", value: 2 }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true, disc: true, linear: { name: "disc_hardware32", weights: "" } }, text: `
 // umbrage_disc32: PCF over a rotated disc of 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
 //   receiver    receiver depth in [0, 1], bias applied
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
-fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+fn umbrage_disc32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32, rotation: vec4f) -> f32 {
     let rho: f32 = umbrage_disc_radius(radius);
     return umbrage_ellipse32(map, size, coord, receiver, vec2f(rho, rho), rotation);
 }
@@ -2613,14 +2627,14 @@ export const ellipse_hardware8 = { language, name: "ellipse_hardware8", summary:
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                             rotation: vec2f) -> f32 {
+                             rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center + x * 3.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center - x * 4.0 + y * 5.0, coord, receiver);
@@ -2646,14 +2660,14 @@ export const ellipse_hardware16 = { language, name: "ellipse_hardware16", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                              rotation: vec2f) -> f32 {
+                              rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -2687,14 +2701,14 @@ export const ellipse_hardware32 = { language, name: "ellipse_hardware32", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                              rotation: vec2f) -> f32 {
+                              rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -2744,7 +2758,7 @@ export const disc_hardware8 = { language, name: "disc_hardware8", summary: "disc
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                          rotation: vec2f) -> f32 {
+                          rotation: vec4f) -> f32 {
     return umbrage_ellipse_hardware8(map, size, coord, receiver, vec2f(radius, radius), rotation);
 }
 ` };
@@ -2760,7 +2774,7 @@ export const disc_hardware16 = { language, name: "disc_hardware16", summary: "di
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                           rotation: vec2f) -> f32 {
+                           rotation: vec4f) -> f32 {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, vec2f(radius, radius), rotation);
 }
 ` };
@@ -2776,7 +2790,7 @@ export const disc_hardware32 = { language, name: "disc_hardware32", summary: "di
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                           rotation: vec2f) -> f32 {
+                           rotation: vec4f) -> f32 {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, vec2f(radius, radius), rotation);
 }
 ` };
@@ -2846,7 +2860,7 @@ export const blockers8 = { language, name: "blockers8", summary: "blocker search
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers8(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
-                     rotation: vec2f) -> vec2f {
+                     rotation: vec4f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 5.0), rotation, radius), receiver);
@@ -2870,7 +2884,7 @@ export const blockers16 = { language, name: "blockers16", summary: "blocker sear
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers16(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
-                      rotation: vec2f) -> vec2f {
+                      rotation: vec4f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), rotation, radius), receiver);
@@ -2902,7 +2916,7 @@ export const blockers32 = { language, name: "blockers32", summary: "blocker sear
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiver: f32, radius: vec2f,
-                      rotation: vec2f) -> vec2f {
+                      rotation: vec4f) -> vec2f {
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), rotation, radius), receiver);
     n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), rotation, radius), receiver);
@@ -2942,7 +2956,7 @@ fn umbrage_blockers32(map: texture_2d<f32>, size: vec2f, position: vec2f, receiv
 
 export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft shadows (PCSS), 8 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, ellipse8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss8: percentage-closer soft shadows (PCSS), 8 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2950,7 +2964,7 @@ export const pcss8 = { language, name: "pcss8", summary: "percentage-closer soft
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                 rotation: vec2f) -> f32 {
+                 rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -2965,7 +2979,7 @@ fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 export const pcss16 = { language, name: "pcss16", summary: "percentage-closer soft shadows (PCSS), 16 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, ellipse16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss16: percentage-closer soft shadows (PCSS), 16 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2973,7 +2987,7 @@ export const pcss16 = { language, name: "pcss16", summary: "percentage-closer so
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_pcss16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                  rotation: vec2f) -> f32 {
+                  rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -2988,7 +3002,7 @@ fn umbrage_pcss16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 export const pcss32 = { language, name: "pcss32", summary: "percentage-closer soft shadows (PCSS), 32 points twice",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, ellipse32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_pcss32: percentage-closer soft shadows (PCSS), 32 points twice. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -2996,7 +3010,7 @@ export const pcss32 = { language, name: "pcss32", summary: "percentage-closer so
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_pcss32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                  rotation: vec2f) -> f32 {
+                  rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -3050,14 +3064,14 @@ export const blockers_hardware8 = { language, name: "blockers_hardware8", summar
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                              rotation: vec2f) -> vec2f {
+                              rotation: vec4f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 3.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center - x * 4.0 + y * 5.0, receiver);
@@ -3081,14 +3095,14 @@ export const blockers_hardware16 = { language, name: "blockers_hardware16", summ
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                               rotation: vec2f) -> vec2f {
+                               rotation: vec4f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -3120,14 +3134,14 @@ export const blockers_hardware32 = { language, name: "blockers_hardware32", summ
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                               rotation: vec2f) -> vec2f {
+                               rotation: vec4f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);
@@ -3212,7 +3226,7 @@ fn umbrage_hardened_kernel32(blocked: f32, ratio: f32) -> f32 {
 
 export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from one pass (DPCF), 8 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers8, floor_divide, hardened_kernel8], filter: { reads: "depths", reach: 5.3828125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf8: soft shadow with contact hardening from 8 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3220,7 +3234,7 @@ export const dpcf8 = { language, name: "dpcf8", summary: "contact hardening from
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                 rotation: vec2f) -> f32 {
+                 rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -3237,7 +3251,7 @@ fn umbrage_dpcf8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
 
 export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening from one pass (DPCF), 16 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers16, floor_divide, hardened_kernel16], filter: { reads: "depths", reach: 5.7578125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf16: soft shadow with contact hardening from 16 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3245,7 +3259,7 @@ export const dpcf16 = { language, name: "dpcf16", summary: "contact hardening fr
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                  rotation: vec2f) -> f32 {
+                  rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -3262,7 +3276,7 @@ fn umbrage_dpcf16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32
 
 export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening from one pass (DPCF), 32 points",
     exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
-    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec2", value: [64, 0] }], in_shadow: true }, text: `
+    needs: [in_filter_domain, distance_code, penumbra, blockers32, floor_divide, hardened_kernel32], filter: { reads: "depths", reach: 6.1328125, arguments: [{ name: "softness", type: "vec4", value: [0.0625, 0.0625, 16, 96] }, { name: "rotation", type: "vec4", value: [64, 0, 0, 64] }], in_shadow: true }, text: `
 // umbrage_dpcf32: soft shadow with contact hardening from 32 points. Returns visibility, 1.0 = lit
 //   map, size   shadow map and its size in texels
 //   coord       receiver in texels. (0.5, 0.5) is the center of the first texel
@@ -3270,7 +3284,7 @@ export const dpcf32 = { language, name: "dpcf32", summary: "contact hardening fr
 //   softness    from make_penumbra_params
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_dpcf32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, softness: vec4f,
-                  rotation: vec2f) -> f32 {
+                  rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
     let z: f32 = umbrage_distance_code(receiver);
@@ -4810,6 +4824,20 @@ fn umbrage_tetrahedron_map_places(to_texels: mat4x4f, planes: mat4x4f, anchor: v
 }
 ` };
 
+export const tetrahedron_shape = { language, name: "tetrahedron_shape", summary: "shape of penumbras at a texel of a tetrahedron's map",
+    exactness: "a", operations: 0, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_tetrahedron_shape: shape of penumbras at a texel of a tetrahedron's map
+//   center   x: half the map's size in texels
+//   number   not read
+//   at       place in the map, texels
+//   returns factors of face 0's softness in x and y, and no shear
+fn umbrage_tetrahedron_shape(center: vec4f, number: f32, at: vec2f) -> vec3f {
+    let beside: bool = abs(at.x - center.x) > abs(at.y - center.x);
+    return select(vec3f(1.0, 1.0, 0.0), vec3f(0.577350269, 1.73205081, 0.0), beside);
+}
+` };
+
 export const paraboloid_maps_places = { language, name: "paraboloid_maps_places", summary: "place of a point of the world in two paraboloid maps",
     exactness: "c", operations: 57, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [dual_paraboloid_coordinate, distance_depth, dual_paraboloid_slope], text: `
@@ -4960,5 +4988,33 @@ fn umbrage_map_softness(eight: mat4x4f, number: f32) -> vec2f {
     let column: f32 = floor(number * 0.5);
     let two: vec4f = umbrage_cascade_column(eight, column);
     return select(vec2f(two.z, two.w), vec2f(two.x, two.y), number - 2.0 * column < 0.5);
+}
+` };
+
+export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
+    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [cascade_column], text: `
+// umbrage_warp_shape: shape of penumbras at a texel of a warped map
+//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   number   number of the map
+//   at       place in the map, texels
+//   returns factors of the map's softness in x and y, and the shear
+fn umbrage_warp_shape(warps: mat4x4f, number: f32, at: vec2f) -> vec3f {
+    let own: vec4f = umbrage_cascade_column(warps, number);
+    let factor: f32 = own.x + own.y * at.y;
+    let shear: f32 = own.z + own.w * at.x;
+    return vec3f(1.0, factor, clamp(shear, -2.0, 2.0));
+}
+` };
+
+export const shaped_softness = { language, name: "shaped_softness", summary: "softness of a place, by its shape",
+    exactness: "c", operations: 9, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    needs: [], text: `
+// umbrage_shaped_softness: softness of a place
+//   softness   that of its map: (1/16 texel per distance code along x and y, min_radius, max_radius)
+//   shape      factors in x and y, shear
+fn umbrage_shaped_softness(softness: vec4f, shape: vec3f) -> vec4f {
+    let max_radius: f32 = softness.w / sqrt(1.0 + shape.z * shape.z);
+    return vec4f(softness.x * shape.x, softness.y * shape.y, softness.z, max_radius);
 }
 ` };

@@ -6,16 +6,17 @@ const width = { int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4 };
 const listed = all => all.map(name => `${name}, `).join('');
 
 /** A text's functions for one shadow, in the order in which they call each other: name, text and what they need.
- *  @param is   { snippet, maps, along_plane, turns, soft, layers, linear }: the filter's snippet, the kind's maps, `soft` matrices
- *              of an own softness of each map, and the filter's form for a linear comparison sampler, if that is asked for */
+ *  @param is   { snippet, maps, along_plane, turns, hardens, layers, linear }: the filter's snippet, the kind's maps, whether the
+ *              filter hardens contacts, and its form for a linear comparison sampler, if that is asked for */
 export function frame_in(w, calls, is) {
-    const { snippet, maps, along_plane, turns, soft, layers, linear } = is, { filter } = snippet, { constant } = w;
+    const { snippet, maps, along_plane, turns, hardens, layers, linear } = is, { filter } = snippet, { constant } = w;
     const vec = (n, ...parts) => `${w.type(`vec${n}`)}(${parts.join(', ')})`;
     const pixel = turns ? [['vec2', 'pixel']] : [], of_pixel = turns ? ', pixel' : '';
     const own = (name, says, type, parameters, lines, needs) => ({ name, needs, text: `\n// umbrage_${name}: ${says}\n`
         + `${w.head(type, `umbrage_${name}`, parameters.map(p => p === 'map' ? 'UMBRAGE_MAP map' : w.parameter(...p)).join(', '))}\n`
         + lines.map(line => line.startsWith('#') ? `${line}\n` : `    ${line}\n`).join('') + '}\n' });
-    const fields = all_fields(maps, soft).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
+    const soft = hardens ? maps.softness : 0, shape = hardens ? maps.shape : undefined;  // maps that are not alike, or not throughout
+    const fields = all_fields(maps, hardens).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
     const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
 
     /** The receiver's bias, from `terms` and `slope`: the slack of its plane, or a bias over a reach in texels. */
@@ -35,11 +36,16 @@ export function frame_in(w, calls, is) {
         : [constant('vec2', 'origin', `umbrage_map_tile(number, ${vec(2, columns, `1.0 / ${columns}`)}, ${vec(2, 'terms.x', 'terms.y')})`)];
     const chooses = several && !layers ? [calls.map_tile] : [];
 
-    /** Statements that find the softness of the map `number`. */
+    /** Statements that find the softness of a place in the map `number`, and its shape. */
     const softness = Array.from({ length: soft }, (_, i) => i === 0
         ? (soft > 1 ? w.variable : constant)('vec2', 'softness', 'umbrage_map_softness(softness_0, number)')
         : `softness = ${w.choice(`number >= ${8 * i}.0`, `umbrage_map_softness(softness_${i}, number - ${8 * i}.0)`, 'softness')};`);
-    if (soft) softness.push(constant('vec4', 'own_terms', vec(4, 'softness', 'filter_terms.z', 'filter_terms.w')));
+    const own_softness = soft ? vec(4, 'softness', 'filter_terms.z', 'filter_terms.w') : 'filter_terms';
+    if (shape) softness.push(constant('vec3', 'shape', `umbrage_${shape.calls.name}(${shape.argument}, number, ${vec(2, 'at.x', 'at.y')})`));
+    if (soft || shape) softness.push(constant('vec4', 'own_terms', shape ? `umbrage_shaped_softness(${own_softness}, shape)` : own_softness));
+    const softens = [...soft ? [calls.map_softness] : [], ...shape ? [shape.calls, calls.shaped_softness] : []];
+    const sheared = shape ? [['float', 'shear']] : [], of_shear = shape ? ', shape.z' : '', no_shear = shape ? ', 0.0' : '';
+    const rotation = shape ? 'umbrage_sheared_rotation(umbrage_disc_rotation(pixel), shear)' : 'umbrage_disc_rotation(pixel)';
 
     /** The frame: a lookup at each place of a receiver, and their blend. */
     const blended = (type, lit, look, blend, statements) => {
@@ -58,7 +64,7 @@ export function frame_in(w, calls, is) {
     const at = vec(3, 'at.x', 'at.y', 'at.z'), slope = vec(3, 'slope.x', 'slope.y', 'slope.w');
 
     const called = linear ?? snippet, weights = linear ? filter.linear.weights : '';
-    const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel], [
+    const look = () => own('look', 'visibility of a receiver in one map', 'float', ['map', ...terms, ['vec3', 'at'], ['vec3', 'slope'], ...pixel, ...sheared], [
         ...bias(linear),
         w.flag('is_compared', w.choice('umbrage_beyond_far_plane(at.z)', 'false', along_plane ? 'is_seen' : 'true')),
         `${constant('vec2', 'coord', vec(2, w.choice('is_compared', 'at.x', '65536.0'), 'at.y'))}  // outside all maps, where all is lit`,
@@ -66,12 +72,13 @@ export function frame_in(w, calls, is) {
         ...along_plane ? [constant('vec2', 'receiver_slope', vec(2, 'slope.x', 'slope.y')),
             constant('vec3', 'receiver_at', vec(3, 'at.x', 'at.y', 'receiver'))] : [],
         `return umbrage_${called.name}(map, ${vec(2, 'terms.x', 'terms.y')}, coord, receiver${weights}${counted.text}`
-            + `${turns ? ', umbrage_disc_rotation(pixel)' : ''});`,
-    ], [calls.beyond_far_plane, calls.cleared_depth, called, ...of_bias, ...turns ? [calls.disc_rotation] : []]);
+            + `${turns ? `, ${rotation}` : ''});`,
+    ], [calls.beyond_far_plane, calls.cleared_depth, called, ...of_bias, ...turns ? [calls.disc_rotation] : [],
+        ...shape ? [calls.sheared_rotation] : []]);
     const shadow = () => own('shadow', 'visibility of a point of the world, 1.0 is lit', 'float', ['map', ...fields, ...terms, ...world, ...pixel],
-        blended('float', '1.0', `umbrage_look(map, terms, ${soft ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel})`,
+        blended('float', '1.0', `umbrage_look(map, terms, ${soft || shape ? 'own_terms' : 'filter_terms'}, ${at}, ${slope}${of_pixel}${of_shear})`,
             'umbrage_blend_cascades(sum, next, weight)', [...choice, ...softness]),
-        [...places, ...chooses, ...soft ? [calls.map_softness] : []]);
+        [...places, ...chooses, ...softens]);
 
     /** Those behind umbrage_probe_<name> and umbrage_calibrate_<name>. */
     const debug = ({ probe_color, probe_inputs, read_map }, parts) => [
@@ -89,7 +96,7 @@ export function frame_in(w, calls, is) {
             [constant('float', 'depth', w.choice('umbrage_cleared_depth() > 0.5', 'distance', '1.0 - distance')),
                 constant('vec3', 'at', vec(3, 'coord.x', 'coord.y', 'depth')),
                 `return ${w.choice(`umbrage_look(map, terms, filter_terms, at, ${vec(3, '0.0', '0.0', '0.0')}`
-                    + `${turns ? `, ${vec(2, '0.5', '0.5')}` : ''}) > 0.5`, '1.0', '0.0')};`], [calls.cleared_depth]),
+                    + `${turns ? `, ${vec(2, '0.5', '0.5')}` : ''}${no_shear}) > 0.5`, '1.0', '0.0')};`], [calls.cleared_depth]),
         { name: 'read_map', text: read_map, needs: [] },
         own('reading', "what a map of known depths is read as, a map_reading's number; 0.0 is right", 'float',
             ['map', ...terms, ['float', 'number']],
@@ -99,8 +106,9 @@ export function frame_in(w, calls, is) {
 }
 
 /** A kind's uniforms, without the terms. */
-export const all_fields = (maps, soft) =>
-    [...maps.fields, ...Array.from({ length: soft }, (_, i) => ({ name: `softness_${i}`, matrix: true }))];
+export const all_fields = (maps, hardens) => [...maps.fields, ...!hardens ? []
+    : [...Array.from({ length: maps.softness }, (_, i) => `softness_${i}`), ...maps.warps ? ['warps'] : []]
+        .map(name => ({ name, matrix: true }))];
 
 /** A filter's numbers as arguments, from the components of filter_terms, and how many these are. */
 function numbers(w, all) {

@@ -39,7 +39,6 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(!hardens || !kind.maps.bends, 'filter must be none of contact hardening for paraboloids, which bend planes', filter.name);
 
     const { grid: [columns, rows], outside } = kind.maps, several = columns * rows > 1;
-    const soft = hardens ? kind.maps.softness : 0;  // maps that are not alike have an own softness each
     const lies_in = rest.map === undefined ? (several ? 'atlas' : 'texture_2d') : rest.map;
     const fitting = several ? ['atlas', 'array', 'depth_array', 'shadow_array'] : ['texture_2d', 'depth', 'shadow'];
     must(fitting.includes(lies_in), `map must be one of ${fitting.join(', ')} for this kind`, lies_in);
@@ -66,14 +65,14 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
 
     const turns = filter.filter.arguments.some(argument => argument.name === 'rotation');
     const own = ({ name, text, needs }) => ({ language, name, exactness: 'a', lowest: '100', role: 'none', needs, text });
-    const frame = frame_in(words, calls, { snippet: filter, maps: kind.maps, along_plane, turns, soft, layers, linear });
+    const frame = frame_in(words, calls, { snippet: filter, maps: kind.maps, along_plane, turns, hardens, layers, linear });
     const umbrage_shadow = own(frame.shadow()), texts = [own(frame.look()), umbrage_shadow];
     const tolerance = is_moments ? 'moments' : encoding.name;
     if (debug) texts.push(...frame.debug(debug, debug[kind.maps.bends ? 'parts_of_bent' : 'parts'][tolerance]).map(own));
     texts.forEach((text, i) => text.needs.push(...texts.slice(0, i)));  // each may call those before it
     for (const text of texts) check(hooks, text, map);
     const item = bound(hooks, umbrage_shadow, name, map, texts);
-    const fields = [...all_fields(kind.maps, soft), ...terms];
+    const fields = [...all_fields(kind.maps, hardens), ...terms];
     const declares = { name, fields, block, texture, sampler, set, functions: functions_of(turns, debug, derivatives) };
     const texel = is_moments ? filter.filter : encoding;
     return {

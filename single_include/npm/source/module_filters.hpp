@@ -34,12 +34,12 @@ inline std::string numbers(std::initializer_list<float> all) {
     return all.size() == 1 ? out : '[' + out + ']';
 }
 inline std::string numbers(glm::vec2 v) { return numbers({v.x, v.y}); }
-inline std::string numbers(glm::vec3 v) { return numbers({v.x, v.y, v.z}); }
+inline std::string numbers(glm::vec4 v) { return numbers({v.x, v.y, v.z, v.w}); }
 
 inline std::string numbers(float v) { return numbers({v}); }
 inline std::string numbers(int v) { return numbers({static_cast<float>(v)}); }
 inline std::string numbers(const umbrage::penumbra_params& v) {
-    return numbers({v.per_code_x, v.per_code_y, v.min_radius, v.max_radius});
+    return numbers(glm::vec4(v));
 }
 
 /// Defaults of what a filter's function takes behind coordinate and receiver.

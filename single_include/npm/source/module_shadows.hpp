@@ -73,18 +73,30 @@ inline std::string choosing_of_module(const umbrage::choice_function& choosing) 
            ", arguments: " + literal(choosing.arguments) + " }";
 }
 
-/// A setup of maps as it states itself. `softness`: matrices that hold that of each map.
+/// Shape of penumbras in a setup's maps; others have none. No light of one map is warped here.
+template <class Setup>
+[[nodiscard]] std::string shape_of_module() {
+    umbrage::shape_function shaping;
+    if constexpr (requires { Setup::shaping; }) shaping = Setup::shaping;
+    else if constexpr (std::is_same_v<Setup, umbrage::warped_maps>) shaping = {&glsl::warp_shape, "warps"};
+    if (shaping.calls == nullptr) return "";
+    return ", shape: { calls: snippets." + std::string(shaping.calls->name) +
+           ", argument: " + literal(shaping.argument) + " }";
+}
+
+/// A setup of maps as it states itself. `softness`: matrices that hold that of each map; `warps`: one more of warps.
 template <class Setup>
 [[nodiscard]] std::string maps_of_module(std::string_view name, const snippet& placing) {
     constexpr umbrage::map_grid grid = Setup::grid;
     constexpr bool bends = umbrage::has_bent_lines<Setup>;
-    constexpr int matrices = bends ? 0 : umbrage::detail::softness_matrices<Setup, umbrage::filters::pcss>;
+    constexpr int matrices = bends ? 0 : umbrage::detail::matrices_of_maps<Setup>;
     return "const " + std::string(name) + " = {\n    grid: [" + std::to_string(grid.columns) + ", " +
            std::to_string(grid.rows) +
            "], outside: " + literal(Setup::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
-           ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) + ",\n    " +
+           ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) +
+           ", warps: " + (umbrage::has_warps<Setup> ? "true" : "false") + ",\n    " +
            fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(placing.name) +
-           choosing_of_module(umbrage::detail::choosing_of<Setup>()) + vertex_of(umbrage::bends_of<Setup>.vertex) +
+           choosing_of_module(umbrage::detail::choosing_of<Setup>()) + shape_of_module<Setup>() + vertex_of(umbrage::bends_of<Setup>.vertex) +
            ",\n};\n";
 }
 
@@ -93,6 +105,7 @@ inline std::string calls_in_module() {
     std::string out = "\nexport const calls = {";
     for (const snippet* s : {&glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::beyond_far_plane,
                              &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile, &glsl::map_softness,
+                             &glsl::shaped_softness, &glsl::sheared_rotation,
                              &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
         out += "\n    " + std::string(s->name) + ": snippets." + std::string(s->name) + ',';
     return out + "\n};\n";

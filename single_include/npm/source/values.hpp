@@ -269,10 +269,11 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
         if (light_size > 0) {
             const auto softness = umbrage::detail::softness_of_maps(setup, map_size, light_size);
             per_code = softness.front();
-            constexpr int matrices = umbrage::detail::softness_matrices<setup_type, filters::pcss>;
+            constexpr int matrices = umbrage::detail::matrices_of_maps<setup_type>;
             const std::size_t begin = out.block.size();
             out.block.resize(begin + 16 * std::size_t(matrices));
             if (matrices > 0) std::memcpy(&out.block[begin], softness.data(), softness.size() * sizeof(glm::vec2));
+            if (has_warps<setup_type>) append(out.block, umbrage::detail::warps_of(setup, map_size));
         }
         for (const light_space<double>& light : setup.lights()) {
             const auto placed = umbrage::detail::relative_to(a.origin, light);

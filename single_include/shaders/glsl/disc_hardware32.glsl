@@ -199,14 +199,14 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP ve
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                               UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at(map, size, center - x * 2.0 - y * 1.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 3.0 + y * 2.0, coord, receiver);
@@ -256,7 +256,7 @@ UMBRAGE_HIGHP float umbrage_ellipse_hardware32(UMBRAGE_HIGHP sampler2D map, UMBR
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                             UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 rotation) {
+                                            UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware32(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 #endif

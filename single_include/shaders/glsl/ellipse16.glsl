@@ -38,15 +38,15 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec4 rotation,
                                     UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
-    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = vec2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = vec2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x + wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2(x, y));
 }
 #endif
@@ -130,7 +130,7 @@ UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse16(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;

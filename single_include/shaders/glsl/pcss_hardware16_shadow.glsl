@@ -43,9 +43,9 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 
 #ifndef UMBRAGE_HAS_DISC_ROTATION
 #define UMBRAGE_HAS_DISC_ROTATION
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
+UMBRAGE_HIGHP vec4 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -56,7 +56,8 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
     UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
     UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    UMBRAGE_HIGHP vec2 turned = quarter < 1.5 ? once : twice;
+    return vec4(turned.x, 0.0 - turned.y, turned.y, turned.x);
 }
 #endif
 
@@ -180,14 +181,14 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at_depths(UMBRAGE_HIGHP sampler2D map, UMBRAG
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16_depths(UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 size,
                                                       UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain_depths(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -281,14 +282,14 @@ UMBRAGE_HIGHP float umbrage_lit_at_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMB
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware16_shadow(UMBRAGE_HIGHP sampler2DShadow map, UMBRAGE_HIGHP vec2 size,
                                                       UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver,
-                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec2 rotation) {
+                                                      UMBRAGE_HIGHP vec2 radius, UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain_shadow(coord, receiver);
     UMBRAGE_HIGHP vec2 center = (compared ? coord : vec2(0.0, 0.0)) / size;
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
     UMBRAGE_HIGHP float n = 0.0;
     n += umbrage_lit_at_shadow(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, size, center + x * 5.0 + y * 2.0, coord, receiver);

@@ -74,14 +74,14 @@ fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f3
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                               rotation: vec2f) -> vec2f {
+                               rotation: vec4f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at(map, size, center - x * 2.0 - y * 1.0, receiver);
     n += umbrage_blocker_at(map, size, center + x * 3.0 + y * 2.0, receiver);

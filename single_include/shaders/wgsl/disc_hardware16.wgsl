@@ -126,14 +126,14 @@ fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, coord: vec2f, re
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                              rotation: vec2f) -> f32 {
+                              rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at(map, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at(map, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -163,6 +163,6 @@ fn umbrage_ellipse_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, r
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
-                           rotation: vec2f) -> f32 {
+                           rotation: vec4f) -> f32 {
     return umbrage_ellipse_hardware16(map, size, coord, receiver, vec2f(radius, radius), rotation);
 }

@@ -63,14 +63,14 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                     receiver: f32, radius: vec2f, rotation: vec2f) -> f32 {
+                                     receiver: f32, radius: vec2f, rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);
@@ -100,6 +100,6 @@ fn umbrage_ellipse_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler
 //   radius      in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_disc_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                  receiver: f32, radius: f32, rotation: vec2f) -> f32 {
+                                  receiver: f32, radius: f32, rotation: vec4f) -> f32 {
     return umbrage_ellipse_hardware16_shadow(map, map_sampler, size, coord, receiver, vec2f(radius, radius), rotation);
 }

@@ -8,9 +8,9 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
+fn umbrage_disc_rotation(pixel: vec2f) -> vec4f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -21,5 +21,6 @@ fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let first: vec2f = select(high, low, base < 1.5);
     let once: vec2f = select(vec2f(0.0 - first.y, first.x), first, quarter < 0.5);
     let twice: vec2f = select(vec2f(first.y, 0.0 - first.x), vec2f(0.0 - first.x, 0.0 - first.y), quarter < 2.5);
-    return select(twice, once, quarter < 1.5);
+    let turned: vec2f = select(twice, once, quarter < 1.5);
+    return vec4f(turned.x, 0.0 - turned.y, turned.y, turned.x);
 }

@@ -18,14 +18,14 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec2f, radius: vec2f) -> vec2f {
+fn umbrage_disc_tap(position: vec2f, p: vec2f, rotation: vec4f, radius: vec2f) -> vec2f {
     let at: vec2f = position * (1.0 / 256.0);
     let texel: vec2f = floor(at);
     let within: vec2f = clamp(at - texel, vec2f(0.0, 0.0), vec2f(1.0, 1.0));  // no sum is regrouped across it
-    let wide: vec2f = rotation * (radius.x * (1.0 / 16384.0));
-    let high: vec2f = rotation * (radius.y * (1.0 / 16384.0));
-    let x: f32 = wide.x * p.x + within.x - wide.y * p.y;
-    let y: f32 = high.y * p.x + within.y + high.x * p.y;
+    let wide: vec2f = vec2f(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    let high: vec2f = vec2f(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    let x: f32 = wide.x * p.x + within.x + wide.y * p.y;
+    let y: f32 = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2f(x, y));
 }
 
@@ -78,7 +78,7 @@ fn umbrage_lit(map: texture_2d<f32>, size: vec2f, texel: vec2f, receiver: f32) -
 //   radius      along x and y, in 1/16 texel, integers from 0 to 4095
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse16(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                     rotation: vec2f) -> f32 {
+                     rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
     var n: f32 = 0.0;

@@ -23,9 +23,9 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
     return abs(coord.x) < 32768.0 && abs(coord.y) <= 32767.998046875;
 }
 
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
+fn umbrage_disc_rotation(pixel: vec2f) -> vec4f {
     let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
     var v: f32 = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -36,7 +36,8 @@ fn umbrage_disc_rotation(pixel: vec2f) -> vec2f {
     let first: vec2f = select(high, low, base < 1.5);
     let once: vec2f = select(vec2f(0.0 - first.y, first.x), first, quarter < 0.5);
     let twice: vec2f = select(vec2f(first.y, 0.0 - first.x), vec2f(0.0 - first.x, 0.0 - first.y), quarter < 2.5);
-    return select(twice, once, quarter < 1.5);
+    let turned: vec2f = select(twice, once, quarter < 1.5);
+    return vec4f(turned.x, 0.0 - turned.y, turned.y, turned.x);
 }
 
 // umbrage_cleared_depth: depth of the far plane
@@ -117,14 +118,14 @@ fn umbrage_blocker_at_depths(map: texture_depth_2d, size: vec2f, uv: vec2f, rece
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_blockers_hardware16_depths(map: texture_depth_2d, size: vec2f, coord: vec2f, receiver: f32, radius: vec2f,
-                                      rotation: vec2f) -> vec2f {
+                                      rotation: vec4f) -> vec2f {
     let compared: bool = umbrage_in_filter_domain_depths(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: vec2f = vec2f(0.0, 0.0);
     n += umbrage_blocker_at_depths(map, size, center + x * 1.0 - y * 3.0, receiver);
     n += umbrage_blocker_at_depths(map, size, center + x * 5.0 + y * 2.0, receiver);
@@ -194,14 +195,14 @@ fn umbrage_lit_at_shadow(map: texture_depth_2d, map_sampler: sampler_comparison,
 //   radius      along x and y, in texels, at most 255.9375
 //   rotation    umbrage_disc_rotation of the pixel
 fn umbrage_ellipse_hardware16_shadow(map: texture_depth_2d, map_sampler: sampler_comparison, size: vec2f, coord: vec2f,
-                                     receiver: f32, radius: vec2f, rotation: vec2f) -> f32 {
+                                     receiver: f32, radius: vec2f, rotation: vec4f) -> f32 {
     let compared: bool = umbrage_in_filter_domain_shadow(coord, receiver);
     let center: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
     let wide: f32 = select(0.0, min(radius.x, 255.9375), radius.x > 0.0);
     let high: f32 = select(0.0, min(radius.y, 255.9375), radius.y > 0.0);
     let part: vec2f = vec2f(wide, high) * (1.0 / 1024.0) / size;
-    let x: vec2f = rotation * part;
-    let y: vec2f = vec2f(0.0 - rotation.y, rotation.x) * part;
+    let x: vec2f = vec2f(rotation.x, rotation.z) * part;
+    let y: vec2f = vec2f(rotation.y, rotation.w) * part;
     var n: f32 = 0.0;
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 1.0 - y * 3.0, coord, receiver);
     n += umbrage_lit_at_shadow(map, map_sampler, size, center + x * 5.0 + y * 2.0, coord, receiver);

@@ -44,7 +44,7 @@ job outside() {
     add(glsl::castano<5>);
     add(glsl::box, ", 2");
     add(glsl::disc<16>, ", 3.0" + turn);
-    add(glsl::pcss<16>, ", vec3(0.0625, 16.0, 96.0)" + turn);
+    add(glsl::pcss<16>, ", vec4(0.0625, 0.0625, 16.0, 96.0)" + turn);
     add(glsl::vsm, ", 0.000001");
     add(glsl::pcf_2x2, "", {.gather = true});
     add(glsl::castano<5>, "", {.gather = true});

@@ -17,7 +17,7 @@ namespace {
 /// Contact hardening by samplers, as pcss_hardware.hpp has it; like Babylon.js' it returns where no blocker is found.
 constexpr glsl::snippet pcss_hardware{.name = "pcss_hardware", .role = glsl::hook::chosen, .source = R"GLSL(
 float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, vec2 coord, float receiver, vec4 soft,
-                            vec2 turn) {
+                            vec4 turn) {
     if (!umbrage_in_filter_domain_sun(coord, receiver)) return 1.0;
     vec2 search = umbrage_pcss_radius_sun(vec2(0.0, 0.0), receiver, soft);
     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);

@@ -133,6 +133,13 @@ void each_of_light(const Run& run, const Fetch& fetch) {
             return glm::vec2(map_tile(v.x, v.y, {v.z, 64}));
         });
     run(
+        "tetrahedron_shape", 1,
+        [](source& s) {
+            const float x = float(s.below(1 << 16)) / 64.0f, y = float(s.below(1 << 16)) / 64.0f;
+            return glm::vec2(x, s.one_in(4) ? x : y);
+        },
+        [](glm::vec2 at) { return tetrahedron_shape(glm::vec4(512, 0, 0, 0), 0.0f, at); });
+    run(
         "map_softness", 1, [](source& s) { return float(s.below(8)); },
         [](float number) {
             glm::mat4 eight;

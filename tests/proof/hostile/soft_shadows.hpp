@@ -42,22 +42,24 @@ void each_with_points(const Run& run, const Fetch& fetch) {
         return std::array{glm::vec3(coord, s.level()), glm::vec3(x, y, 0.0f)};
     };
     run(("blockers" + n).c_str(), 16, draw, [&](const auto& in) {
-        const glm::vec2 coord(in[0]), turn = disc_rotation(glm::vec2(in[1]));
+        const glm::vec2 coord(in[0]);
+        const glm::vec4 turn = disc_rotation(glm::vec2(in[1]));
         const glm::vec2 at = inside_texel_space(coord) ? glm::floor(coord * 256.0f) : glm::vec2(0.0f);
         return glm::vec4(blockers<Points>(fetch, at, in[0].z, glm::vec2(77.0f, 31.0f), turn),
                          blockers<Points>(fetch, at, in[0].z, glm::vec2(9.0f), turn, greater_equal{}));
     });
     const auto both = [&](const std::string& name, auto use) {
         run((name + n).c_str(), 16, draw, [&](const auto& in) {
-            const glm::vec2 coord(in[0]), turn = disc_rotation(glm::vec2(in[1]));
+            const glm::vec2 coord(in[0]);
+            const glm::vec4 turn = disc_rotation(glm::vec2(in[1]));
             return glm::vec2(use(coord, in[0].z, turn, less_equal{}), use(coord, in[0].z, turn, greater_equal{}));
         });
     };
     const glm::vec4 soft(0.0234375f, 0.046875f, 5.0f, 100.0f);
-    both("pcss", [&](glm::vec2 coord, float receiver, glm::vec2 turn, auto is_lit) {
+    both("pcss", [&](glm::vec2 coord, float receiver, glm::vec4 turn, auto is_lit) {
         return pcss<Points>(fetch, coord, receiver, soft, turn, is_lit);
     });
-    both("dpcf", [&](glm::vec2 coord, float receiver, glm::vec2 turn, auto is_lit) {
+    both("dpcf", [&](glm::vec2 coord, float receiver, glm::vec4 turn, auto is_lit) {
         return dpcf<Points>(fetch, coord, receiver, soft, turn, is_lit);
     });
     run(("hardened_kernel" + n).c_str(), 1,

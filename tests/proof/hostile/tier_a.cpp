@@ -230,17 +230,19 @@ void suite::all() const {
     });
     run(  // integers: a zero may have either sign
         "disc_rotation", inputs, [](source& s) { return s.coords(); },
-        [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_rotation(pixel))); });
+        [](glm::vec2 pixel) { return glm::uvec4(glm::ivec4(disc_rotation(pixel))); });
     run(
         "disc_tap", inputs,
         [](source& s) {
             const int x = int(s.below(1 << 24)) - (1 << 23), y = int(s.below(1 << 24)) - (1 << 23);
             const float wide = float(s.below(4096)), high = float(s.below(4096));
-            const glm::vec2 turn = disc_rotation(glm::vec2(float(s.below(16)), 0.0f));
-            return std::array{glm::vec2(x, y), glm::vec2(glm::ivec2(disc_points<32>[s.below(32)])), turn,
-                              glm::vec2(wide, high)};
+            const glm::vec4 turn = disc_rotation(glm::vec2(float(s.below(16)), 0.0f));
+            const glm::vec2 point(glm::ivec2(disc_points<32>[s.below(32)]));
+            return std::array{glm::vec4(x, y, point), turn, glm::vec4(wide, high, 0, 0)};
         },
-        [](const auto& in) { return disc_tap(in[0], in[1], in[2], in[3]); });
+        [](const auto& in) {
+            return disc_tap(glm::vec2(in[0]), glm::vec2(in[0].z, in[0].w), in[1], glm::vec2(in[2]));
+        });
     run("disc_radius", inputs, any, [](float v) { return disc_radius(v); });
     each_soft_shadow([&](const char* name, int of, auto draw_one, auto op) { run(name, inputs / of, draw_one, op); },
                      fetch);

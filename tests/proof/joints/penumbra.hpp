@@ -25,11 +25,17 @@
 
 namespace joints {
 
-/// Texels of a penumbra's radii along a map's axes for each unit of depth between a blocker and its receiver, by rays
-/// from the receiver to the middle and to the rim of the light. A light faces along its map's axis.
+/// Ellipse of a penumbra in a map: (x + shear y, y) of a disc's points, times its radii.
+struct ellipse_of_light {
+    glm::dvec2 radii;
+    double shear;
+};
+
+/// Texels of a penumbra's ellipse for each unit of depth between a blocker and its receiver, by rays from the receiver
+/// to the middle and to the rim of the light. A light faces along its map's axis.
 /// @param size   of the light: radius, or tangent of half the angle under which it is seen
-[[nodiscard]] inline glm::dvec2 penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light,
-                                                  double size, glm::dvec3 p) {
+[[nodiscard]] inline ellipse_of_light penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light,
+                                                        double size, glm::dvec3 p) {
     const glm::dvec3 way = light.way(p);
     const auto w = [&](glm::dvec3 at) { return map.placed(at).w; };
     const glm::dvec3 ahead(w({1, 0, 0}) - w({0, 0, 0}), w({0, 1, 0}) - w({0, 0, 0}), w({0, 0, 1}) - w({0, 0, 0}));
@@ -38,17 +44,20 @@ namespace joints {
                          axis, std::abs(axis.x) < 0.5 * glm::length(axis) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
                      other = glm::normalize(glm::cross(axis, side));
     const auto texels_at = [&](glm::dvec3 at) { return glm::dvec2(map.placed(at)) / w(at); };
-    // Texels along x and y of the rim of a disc around a point, across the axis.
+    // Ellipse of the rim of a disc around a point, across the axis.
     const auto rim = [&](glm::dvec3 at, double radius) {
         const glm::dvec2 a = texels_at(at + side * radius) - texels_at(at),
                          b = texels_at(at + other * radius) - texels_at(at);
-        return glm::dvec2(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+        const double rows = std::hypot(a.y, b.y), area = std::abs(a.x * b.y - a.y * b.x);
+        return ellipse_of_light{{area / rows, rows}, (a.x * a.y + b.x * b.y) / area};
     };
     const double small = 1e-6 * glm::length(way);
-    const glm::dvec2 density = rim(p, small) / small;  // texels for each unit of length
+    const glm::dvec2 density = rim(p, small).radii / small;  // texels for each unit of length
     const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 / std::min(density.x, density.y));
     const double aside = light.is_point ? size * (1 - w(blocker) / w(p)) : size * glm::length(blocker - p);
-    return rim(blocker, small) * (aside / small) / (map.depth(p) - map.depth(blocker));
+    ellipse_of_light all = rim(blocker, small);
+    all.radii *= (aside / small) / (map.depth(p) - map.depth(blocker));
+    return all;
 }
 
 struct range {
@@ -66,8 +75,7 @@ struct soft_look {
     double reach;      ///< of the filter, texels
     double beside;     ///< texels from a point to the center of its texel, with what a rasterizer moves
     double hidden;     ///< depth before a receiver that its bias may hide
-    std::optional<glm::dvec2>
-        middle{};  ///< of a warped map, texels: its penumbras have the softness that is right there
+    double loose = 0;  ///< share of a radius by which it may be off beside: under PSM, whose rays do not keep their w
 };
 
 /// What rays say of a receiver in one map, by the points of its filter's disc.
@@ -76,11 +84,15 @@ public:
     penumbra_rays(const proof::traced_map& map, const proof::ray_light& light, const std::vector<surface>& all,
                   const receiver& r, bool clips, const soft_look& look)
         : map_(map), light_(light), own_(all[r.own]), at_(r.point), clips_(clips), look_(look) {
-        const glm::dvec2 turn = glm::dvec2(umbrage::disc_rotation(glm::vec2(look.pixel))) / 64.0;
+        const ellipse_of_light penumbra = penumbra_of_depth(map, light, look.filter.light_size, at_);
+        of_depth_ = penumbra.radii, shear_ = penumbra.shear;
+        const glm::dvec4 turn = glm::dvec4(umbrage::disc_rotation(glm::vec2(look.pixel))) / 64.0;
         for (const glm::ivec2 point : umbrage::detail::points_of_disc(look.filter.points)) {
             const glm::dvec2 p = glm::dvec2(point) / 16.0;
-            points_.emplace_back(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+            const double x = turn.x * p.x + turn.y * p.y, y = turn.z * p.x + turn.w * p.y;
+            points_.emplace_back(x + shear_ * y, y);
         }
+        if (!(std::abs(shear_) < 2)) points_.clear();  // which filters cut
         const std::optional<beam> wide = beam::make(map, light, own_, at_, look.reach);
         if (!wide) points_.clear();
         for (std::size_t k = 0; k < all.size() && wide; ++k)
@@ -88,13 +100,9 @@ public:
     }
 
     [[nodiscard]] verdict visibility() const {
-        const glm::dvec3 way = light_.way(at_);
-        const glm::dvec3 right_at =
-            look_.middle ? map_.point_at(*look_.middle, {way, -glm::dot(way, at_)}).value_or(at_) : at_;
-        const glm::dvec2 of_depth = penumbra_of_depth(map_, light_, look_.filter.light_size, right_at);
         const double z = map_.depth(at_);
         // The search is as wide as the penumbra of a blocker at the near plane.
-        const radii_range search = radii(of_depth, {z, z});
+        const radii_range search = radii({z, z});
         range apart{1e300, 0};
         bool finds = false;
         for (const glm::dvec2 point : points_) {
@@ -109,14 +117,13 @@ public:
         }
         if (points_.empty()) return {};
         if (apart.low > apart.high) return fully_lit;
-        const radii_range wide = radii(of_depth, apart);
+        const radii_range wide = radii(apart);
         const std::optional<range> dark = dark_share(look_.filter.is_dpcf() ? search : wide);
         if (!dark) return {};
         if (look_.filter.is_dpcf()) {
-            // No bound is stated for widths in a warped map, whose softness is that of its middle.
             const auto both = [](glm::dvec2 r) { return r.x + r.y; };
             const range ratio{both(wide.low) / both(search.high), both(wide.high) / both(search.low)};
-            return steepened(*dark, look_.middle ? range{0, 1} : ratio);
+            return steepened(*dark, ratio);
         }
         // The search may have found no blocker: then all counts as lit.
         return {least_of(1 - dark->high), finds ? most_of(1 - dark->low) : 1.0f};
@@ -124,13 +131,15 @@ public:
 
 private:
     /// Radii of penumbras, texels: those of a light in world units, and the stated accuracy of pcss.
-    [[nodiscard]] radii_range radii(glm::dvec2 of_depth, const range& apart) const {
-        const glm::dvec2 code = of_depth * (16.0 / 65536);  // sixteenths of a texel per code of depth
-        const glm::dvec2 low = of_depth * (16 * (apart.low - look_.hidden) * (1 - 1.0 / 256)) - 1.0 - code;
-        const glm::dvec2 high = of_depth * (16 * (apart.high + look_.hidden) * (1 + 1.0 / 256)) + 2.0 * code;
+    [[nodiscard]] radii_range radii(const range& apart) const {
+        const double off = look_.loose + 1.0 / 256;
+        const glm::dvec2 code = of_depth_ * (16.0 / 65536);  // sixteenths of a texel per code of depth
+        const glm::dvec2 low = of_depth_ * (16 * (apart.low - look_.hidden) * (1 - off)) - 1.0 - code;
+        const glm::dvec2 high = of_depth_ * (16 * (apart.high + look_.hidden) * (1 + off)) + 2.0 * code;
         const double least = std::floor(16 * float(look_.filter.least_radius())),
-                     most = std::floor(16 * float(look_.filter.most_radius));
-        return {glm::clamp(low, least, most) / 16.0, glm::clamp(high, least, most) / 16.0};
+                     most = std::floor(16 * float(look_.filter.most_radius)) / std::sqrt(1 + shear_ * shear_);
+        const auto cut = [&](glm::dvec2 r) { return glm::min(glm::max(r, least), most) / 16.0; };
+        return {cut(low), cut(high)};
     }
     /// Rays of the texel under a point of the disc, for all radii of a range.
     [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const radii_range& radius) const {
@@ -177,6 +186,8 @@ private:
     glm::dvec3 at_;
     bool clips_;
     soft_look look_;
+    glm::dvec2 of_depth_{0};  ///< radii for each unit of depth
+    double shear_ = 0;
     std::vector<glm::dvec2> points_;  ///< in radii
     std::vector<const surface*> blockers_;
 };

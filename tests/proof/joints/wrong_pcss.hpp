@@ -23,7 +23,11 @@ struct wrong_pcss : umbrage::filters::pcss {
 
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = umbrage::disc_rotation(glm::vec2(pixel));
+        const glm::vec4 rotation = umbrage::disc_rotation(glm::vec2(pixel));
+        return rotated(fetch, coord, receiver, rotation);
+    }
+    template <class Fetch>
+    [[nodiscard]] float rotated(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec4 rotation) const {
         if (points == 8) return of<8>(fetch, coord, receiver, rotation);
         if (points == 16) return of<16>(fetch, coord, receiver, rotation);
         return of<32>(fetch, coord, receiver, rotation);
@@ -31,7 +35,7 @@ struct wrong_pcss : umbrage::filters::pcss {
 
 private:
     template <int Points, class Fetch>
-    [[nodiscard]] float of(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec2 rotation) const {
+    [[nodiscard]] float of(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec4 rotation) const {
         const umbrage::comparison is_lit{direction};
         const glm::vec4 soft(softness);
         if (!umbrage::in_filter_domain(coord, receiver, is_lit)) return 1;

@@ -86,7 +86,13 @@ public:
             const float z = place.at.z;
             const glm::vec3 at(glm::vec2(place.at) + t_.moves_texels,
                                beyond ? z : biased(z, bias, encoding_.direction));
-            return detail::look<setup>(own, filter_of(place.number), encoding_, at, place.slope, r.pixel);
+            const auto look = [&](const auto& filter) {
+                return detail::look<setup, filter_type>(own, filter, encoding_, at, place.slope, r.pixel);
+            };
+            if constexpr (detail::has_shapes<setup, filter_type>)
+                if (detail::changes_shape(shadow_.setup()) && !t_.drops_shape)
+                    return look(detail::shaped<setup>(filter_of(place.number), uniforms_, place.number));
+            return look(filter_of(place.number));
         });
     }
 

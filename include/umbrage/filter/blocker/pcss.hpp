@@ -47,7 +47,7 @@ namespace umbrage {
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<2, T> rotation,
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<4, T> rotation,
                      Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const T z = distance_code(receiver, is_lit);
@@ -71,7 +71,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec4 softness,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
@@ -128,7 +128,11 @@ struct pcss {
     [[nodiscard]] constexpr float reach() const { return largest_disc().reach(); }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        return rotated(fetch, coord, receiver, disc_rotation(glm::vec2(pixel)));
+    }
+    /// The filter by a rotation of its disc.
+    template <class Fetch>
+    [[nodiscard]] float rotated(Fetch&& fetch, glm::vec2 coord, float receiver, glm::vec4 rotation) const {
         const glm::vec4 soft(softness);
         if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, rotation, comparison{direction});
         if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, rotation, comparison{direction});

@@ -56,7 +56,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @exactness        C, n = 24: exact in a shader except at borders between texels, as depth_at. S is disc_position's
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
-                                               glm::vec<2, T> rotation, Compare is_lit = {}) {
+                                               glm::vec<4, T> rotation, Compare is_lit = {}) {
     glm::vec<2, T> found(T(0), T(0));
     if (!in_filter_domain(coord, receiver, is_lit)) return found;
     const glm::vec<2, T> rho = clamped_disc_radius(radius);
@@ -111,7 +111,7 @@ template <real T, class Compare = less_equal>
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness,
-                              glm::vec<2, T> rotation, Compare is_lit = {}) {
+                              glm::vec<4, T> rotation, Compare is_lit = {}) {
     const auto search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
     const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, rotation, is_lit);
     if (!(found.x > T(0))) return T(1);
@@ -176,7 +176,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
+                                               UMBRAGE_HIGHP vec4 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";

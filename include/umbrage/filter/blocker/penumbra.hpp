@@ -182,12 +182,13 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
 /// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
-///                   either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation: (64, 0)
+///                   either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0, 0, 64)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, glm::vec<2, T> radius,
-                                      glm::vec<2, T> rotation, Compare is_lit = {}) {
-    const glm::vec<2, T> turn = detail::bounded_rotation(rotation), rho = detail::bounded_radius(radius);
+                                      glm::vec<4, T> rotation, Compare is_lit = {}) {
+    const glm::vec<4, T> turn = detail::bounded_rotation(rotation);
+    const glm::vec<2, T> rho = detail::bounded_radius(radius);
     glm::vec<2, T> found(T(0), T(0));
     for (const glm::ivec2 point : disc_points<Points>)
         found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, rho)), receiver, is_lit);
@@ -257,7 +258,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
                               {{'n', points}});

@@ -33,16 +33,16 @@ namespace umbrage {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
-///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or longer than any of disc_rotation:
-///                   (64, 0)
+///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0,
+///                   0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T ellipse(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius, glm::vec<2, T> rotation,
+[[nodiscard]] T ellipse(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius, glm::vec<4, T> rotation,
                         Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> position = glm::floor(coord * T(256)), turn = detail::bounded_rotation(rotation),
-                         rho = detail::bounded_radius(radius);
+    const glm::vec<2, T> position = glm::floor(coord * T(256)), rho = detail::bounded_radius(radius);
+    const glm::vec<4, T> turn = detail::bounded_rotation(rotation);
     int lit = 0;
     for (const glm::ivec2 point : disc_points<Points>) {
         const glm::ivec2 texel(disc_tap(position, glm::vec<2, T>(point), turn, rho));
@@ -62,11 +62,11 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
-///                   NaN or longer than any of disc_rotation: (64, 0)
+///                   NaN or of components above 192: (64, 0, 0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
+[[nodiscard]] T disc(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<4, T> rotation,
                      Compare is_lit = {}) {
     return ellipse<Points>(fetch, coord, receiver, glm::vec<2, T>(disc_radius(radius)), rotation, is_lit);
 }
@@ -86,7 +86,7 @@ namespace detail {
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                      UMBRAGE_HIGHP vec2 rotation) {
+                                      UMBRAGE_HIGHP vec4 rotation) {
     bool compared = umbrage_in_filter_domain(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP float n = 0.0;
@@ -110,7 +110,7 @@ UMBRAGE_HIGHP float umbrage_ellipse$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                    UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                   UMBRAGE_HIGHP vec2 rotation) {
+                                   UMBRAGE_HIGHP vec4 rotation) {
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     return umbrage_ellipse$n(map, size, coord, receiver, vec2(rho, rho), rotation);
 }
@@ -171,7 +171,7 @@ struct disc {
     }
     template <class Fetch>
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
-        const glm::vec2 rotation = disc_rotation(glm::vec2(pixel));
+        const glm::vec4 rotation = disc_rotation(glm::vec2(pixel));
         if (points == 8)
             return umbrage::disc<8>(fetch, coord, receiver, radius_texels, rotation, comparison{direction});
         if (points == 16)

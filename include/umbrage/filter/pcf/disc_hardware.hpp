@@ -36,12 +36,13 @@ template <real T>
 /// @param p          one of disc_points, in 1/16 of the radius
 /// @param rotation   from disc_rotation
 /// @param radius     along x and y, in texels
-/// @formula          coord + rotated point * radius / 1024, where (c, s) rotates (x, y) to (c x - s y, s x + c y)
+/// @formula          coord + rotated point * radius / 1024, where the rotated point is the rotation's rows times p
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> rotation,
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                            glm::vec<2, T> radius) {
     const glm::vec<2, T> part = radius * T(1.0 / 1024.0);
-    const glm::vec<2, T> x = rotation * part, y = glm::vec<2, T>(T(0) - rotation.y, rotation.x) * part;
+    const glm::vec<2, T> x = glm::vec<2, T>(rotation.x, rotation.z) * part,
+                         y = glm::vec<2, T>(rotation.y, rotation.w) * part;
     return coord + x * p.x + y * p.y;
 }
 
@@ -61,7 +62,7 @@ template <real T>
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T ellipse_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> radius,
-                                 glm::vec<2, T> rotation, Compare is_lit = {}) {
+                                 glm::vec<4, T> rotation, Compare is_lit = {}) {
     if (!in_filter_domain(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> rho = clamped_disc_radius(radius);
     T sum = T(0);
@@ -85,7 +86,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @exactness        C, within 1/128 as pcf_2x2_hardware: the error of a mean is at most that of its parts
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <int Points, real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> rotation,
+[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<4, T> rotation,
                               Compare is_lit = {}) {
     return ellipse_hardware<Points>(fetch, coord, receiver, glm::vec<2, T>(radius), rotation, is_lit);
 }
@@ -101,8 +102,8 @@ inline constexpr const char* disc_in_uv = R"GLSL(
     UMBRAGE_HIGHP float wide = radius.x > 0.0 ? min(radius.x, 255.9375) : 0.0;
     UMBRAGE_HIGHP float high = radius.y > 0.0 ? min(radius.y, 255.9375) : 0.0;
     UMBRAGE_HIGHP vec2 part = vec2(wide, high) * (1.0 / 1024.0) / size;
-    UMBRAGE_HIGHP vec2 x = rotation * part;
-    UMBRAGE_HIGHP vec2 y = vec2(0.0 - rotation.y, rotation.x) * part;
+    UMBRAGE_HIGHP vec2 x = vec2(rotation.x, rotation.z) * part;
+    UMBRAGE_HIGHP vec2 y = vec2(rotation.y, rotation.w) * part;
 )GLSL";
 
 /// Appends a point's position in uv to the text: center + x $x + y $y.
@@ -127,7 +128,7 @@ inline void append_point(std::string& text, disc_point p, const char* before, co
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_ellipse_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 radius,
-                                               UMBRAGE_HIGHP vec2 rotation) {)GLSL",
+                                               UMBRAGE_HIGHP vec4 rotation) {)GLSL",
                               {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
@@ -153,7 +154,7 @@ UMBRAGE_HIGHP float umbrage_ellipse_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 //   rotation    umbrage_disc_rotation of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
-                                            UMBRAGE_HIGHP vec2 rotation) {
+                                            UMBRAGE_HIGHP vec4 rotation) {
     return umbrage_ellipse_hardware$n(map, size, coord, receiver, vec2(radius, radius), rotation);
 }
 )GLSL",

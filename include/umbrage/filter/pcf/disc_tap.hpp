@@ -2,7 +2,8 @@
 //
 // Points of a disc, and the texels that they fall on: 8, 16 or 32 points, rotated per pixel to hide the pattern.
 //
-//     const glm::vec2 rotation = umbrage::disc_rotation(pixel), radius(umbrage::disc_radius(3.0f));
+//     const glm::vec4 rotation = umbrage::disc_rotation(pixel);
+//     const glm::vec2 radius(umbrage::disc_radius(3.0f));
 //     for (const glm::ivec2 point : umbrage::disc_points<16>)
 //         use(umbrage::disc_tap(glm::floor(coord * 256.0f), glm::vec2(point), rotation, radius));
 //
@@ -62,10 +63,13 @@ namespace detail {
     return disc_points<32>;
 }
 
-/// Rotation from disc_rotation, whose components are at most 64. Any other, NaN included: the first one.
+/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the first
+/// one of disc_rotation.
 template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> bounded_rotation(glm::vec<2, T> rotation) {
-    return inside_texel_space(rotation * T(511)) ? rotation : glm::vec<2, T>(T(64), T(0));
+[[nodiscard]] constexpr glm::vec<4, T> bounded_rotation(glm::vec<4, T> rotation) {
+    const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(170)) &&
+                         inside_texel_space(glm::vec<2, T>(rotation.z, rotation.w) * T(170));
+    return bounded ? rotation : glm::vec<4, T>(T(64), T(0), T(0), T(64));
 }
 
 /// Radii of an ellipse that are no integers from 0 to 4095: clamped to -4095 .. 4095, and 0 for NaN. So all taps lie
@@ -80,24 +84,35 @@ template <real T>
 
 /// Rotation of the disc for a pixel: one of 16, each used once in every 4 x 4 pixels.
 /// @param pixel      pixel position, in pixels; fractions are dropped
-/// @return           (cos, sin) in 1/64: integers, length 63.6 to 64
-/// @edge             |x| or |y| >= 2^15, or NaN: the first rotation, (64, 0)
+/// @return           (cos, -sin, sin, cos) in 1/64, the rows of a matrix: integers, each row of length 63.6 to 64
+/// @edge             |x| or |y| >= 2^15, or NaN: the first rotation, (64, 0, 0, 64)
 /// @formula          v = 4x + y mod 16; rotates by floor(v / 4) quarter turns and (v mod 4) times 22.5 degrees
 /// @exactness        A
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_rotation(glm::vec<2, T> pixel) {
-    if (!inside_texel_space(pixel)) return {T(64), T(0)};
+[[nodiscard]] glm::vec<4, T> disc_rotation(glm::vec<2, T> pixel) {
+    const auto turned = [](T c, T s) { return glm::vec<4, T>(c, T(0) - s, s, c); };
+    if (!inside_texel_space(pixel)) return turned(T(64), T(0));
     const glm::vec<2, T> whole = glm::floor(pixel);
     const T sum = whole.x * T(4) + whole.y;
     const auto v = static_cast<int>(sum - glm::floor(sum * T(1.0 / 16.0)) * T(16));
     constexpr int base[4][2]{{64, 0}, {59, 24}, {45, 45}, {24, 59}};
     const T c = T(base[v % 4][0]), s = T(base[v % 4][1]);
     switch (v / 4) {
-        case 0: return {c, s};
-        case 1: return {T(0) - s, c};
-        case 2: return {T(0) - c, T(0) - s};
-        default: return {s, T(0) - c};
+        case 0: return turned(c, s);
+        case 1: return turned(T(0) - s, c);
+        case 2: return turned(T(0) - c, T(0) - s);
+        default: return turned(s, T(0) - c);
     }
+}
+
+/// Rotation of a disc that an ellipse's shear follows, where a map's texels are no rectangles of the world.
+/// @param rotation   from disc_rotation
+/// @param shear      how far x moves with y, in radii; -2 to 2
+/// @return           rows (x, y) + shear (z, w) and (z, w)
+/// @exactness        B, n = 2
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> sheared_rotation(glm::vec<4, T> rotation, T shear) {
+    return {rotation.x + shear * rotation.z, rotation.y + shear * rotation.w, rotation.z, rotation.w};
 }
 
 /// Texel that a point of a disc falls on.
@@ -106,17 +121,17 @@ template <real T>
 /// @param rotation   from disc_rotation
 /// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095
 /// @return           index of the texel
-/// @formula          floor((position + rotated point * radius / 64) / 256), where (c, s) rotates point (x, y) to
-///                   (c x - s y, s x + c y)
+/// @formula          floor((position + rotated point * radius / 64) / 256), where the rotated point is the rotation's
+///                   rows times p
 /// @exactness        A: multiples of 2^-14 below 2^10, in any order
 template <real T>
-[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> rotation,
+[[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                       glm::vec<2, T> radius) {
     const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at);
     const glm::vec<2, T> within = glm::clamp(at - texel, T(0), T(1));  // no sum is regrouped across the clamp
-    const glm::vec<2, T> wide = rotation * (radius.x * T(1.0 / 16384.0)),
-                         high = rotation * (radius.y * T(1.0 / 16384.0));
-    return texel + glm::floor(within + glm::vec<2, T>(wide.x * p.x - wide.y * p.y, high.y * p.x + high.x * p.y));
+    const glm::vec<2, T> wide = glm::vec<2, T>(rotation.x, rotation.y) * (radius.x * T(1.0 / 16384.0)),
+                         high = glm::vec<2, T>(rotation.z, rotation.w) * (radius.y * T(1.0 / 16384.0));
+    return texel + glm::floor(within + glm::vec<2, T>(wide.x * p.x + wide.y * p.y, high.x * p.x + high.y * p.y));
 }
 
 /// Radius of a disc in 1/16 texel, from one in texels: floor(16 radius), at most 4095. Negative or NaN: 0.
@@ -135,9 +150,9 @@ inline constexpr snippet disc_rotation{
     .exactness = tier::a,
     .needs = list<&inside_texel_space>,
     .source = R"GLSL(
-// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, sin) in 1/64
+// umbrage_disc_rotation: rotation of a disc for a pixel. Returns (cos, -sin, sin, cos) in 1/64
 //   pixel   gl_FragCoord.xy, for example. Each of the 16 rotations is used once in every 4 x 4 pixels
-UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
+UMBRAGE_HIGHP vec4 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
     v = v - floor(v * (1.0 / 16.0)) * 16.0;
@@ -148,7 +163,25 @@ UMBRAGE_HIGHP vec2 umbrage_disc_rotation(UMBRAGE_HIGHP vec2 pixel) {
     UMBRAGE_HIGHP vec2 first = base < 1.5 ? low : high;
     UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? first : vec2(0.0 - first.y, first.x);
     UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - first.x, 0.0 - first.y) : vec2(first.y, 0.0 - first.x);
-    return quarter < 1.5 ? once : twice;
+    UMBRAGE_HIGHP vec2 turned = quarter < 1.5 ? once : twice;
+    return vec4(turned.x, 0.0 - turned.y, turned.y, turned.x);
+}
+)GLSL",
+};
+
+inline constexpr snippet sheared_rotation{
+    .name = "sheared_rotation",
+    .summary = "rotation of a disc, sheared to an ellipse",
+    .exactness = tier::b,
+    .operations = 2,
+    .source = R"GLSL(
+// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+//   rotation   from umbrage_disc_rotation
+//   shear      how far x moves with y, in radii; -2.0 to 2.0
+UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;
+    return vec4(x, y, rotation.z, rotation.w);
 }
 )GLSL",
 };
@@ -163,15 +196,15 @@ inline constexpr snippet disc_tap{
 //   p          point, in 1/16 of the radius
 //   rotation   from umbrage_disc_rotation
 //   radius     along x and y, in 1/16 texel, integers from 0 to 4095
-UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 rotation,
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec4 rotation,
                                     UMBRAGE_HIGHP vec2 radius) {
     UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
     UMBRAGE_HIGHP vec2 texel = floor(at);
     UMBRAGE_HIGHP vec2 within = clamp(at - texel, vec2(0.0, 0.0), vec2(1.0, 1.0));  // no sum is regrouped across it
-    UMBRAGE_HIGHP vec2 wide = rotation * (radius.x * (1.0 / 16384.0));
-    UMBRAGE_HIGHP vec2 high = rotation * (radius.y * (1.0 / 16384.0));
-    UMBRAGE_HIGHP float x = wide.x * p.x + within.x - wide.y * p.y;
-    UMBRAGE_HIGHP float y = high.y * p.x + within.y + high.x * p.y;
+    UMBRAGE_HIGHP vec2 wide = vec2(rotation.x, rotation.y) * (radius.x * (1.0 / 16384.0));
+    UMBRAGE_HIGHP vec2 high = vec2(rotation.z, rotation.w) * (radius.y * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = wide.x * p.x + within.x + wide.y * p.y;
+    UMBRAGE_HIGHP float y = high.x * p.x + within.y + high.y * p.y;
     return texel + floor(vec2(x, y));
 }
 )GLSL",
@@ -191,7 +224,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 )GLSL",
 };
 
-inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &disc_tap, &disc_radius};
+inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &sheared_rotation, &disc_tap, &disc_radius};
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -42,12 +42,12 @@ struct disc_table {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 4; ++x) {
-                const glm::ivec2 rotation(disc_rotation(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
+                const glm::ivec4 rotation(disc_rotation(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
                 for (int p = 0; p < count; ++p) {
                     const disc_point point = points[p];
                     tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
-                    const int right = (rotation.x * point.x - rotation.y * point.y) * rho >> 6;
-                    const int up = (rotation.y * point.x + rotation.x * point.y) * rho >> 6;
+                    const int right = (rotation.x * point.x + rotation.y * point.y) * rho >> 6;
+                    const int up = (rotation.z * point.x + rotation.w * point.y) * rho >> 6;
                     for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
                     for (int i = x; i < block; i += 4) {
                         taps.x[i] = right;

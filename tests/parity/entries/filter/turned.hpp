@@ -11,7 +11,7 @@ namespace parity {
 
 /// A radius of the receiver's x0.w, for C++ and for GLSL, from below zero to beyond the widest; and its rotation.
 [[nodiscard]] inline float turned_radius(const sample& s) { return s.x[0].w * s.x[0].w * s.x[0].w * 0.375f; }
-[[nodiscard]] inline vec2 turned_by(const sample& s) { return umbrage::disc_rotation(at(s)); }
+[[nodiscard]] inline vec4 turned_by(const sample& s) { return umbrage::disc_rotation(at(s)); }
 inline constexpr auto turned_arguments = ", x0.w * x0.w * x0.w * 0.375, umbrage_disc_rotation(vec2(x0.x, x0.y))";
 
 /// The same of an ellipse.

@@ -48,10 +48,10 @@ void check_dpcf(bool forward) {
         const std::int64_t u = 2 * k - n, d = n - std::abs(u), steep = n * n * n - d * d * d;
         const std::int64_t dark = (n * n * n + (u < 0 ? -steep : steep)) * (256 - q) + 2 * n * n * k * q;
         const double share = 1.0 - double(dark) / double(512 * n * n * n);
-        wrong += double(dpcf<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.rotation),
+        wrong += double(dpcf<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec4(r.rotation),
                                      is_lit)) != share;
         wrong += dpcf<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec4(light.values()),
-                              glm::dvec2(r.rotation), is_lit) != share;
+                              glm::dvec4(r.rotation), is_lit) != share;
         partly += k > 0 && k < n;
     }
     CHECK(wrong == 0);
@@ -75,12 +75,13 @@ TEST_CASE("dpcf: search, mean, ratio and kernel in whole numbers, in float and d
 }
 
 TEST_CASE("dpcf: a disc's share where the penumbra is the disc, and the cases without one") {
-    const glm::vec2 rotation = disc_rotation(glm::vec2(1, 3)), middle(8.3f, 9.1f);
+    const glm::vec4 rotation = disc_rotation(glm::vec2(1, 3));
+    const glm::vec2 middle(8.3f, 9.1f);
     const glm::vec4 soft(0.25f, 0.25f, 0.0f, 64.0f), always_widest(0.25f, 0.25f, 64.0f, 64.0f);
     whole::cases all;
     for (int i = 0; i < 500; ++i) {
         const whole::receiver r = all.draw();
-        const glm::vec2 turned(r.rotation);
+        const glm::vec4 turned(r.rotation);
         CHECK(dpcf<16>(clamped(all.map), r.coord, r.depth, always_widest, turned) ==
               disc<16>(clamped(all.map), r.coord, r.depth, 4.0f, turned));
     }

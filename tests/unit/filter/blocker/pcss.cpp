@@ -19,7 +19,8 @@ using namespace umbrage;
 
 namespace {
 
-const glm::vec2 a_turn = disc_rotation(glm::vec2(2, 1)), a_receiver(8.3f, 9.1f);
+const glm::vec4 a_turn = disc_rotation(glm::vec2(2, 1));
+const glm::vec2 a_receiver(8.3f, 9.1f);
 
 template <int Points>
 void check_pcss(bool forward) {
@@ -40,9 +41,9 @@ void check_pcss(bool forward) {
         }
         const float share = static_cast<float>(lit) / Points;
         wrong +=
-            pcss<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec2(r.rotation), is_lit) != share;
+            pcss<Points>(clamped(all.map), r.coord, r.depth, light.values(), glm::vec4(r.rotation), is_lit) != share;
         wrong += pcss<Points>(clamped(all.map), glm::dvec2(r.coord), double(r.depth), glm::dvec4(light.values()),
-                              glm::dvec2(r.rotation), is_lit) != double(share);
+                              glm::dvec4(r.rotation), is_lit) != double(share);
         partly += lit > 0 && lit < Points;
     }
     CHECK(wrong == 0);
@@ -60,7 +61,7 @@ TEST_CASE("pcss: search, mean, penumbra and filter in whole numbers, in float an
 }
 
 TEST_CASE("pcss: a straight edge's penumbra is as wide as rays to an area light see it") {
-    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec2 rotation, comparison is_lit) {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec4 rotation, comparison is_lit) {
         const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
@@ -93,7 +94,7 @@ TEST_CASE("pcss: a light of no size, and depths that are none, give finite share
         const auto at = [&](glm::ivec2 t) { return static_cast<float>(texel_at(all.map, t.x, t.y)); };
         const float one =
             in_filter_domain(r.coord, r.depth) ? compare(r.depth, at(glm::ivec2(glm::floor(r.coord)))) : 1.0f;
-        CHECK(pcss<16>(clamped(all.map), r.coord, r.depth, point_light, glm::vec2(r.rotation)) == one);
+        CHECK(pcss<16>(clamped(all.map), r.coord, r.depth, point_light, glm::vec4(r.rotation)) == one);
     }
     for (const float odd : {nan32, -nan32, -inf32}) {
         const auto mixed = [odd](glm::ivec2 t) { return t.x % 2 ? odd : 1.0f; };

@@ -22,11 +22,12 @@ using namespace umbrage;
 
 namespace {
 
-const glm::vec2 one_turn = disc_rotation(glm::vec2(2, 1)), one_place(8.3f, 9.1f);
+const glm::vec4 one_turn = disc_rotation(glm::vec2(2, 1));
+const glm::vec2 one_place(8.3f, 9.1f);
 
 /// The texels under a disc's points, in real numbers; nothing where one is too near a border to tell.
 template <int Points>
-std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 rotation, glm::dvec2 radius) {
+std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec4 rotation, glm::dvec2 radius) {
     std::vector<double> found;
     bool told = true;
     in_reals::for_each_point<Points>(coord, rotation, radius, [&](glm::dvec2 at) {
@@ -52,7 +53,7 @@ void check_sampled_search(bool forward) {
         for (const double stored : under)
             if (forward ? stored < double(r.depth) : stored > double(r.depth)) count += 1, sum += stored;
         const auto found =
-            blockers_hardware<Points>(clamped(all.map), r.coord, r.depth, radius, glm::vec2(r.rotation), is_lit);
+            blockers_hardware<Points>(clamped(all.map), r.coord, r.depth, radius, glm::vec4(r.rotation), is_lit);
         wrong += double(found.x) != count || !(std::abs(double(found.y) - sum) <= 1e-6 * Points);
         ++checked, several += count > 1 && count < Points;
     }
@@ -111,7 +112,7 @@ TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
 }
 
 TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an area light see it") {
-    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec2 rotation, comparison is_lit) {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec4 soft, glm::vec4 rotation, comparison is_lit) {
         const float biased = umbrage::biased(at.z, 0x1p-15f, is_lit.direction);
         return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, rotation, is_lit);
     });
@@ -134,7 +135,7 @@ TEST_CASE("pcss_hardware: no blocker is lit, all blocked is dark; what is no num
         const float share = pcss_hardware<16>(mixed, one_place, 0.9f, soft, one_turn);
         CHECK(share >= 0.0f);
         CHECK(share <= 1.0f);
-        CHECK(pcss_hardware<16>(roof, one_place, 0.9f, glm::vec4(0.0f), glm::vec2(odd)) >= 0.0f);
+        CHECK(pcss_hardware<16>(roof, one_place, 0.9f, glm::vec4(0.0f), glm::vec4(odd)) >= 0.0f);
     }
 }
 
@@ -156,7 +157,7 @@ TEST_CASE("pcss_hardware: search, mean, radius and filter in real numbers, withi
         if (count == 0) continue;
         const double share =
             in_reals::lit_share<16>(all.map, r.coord, depth, radius_of(depth - sum / count), r.rotation);
-        const float ours = pcss_hardware<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec2(r.rotation));
+        const float ours = pcss_hardware<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec4(r.rotation));
         worst = std::max(worst, std::abs(double(ours) - share));
         partly += share > 0 && share < 1;
     }

@@ -36,7 +36,7 @@ void check_search(bool forward) {
         const std::int64_t wide = draw(), high = i % 2 ? wide : draw();
         const whole::search wanted = whole::blockers<Points>(all.map, r, {wide, high}, forward);
         const glm::vec2 found = blockers<Points>(clamped(all.map), glm::floor(r.coord * 256.0f), r.depth,
-                                                 glm::vec2(float(wide), float(high)), glm::vec2(r.rotation), is_lit);
+                                                 glm::vec2(float(wide), float(high)), glm::vec4(r.rotation), is_lit);
         wrong += found != glm::vec2(static_cast<float>(wanted.count), static_cast<float>(wanted.sum));
         some += wanted.count > 0 && wanted.count < Points;
     }

@@ -51,7 +51,7 @@ void check_width(const Pcss& pcss, const light_space<float>& light, double lamp,
         const glm::vec3 at = placed(x, receiver);
         double share = 0;
         for (int pixel = 0; pixel < 16; ++pixel) {
-            const glm::vec2 turned = disc_rotation(glm::vec2(float(pixel % 4), float(pixel / 4)));
+            const glm::vec4 turned = disc_rotation(glm::vec2(float(pixel % 4), float(pixel / 4)));
             share += double(pcss(map, at, glm::vec4(soft), turned, is_lit)) / 16.0;
         }
         filtered.push_back(share);

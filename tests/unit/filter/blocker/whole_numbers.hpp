@@ -46,7 +46,7 @@ struct softness {
 struct receiver {
     glm::vec2 coord;
     float depth;
-    glm::ivec2 rotation;
+    glm::ivec4 rotation;
 };
 
 struct search {
@@ -65,8 +65,8 @@ void for_each_tap(const image<float>& map, const receiver& r, ellipse radius, Us
     const auto x = static_cast<std::int64_t>(std::floor(double(r.coord.x) * 256));
     const auto y = static_cast<std::int64_t>(std::floor(double(r.coord.y) * 256));
     for (const glm::ivec2 p : umbrage::disc_points<Points>) {
-        const std::int64_t turned_x = r.rotation.x * p.x - r.rotation.y * p.y,
-                           turned_y = r.rotation.y * p.x + r.rotation.x * p.y;
+        const std::int64_t turned_x = r.rotation.x * p.x + r.rotation.y * p.y,
+                           turned_y = r.rotation.z * p.x + r.rotation.w * p.y;
         use(texel_at(map, floor_divide(x + floor_divide(turned_x * radius.x, 64), 256),
                      floor_divide(y + floor_divide(turned_y * radius.y, 64), 256)));
     }
@@ -96,7 +96,7 @@ struct cases {
         const float x = xs[random() % xs.size()], y = ys[random() % ys.size()];
         const float depth = static_cast<float>(random() % 65) / 64.0f;
         const auto pixel_x = static_cast<float>(random() % 4), pixel_y = static_cast<float>(random() % 4);
-        return {{x, y}, depth, glm::ivec2(umbrage::disc_rotation(glm::vec2(pixel_x, pixel_y)))};
+        return {{x, y}, depth, glm::ivec4(umbrage::disc_rotation(glm::vec2(pixel_x, pixel_y)))};
     }
     [[nodiscard]] softness light() {
         const auto digits_x = static_cast<std::int64_t>(random() % 256),

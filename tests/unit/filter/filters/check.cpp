@@ -96,13 +96,18 @@ TEST_CASE("check: alone, any rotation gives a visibility, that of the first wher
     const image<float> map = step();
     const glm::vec2 at(19.7f, 20.2f);
     const glm::vec4 soft(0.06f, 0.04f, 16, 96);
-    for (const glm::vec2 odd : {glm::vec2(nan32), {inf32, 0}, {0, -inf32}, {1e30f, 0}, {64, 65}, {nan32, 64}}) {
+    for (const glm::vec4 odd : {glm::vec4(nan32),
+                                {inf32, 0, 0, 64},
+                                {64, 0, 0, -inf32},
+                                {1e30f, 0, 0, 64},
+                                {64, 0, 0, 193},
+                                {64, 0, nan32, 64}}) {
         CHECK(disc<16>(bordered(map), at, 0.5f, 3.0f, odd) ==
-              disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec2(64, 0)));
+              disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec4(64, 0, 0, 64)));
         CHECK(pcss<16>(bordered(map), at, 0.5f, soft, odd) ==
-              pcss<16>(bordered(map), at, 0.5f, soft, glm::vec2(64, 0)));
+              pcss<16>(bordered(map), at, 0.5f, soft, glm::vec4(64, 0, 0, 64)));
         CHECK(dpcf<16>(bordered(map), at, 0.5f, soft, odd) ==
-              dpcf<16>(bordered(map), at, 0.5f, soft, glm::vec2(64, 0)));
+              dpcf<16>(bordered(map), at, 0.5f, soft, glm::vec4(64, 0, 0, 64)));
     }
 }
 

@@ -101,13 +101,13 @@ void check_against_whole_numbers() {
             const std::int64_t y = tap_along(double(coord.y), s * p.x + c * p.y, sixteenths);
             lit += receiver <= static_cast<float>(texel_at(map, x, y));
         }
-        const glm::vec2 rotation = disc_rotation(glm::vec2(float(v / 4), float(v % 4)));
-        wrong += rotation != glm::vec2(float(c), float(s));
+        const glm::vec4 rotation = disc_rotation(glm::vec2(float(v / 4), float(v % 4)));
+        wrong += rotation != glm::vec4(float(c), float(-s), float(s), float(c));
         const float radius = static_cast<float>(sixteenths) / 16.0f;
         const float share = static_cast<float>(lit) / Points;
         wrong += disc<Points>(clamped(map), coord, receiver, radius, rotation) != share;
         wrong += disc<Points>(clamped(map), glm::dvec2(coord), double(receiver), double(radius),
-                              glm::dvec2(rotation)) != double(share);
+                              glm::dvec4(rotation)) != double(share);
         partly += lit > 0 && lit < Points;
     }
     CHECK(wrong == 0);
@@ -127,18 +127,20 @@ TEST_CASE("disc_rotation: 16 turns in each 4 x 4 pixels, no two alike, of nearly
         std::set<std::pair<float, float>> turns;
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x) {
-                const glm::vec2 rotation = disc_rotation(glm::vec2(corner + glm::ivec2(x, y)));
+                const glm::vec4 rotation = disc_rotation(glm::vec2(corner + glm::ivec2(x, y)));
                 CHECK(rotation == disc_rotation(glm::vec2(corner + glm::ivec2(x, y)) + 0.5f));
-                const double length = std::hypot(double(rotation.x), double(rotation.y));
+                const double length = std::hypot(double(rotation.x), double(rotation.z));
                 CHECK(length <= 64.0);
                 CHECK(length >= 63.6);
-                const double sixteenths = std::atan2(double(rotation.y), double(rotation.x)) / (pi / 8);
+                const double sixteenths = std::atan2(double(rotation.z), double(rotation.x)) / (pi / 8);
                 CHECK(std::abs(sixteenths - std::round(sixteenths)) < 0.02);
-                turns.insert({rotation.x, rotation.y});
+                CHECK(rotation == glm::vec4(rotation.x, -rotation.z, rotation.z, rotation.x));
+                turns.insert({rotation.x, rotation.z});
             }
         CHECK(turns.size() == 16);
     }
-    for (const glm::vec2 far : coordinates_outside_texel_space()) CHECK(disc_rotation(far) == glm::vec2(64.0f, 0.0f));
+    for (const glm::vec2 far : coordinates_outside_texel_space())
+        CHECK(disc_rotation(far) == glm::vec4(64.0f, 0.0f, 0.0f, 64.0f));
 }
 
 TEST_CASE("disc_radius: sixteenths of a texel, rounded down, and what is out of range") {
@@ -157,7 +159,7 @@ TEST_CASE("disc_radius: sixteenths of a texel, rounded down, and what is out of 
 TEST_CASE("disc: no radius is one texel, all lit is 1, and receivers out of range") {
     std::mt19937 random(2);
     const image<float> map = random_map(random, {9, 9});
-    const glm::vec2 rotation = disc_rotation(glm::vec2(1, 2));
+    const glm::vec4 rotation = disc_rotation(glm::vec2(1, 2));
     for (int i = 0; i < 500; ++i) {
         const glm::vec2 c = glm::vec2(random() % 2304, random() % 2304) / 256.0f;
         const float z = static_cast<float>(i % 9) / 8.0f;
@@ -200,7 +202,7 @@ TEST_CASE("disc: what its values say of themselves, and the pixel decides the ro
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x) {
                 const float share = filter(ramp, glm::vec2(5.0f), 0.5f, {x, y});
-                const glm::vec2 rotation = disc_rotation(glm::vec2(float(x), float(y)));
+                const glm::vec4 rotation = disc_rotation(glm::vec2(float(x), float(y)));
                 const float expected = filter.points == 8    ? disc<8>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation)
                                        : filter.points == 16 ? disc<16>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation)
                                                              : disc<32>(ramp, glm::vec2(5.0f), 0.5f, 2.0f, rotation);
@@ -209,4 +211,22 @@ TEST_CASE("disc: what its values say of themselves, and the pixel decides the ro
             }
     }
     CHECK(seen.size() > 4);
+}
+
+TEST_CASE("sheared_rotation: x moves with y, and a square under it becomes a parallelogram") {
+    const glm::vec4 rotation = disc_rotation(glm::vec2(1, 2));
+    CHECK(sheared_rotation(rotation, 0.0f) == rotation);
+    const glm::vec4 sheared = sheared_rotation(rotation, 0.5f);
+    const glm::vec2 radius(160, 48), position(glm::floor(glm::vec2(100.3f, 80.9f) * 256.0f));
+    int moved = 0;
+    for (const glm::ivec2 point : disc_points<32>) {
+        const glm::dvec2 p(point);
+        const glm::dvec4 r(rotation);
+        const double x = r.x * p.x + r.y * p.y, y = r.z * p.x + r.w * p.y;
+        const glm::dvec2 at = glm::dvec2(position) / 256.0 + glm::dvec2((x + 0.5 * y) * 160, y * 48) / 16384.0;
+        CHECK(disc_tap(position, glm::vec2(point), sheared, radius) == glm::vec2(glm::floor(at)));
+        moved += disc_tap(position, glm::vec2(point), sheared, radius) !=
+                 disc_tap(position, glm::vec2(point), rotation, radius);
+    }
+    CHECK(moved > 16);
 }

@@ -30,7 +30,7 @@ void check_against_real_numbers() {
         const float wide = static_cast<float>(random() % 256) / 32.0f,
                     high = static_cast<float>(random() % 256) / 32.0f,
                     receiver = static_cast<float>(random() % 33) / 32.0f;
-        const glm::vec2 rotation = disc_rotation(glm::vec2(float(i % 4), float(i / 4 % 4)));
+        const glm::vec4 rotation = disc_rotation(glm::vec2(float(i % 4), float(i / 4 % 4)));
         const auto try_one = [&](float ours, glm::dvec2 radius) {
             const double share = in_reals::lit_share<Points>(map, coord, double(receiver), radius, rotation);
             worst = std::max(worst, std::abs(double(ours) - share));
@@ -54,7 +54,8 @@ TEST_CASE("disc_hardware: the mean of bilinear comparisons, in real numbers") {
 TEST_CASE_TEMPLATE("disc_hardware: of no radius it is pcf_2x2; outside, beyond and NaN", T, float, double) {
     image<T> map({4, 4}, T(0.25));
     for (int y = 0; y < 4; ++y) map[{2, y}] = map[{3, y}] = T(0.75);
-    const glm::vec<2, T> coord(1.75, 2.5), rotation(64, 0);
+    const glm::vec<2, T> coord(1.75, 2.5);
+    const glm::vec<4, T> rotation(64, 0, 0, 64);
     const T nan = std::numeric_limits<T>::quiet_NaN();
     for (const T none : {T(0), T(-3), nan}) {
         CHECK(disc_hardware<8>(clamped(map), coord, T(0.5), none, rotation) == T(0.25));

@@ -11,7 +11,7 @@ using namespace umbrage;
 template <int Points>
 void add_pcss(std::vector<entry>& all, std::size_t share) {
     add_soft_filter(all, glsl::pcss<Points>, share, Points != 16,
-                    [](const sample& s, vec4 softness, vec2 rotation, auto is_lit) {
+                    [](const sample& s, vec4 softness, vec4 rotation, auto is_lit) {
                         return pcss<Points>(s.depth(), at(s), s.x[0].z, softness, rotation, is_lit);
                     });
 }
