@@ -7014,7 +7014,7 @@ inline constexpr const snippet* disc_hardware_snippets[]{
 // A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as `texture::depth`
 // with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
-//     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
+//     vec4 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
 //     vec2 search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
 //     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, rotation);
 //     vec2 radius = umbrage_pcss_radius(found, receiver, soft);
@@ -25308,7 +25308,7 @@ template <real T>
 /// @param softness   (per_code_x, per_code_y, min_radius, max_radius) of the map
 /// @param shape      factors in x and y, shear
 /// @formula          max_radius / sqrt(1 + shear^2)
-/// @exactness        C, n = 8
+/// @exactness        C, n = 9
 template <real T>
 [[nodiscard]] glm::vec<4, T> shaped_softness(glm::vec<4, T> softness, glm::vec<3, T> shape) {
     return {softness.x * shape.x, softness.y * shape.y, softness.z, softness.w / std::sqrt(T(1) + shape.z * shape.z)};
@@ -30721,8 +30721,8 @@ template <class Setup, class Filter, class Encoding>
     const float bias = detail::bias_of<Setup, Filter>(terms, map_place{});
     const auto lit_at = [&](glm::vec2 coord, float distance) {
         const float depth = direction == depth_direction::forward ? distance : 1.0f - distance;
-        return detail::look<Setup>(own, of.filter_of(0), of.encoding(),
-                                   glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
+        return detail::look<Setup, Filter>(own, of.filter_of(0), of.encoding(),
+                                           glm::vec3(coord, biased(depth, bias, direction)), glm::vec2(0), {}) > 0.5f;
     };
     const float tolerance = detail::calibration_tolerance<Setup, Filter>(of.encoding());
     const float map_number = static_cast<float>(number % 8);

@@ -173,7 +173,7 @@ function refuses_options(where, head, option, { box, disc16, pcss16, saturate, v
         [{ [option]: pcss16, frame: 1 }, 'frame must be true or false; got 1'],
         [{ [option]: pcss16, arguments: null }, 'arguments must be an object; got null'],
         [{ [option]: pcss16, arguments: { softnes: 1 } }, 'arguments must be among (softness) of pcss16; got softnes'],
-        [{ [option]: pcss16, arguments: { rotation: [64, 0] } }, 'arguments must be among (softness) of pcss16; got rotation'],
+        [{ [option]: pcss16, arguments: { rotation: [64, 0, 0, 64] } }, 'arguments must be among (softness) of pcss16; got rotation'],
         [{ [option]: pcss16, arguments: { softness: [1, 2] } }, `arguments.softness ${floats} [1, 2]`],
         [{ [option]: pcss16, arguments: { softness: [1, , 2, 3] } }, `arguments.softness ${floats} [1, undefined, 2, 3]`],
         [{ [option]: pcss16, arguments: { softness: [-1, -1, 16, 96] } }, `${softness} [-1, -1, 16, 96]`],

@@ -21,7 +21,7 @@ for (const [name, [reads, reach]] of Object.entries(by_hand)) {
     const { filter } = snippets[name];
     check(filter.reads === reads && Math.abs(filter.reach - reach) < 0.1, `${name} reads ${filter.reads}, reaches ${filter.reach}`);
 }
-check(snippets.disc16.filter.arguments.map(a => `${a.type} ${a.name} = ${a.value}`).join() === 'float radius = 2,vec2 rotation = 64,0',
+check(snippets.disc16.filter.arguments.map(a => `${a.type} ${a.name} = ${a.value}`).join() === 'float radius = 2,vec4 rotation = 64,0,0,64',
     'arguments of disc16');
 
 const filters = Object.values(snippets).filter(s => s.filter), number = value => String(value).includes('.') ? value : value.toFixed(1);

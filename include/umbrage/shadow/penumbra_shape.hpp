@@ -47,7 +47,7 @@ template <real T>
 /// @param softness   (per_code_x, per_code_y, min_radius, max_radius) of the map
 /// @param shape      factors in x and y, shear
 /// @formula          max_radius / sqrt(1 + shear^2)
-/// @exactness        C, n = 8
+/// @exactness        C, n = 9
 template <real T>
 [[nodiscard]] glm::vec<4, T> shaped_softness(glm::vec<4, T> softness, glm::vec<3, T> shape) {
     return {softness.x * shape.x, softness.y * shape.y, softness.z, softness.w / std::sqrt(T(1) + shape.z * shape.z)};

@@ -9,7 +9,7 @@
 // A shader binds one texture twice. The search reads depths from a nearest-texel sampler: bind it as `texture::depth`
 // with gather set, which says that there is one. The filter reads from a linear comparison sampler.
 //
-//     vec2 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
+//     vec4 rotation = umbrage_disc_rotation(gl_FragCoord.xy);
 //     vec2 search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
 //     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, rotation);
 //     vec2 radius = umbrage_pcss_radius(found, receiver, soft);
