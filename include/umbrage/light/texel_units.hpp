@@ -3,7 +3,6 @@
 // World size of a light's texels, and its depth per world unit.
 #pragma once
 
-
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -67,7 +67,8 @@ struct map_grid {
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
-/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
+/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see
+/// place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {

@@ -107,6 +107,7 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 struct single_map {
     light_space<double> light;
     const glsl::snippet* placing;  ///< that of parallel rays costs less
+    bool warped;                   ///< true where rays are parallel but w varies
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
@@ -114,8 +115,10 @@ struct single_map {
         : light(detail::in_double(space)),
           placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
         const glm::dmat4 m = light.projection * light.view;
-        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
-                        "light.parallel", "false for a projection with perspective", light.parallel);
+        const bool w_varies = detail::row_of(m, 3) != glm::dvec3(0);
+        warped = w_varies && detail::has_parallel_rays(light);
+        detail::require(!light.parallel || (!w_varies && m[3][3] == 1.0), "shadow", "light.parallel",
+                        "false for a projection with perspective", light.parallel);
     }
 
     using uniforms = anchored_map;
@@ -125,11 +128,7 @@ struct single_map {
     static constexpr outside_map outside = outside_map::bordered;
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
-    /// True where rays are parallel but w varies.
-    [[nodiscard]] bool is_warped() const {
-        const glm::dmat4 m = light.projection * light.view;
-        return detail::row_of(m, 3) != glm::dvec3(0) && detail::has_parallel_rays(light);
-    }
+    [[nodiscard]] bool is_warped() const { return warped; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         return make_anchored_map(light, map_size, origin);

@@ -23,7 +23,7 @@
 namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
-/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix
+/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix, and one of warps (softness.hpp)
 template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
     typename Setup::uniforms maps;
