@@ -23831,7 +23831,8 @@ struct map_grid {
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
-/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
+/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see
+/// place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -25539,6 +25540,7 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 struct single_map {
     light_space<double> light;
     const glsl::snippet* placing;  ///< that of parallel rays costs less
+    bool warped;                   ///< true where rays are parallel but w varies
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
@@ -25546,8 +25548,10 @@ struct single_map {
         : light(detail::in_double(space)),
           placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
         const glm::dmat4 m = light.projection * light.view;
-        detail::require(!light.parallel || (detail::row_of(m, 3) == glm::dvec3(0) && m[3][3] == 1.0), "shadow",
-                        "light.parallel", "false for a projection with perspective", light.parallel);
+        const bool w_varies = detail::row_of(m, 3) != glm::dvec3(0);
+        warped = w_varies && detail::has_parallel_rays(light);
+        detail::require(!light.parallel || (!w_varies && m[3][3] == 1.0), "shadow", "light.parallel",
+                        "false for a projection with perspective", light.parallel);
     }
 
     using uniforms = anchored_map;
@@ -25557,11 +25561,7 @@ struct single_map {
     static constexpr outside_map outside = outside_map::bordered;
 
     [[nodiscard]] clip_space clip() const { return light.clip; }
-    /// True where rays are parallel but w varies.
-    [[nodiscard]] bool is_warped() const {
-        const glm::dmat4 m = light.projection * light.view;
-        return detail::row_of(m, 3) != glm::dvec3(0) && detail::has_parallel_rays(light);
-    }
+    [[nodiscard]] bool is_warped() const { return warped; }
     [[nodiscard]] std::vector<light_space<double>> lights() const { return {light}; }
     [[nodiscard]] uniforms make_uniforms(glm::ivec2 map_size, glm::dvec3 origin) const {
         return make_anchored_map(light, map_size, origin);
@@ -30089,7 +30089,7 @@ void visibility_of_places(image_view<const typename Encoding::texel> map, glm::i
 namespace umbrage {
 
 /// Uniform block of a shadow's shader: copy its bytes into the buffer.
-/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix
+/// @tparam Matrices   matrices with the softness of each map, eight maps a matrix, and one of warps (softness.hpp)
 template <shadow_setup Setup, int Matrices = 0>
 struct shadow_uniforms {
     typename Setup::uniforms maps;
@@ -30188,6 +30188,8 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
     require(clip.subpixel_bits >= 3 && clip.subpixel_bits <= 16, "shadow", "light.clip.subpixel_bits", "from 3 to 16",
             clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require(map_size.x <= 32768 && map_size.y <= 32768, "shadow", "map_size", "32768 or less", map_size,
+            "Filters take texels farther away as outside.");
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
@@ -30202,13 +30204,10 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks the grid and the maps. The grid has a map for each light, the size of all maps is an int, and each map
-/// continues as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter reaches.
 template <shadow_setup Setup>
-void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
+void require_maps(const Setup& setup, float reach) {
     constexpr map_grid grid = Setup::grid;
-    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
-            "such that all maps together have less than 2^31 texels a side", map_size);
     const std::size_t lights = setup.lights().size(), maps = std::size_t(grid.columns) * std::size_t(grid.rows);
     require(has_own_draw<Setup> || lights <= maps, "shadow", "light.lights()",
             "as many as the setup's grid has maps, at most", lights);
@@ -30262,7 +30261,7 @@ public:
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
-    ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
+    ///                                below 1 or above 32768, less than twice the filter's reach, or refused by
     ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
     ///                                filter's number out of range. A light so far from the origin that floats have no
     ///                                digits left; uniforms that would be infinite or NaN in float
@@ -30274,7 +30273,7 @@ public:
         filter_.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
         detail::require_shadow(setup_.clip(), map_size, filter_of(0));
-        detail::require_maps(setup_, map_size, detail::reach_of(filter_));
+        detail::require_maps(setup_, detail::reach_of(filter_));
         uniforms_ = detail::make_shadow_uniforms(setup_, map_size_, filter_, encoding_.error(), origin_);
     }
 

@@ -76,7 +76,7 @@ for (const [options, message] of [
     [{ encoding: rg11, map: 'shadow' }, 'encoding must be depth32f, depth24 or depth16, as map is a comparison sampler; got rg11'],
     [{ filter: umbrage.glsl.pcss16, map: 'shadow' }, 'filter must be one that needs no depths, as map is a comparison sampler; got pcss16'],
     [{ filter: null }, 'filter must be one that a shadow takes'], [{ map: null }, 'map must be one of texture_2d, depth, shadow for this kind; got null'],
-    [{ kind: cascades, map: 5 }, 'map must be one of atlas, '], [{ map_size: 2 ** 40 }, 'map_size must be whole texels from 1 to 2^24, or two of them; got 1099511627776'],
+    [{ kind: cascades, map: 5 }, 'map must be one of atlas, '], [{ map_size: 2 ** 40 }, 'map_size must be whole texels from 1 to 32768, or two of them; got 1099511627776'],
     [{ block: -1 }, 'block must be a whole number, 0 or above; got -1'], [{ texture: 1.5 }, 'texture must be a whole number, 0 or above; got 1.5'],
     [{ sampler: '2' }, 'sampler must be a whole number, 0 or above; got 2'], [{ set: NaN }, 'set must be a whole number, 0 or above; got NaN']])
     refused_by('shadow', `${Object.keys(options)}`, () => shadow('sun', { ...right, ...options }), message);

@@ -56,6 +56,8 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
     require(clip.subpixel_bits >= 3 && clip.subpixel_bits <= 16, "shadow", "light.clip.subpixel_bits", "from 3 to 16",
             clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
+    require(map_size.x <= 32768 && map_size.y <= 32768, "shadow", "map_size", "32768 or less", map_size,
+            "Filters take texels farther away as outside.");
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
@@ -70,13 +72,10 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks the grid and the maps. The grid has a map for each light, the size of all maps is an int, and each map
-/// continues as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter reaches.
 template <shadow_setup Setup>
-void require_maps(const Setup& setup, glm::ivec2 map_size, float reach) {
+void require_maps(const Setup& setup, float reach) {
     constexpr map_grid grid = Setup::grid;
-    require(map_size.x <= highest<int> / grid.columns && map_size.y <= highest<int> / grid.rows, "shadow", "map_size",
-            "such that all maps together have less than 2^31 texels a side", map_size);
     const std::size_t lights = setup.lights().size(), maps = std::size_t(grid.columns) * std::size_t(grid.rows);
     require(has_own_draw<Setup> || lights <= maps, "shadow", "light.lights()",
             "as many as the setup's grid has maps, at most", lights);
@@ -130,7 +129,7 @@ public:
     ///                   units. Take one near the camera where the world is a thousand times larger than what the
     ///                   light covers, with a light in double. It may change each frame: relative_to()
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
-    ///                                below 1, less than twice the filter's reach, too large for size(), or refused by
+    ///                                below 1 or above 32768, less than twice the filter's reach, or refused by
     ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
     ///                                filter's number out of range. A light so far from the origin that floats have no
     ///                                digits left; uniforms that would be infinite or NaN in float
@@ -142,7 +141,7 @@ public:
         filter_.direction = encoding_.direction;
         if constexpr (hardens) detail::require_light_size(filter_);
         detail::require_shadow(setup_.clip(), map_size, filter_of(0));
-        detail::require_maps(setup_, map_size, detail::reach_of(filter_));
+        detail::require_maps(setup_, detail::reach_of(filter_));
         uniforms_ = detail::make_shadow_uniforms(setup_, map_size_, filter_, encoding_.error(), origin_);
     }
 

@@ -29,8 +29,8 @@ export const shadow_in = (hooks, calls, words, depth32f, declare) => (name, opti
     must(!is_moments || options.encoding === undefined, 'encoding must be left out for a filter of moments', filter.name);
     must(direction === 'forward' || reversed, 'direction must be forward or reversed', direction);
     const size = typeof map_size === 'number' ? [map_size, map_size] : map_size;
-    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1 && n <= 2 ** 24),
-        'map_size must be whole texels from 1 to 2^24, or two of them', map_size);
+    must(Array.isArray(size) && size.length === 2 && size.every(n => Number.isInteger(n) && n >= 1 && n <= 2 ** 15),
+        'map_size must be whole texels from 1 to 32768, or two of them', map_size);
     for (const [key, slot] of Object.entries({ block, texture, sampler, set }))
         must(slot === (slot | 0) && slot >= 0, `${key} must be a whole number, 0 or above`, slot);
     must(debug === undefined || debug?.language === language && debug.read_map !== undefined, `debug must be debug of ${language.name}`, debug);

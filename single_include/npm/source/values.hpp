@@ -262,7 +262,7 @@ inline answered values(int kind, int filter, int encoding, const asked& a, std::
         std::memcpy(all.data() + begin, &values, sizeof values);
     };
     detail::with_setup(kind, a, seen, map_size, reach, [&](const auto& setup) {
-        umbrage::detail::require_maps(setup, map_size, reach);
+        umbrage::detail::require_maps(setup, reach);
         using setup_type = std::decay_t<decltype(setup)>;
         append(out.block, setup.make_uniforms(map_size, a.origin));
         bends = umbrage::bends_of<setup_type>;
