@@ -13,7 +13,7 @@ declare const is_of: unique symbol;
 export interface FilterArgument {
     readonly name: string;
     /** As GLSL calls it. */
-    readonly type: 'int' | 'float' | 'vec2' | 'vec3';
+    readonly type: 'int' | 'float' | 'vec2' | 'vec3' | 'vec4';
     /** The default. Of a rotation it is that of one pixel: umbrage_disc_rotation(pixel) gives each its own. */
     readonly value: number | readonly number[];
 }

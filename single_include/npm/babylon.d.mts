@@ -49,6 +49,8 @@ export function uninstall(engine: Engine, options?: { readonly scene?: Scene }):
 /** Gives the directional light of a shadow generator a size in the world, for contact hardening by pcss and dpcf: penumbras are
  *  as wide as under a round light of that size, whatever the light's box and planes are or become. Sets
  *  contactHardeningLightSizeUVRatio in each frame. Penumbras end at the largest radius of the filter's softness.
+ *  Texels must be squares of the world. For others pass arguments: { softness: [x, y, min, max] }, with x and y in the ratio
+ *  of the texels for each unit of the world.
  *  @param generator    a ShadowGenerator or CascadedShadowGenerator
  *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
  *  @throws Error       a generator of another light, or a size that is not finite or below 0 */

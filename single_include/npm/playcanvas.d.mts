@@ -52,6 +52,8 @@ export function uninstall(device: Device): void;
 
 /** Gives a directional light a size in the world, for SHADOW_PCSS_32F by pcss and dpcf: penumbras are as wide as under a round
  *  light of that size. They end at the largest radius of the filter's softness.
+ *  Texels must be squares of the world. For others pass arguments: { softness: [x, y, min, max] }, with x and y in the ratio
+ *  of the texels for each unit of the world.
  *  @param light        the component of a directional light
  *  @param light_size   tangent of half the angle under which the light is seen: 0.00465 for the sun
  *  @throws Error       another light, or a size that is not finite or below 0 */

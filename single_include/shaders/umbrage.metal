@@ -1331,9 +1331,9 @@ inline float4 umbrage_disc_rotation(float2 pixel) {
 
 #ifndef UMBRAGE_HAS_SHEARED_ROTATION
 #define UMBRAGE_HAS_SHEARED_ROTATION
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 inline float4 umbrage_sheared_rotation(float4 rotation, float shear) {
     float x = rotation.x + shear * rotation.z;
     float y = rotation.y + shear * rotation.w;

@@ -2608,9 +2608,10 @@ template <real T>
     require_given(light.clip, function, "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
     const glm::mat<4, 4, T>& p = light.projection;
-    require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
-            "free of a warp, its x and y without a part in w", p,
-            "A warp's units differ from point to point: see light_units_at.");
+    require(
+        p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
+        "free of a warp, its x and y without a part in w", p,
+        "A warp's units differ from point to point: a shadow takes it, and light_units_at measures a point.");
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const glm::vec<3, T> units(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)),
@@ -5558,8 +5559,8 @@ namespace detail {
     return disc_points<32>;
 }
 
-/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the first
-/// one of disc_rotation.
+/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the
+/// first one of disc_rotation.
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> bounded_rotation(glm::vec<4, T> rotation) {
     const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(170)) &&
@@ -5567,8 +5568,8 @@ template <real T>
     return bounded ? rotation : glm::vec<4, T>(T(64), T(0), T(0), T(64));
 }
 
-/// Radii of an ellipse that are no integers from 0 to 4095: clamped to -4095 .. 4095, and 0 for NaN. So all taps lie
-/// within max_disc_radius.
+/// Radii of an ellipse, clamped to -4095 .. 4095; NaN is 0. With a rotation of disc_rotation all taps then lie within
+/// max_disc_radius.
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> bounded_radius(glm::vec<2, T> radius) {
     const auto bounded = [](T r) { return is_nan(r) ? T(0) : (glm::clamp)(r, T(-4095), T(4095)); };
@@ -5600,9 +5601,9 @@ template <real T>
     }
 }
 
-/// Rotation of a disc that an ellipse's shear follows, where a map's texels are no rectangles of the world.
+/// Rotation of a disc, and then a shear along x. It is for maps whose texels are no rectangles of the world.
 /// @param rotation   from disc_rotation
-/// @param shear      how far x moves with y, in radii; -2 to 2
+/// @param shear      by how much x grows with y, both in radii of the ellipse; -2 to 2
 /// @return           rows (x, y) + shear (z, w) and (z, w)
 /// @exactness        B, n = 2
 template <real T>
@@ -5613,12 +5614,12 @@ template <real T>
 /// Texel that a point of a disc falls on.
 /// @param position   floor(256 coord) of the receiver, in 1/256 texel
 /// @param p          one of disc_points, in 1/16 of the radius
-/// @param rotation   from disc_rotation
+/// @param rotation   from disc_rotation or sheared_rotation
 /// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095
 /// @return           index of the texel
 /// @formula          floor((position + rotated point * radius / 64) / 256), where the rotated point is the rotation's
 ///                   rows times p
-/// @exactness        A: multiples of 2^-14 below 2^10, in any order
+/// @exactness        A for a rotation of disc_rotation: multiples of 2^-14 below 2^10, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                       glm::vec<2, T> radius) {
@@ -5670,9 +5671,9 @@ inline constexpr snippet sheared_rotation{
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;
@@ -5728,7 +5729,7 @@ inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &sheared_rot
 // Blocker search and penumbra width of soft shadows (PCSS, DPCF), by one formula for directional and spot lights.
 //
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(light, map.size(), light_radius);
-//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, search, rotation);
 //     float mean = umbrage::floor_divide(found.y, found.x);  // of distance codes, 0 at the light
 //     glm::vec2 radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec4(soft));
 //
@@ -5824,7 +5825,8 @@ template <real T>
 /// @edge               light of no size: they are 0, and every radius is min_radius
 /// @throws std::invalid_argument  map_size below 1; a clip space unset; a warped map; light_size not finite or below
 ///                                0; radii that are not 0 <= min_radius <= max_radius <= 255.9375
-/// @formula            per_code = 16 light_size / (65536 edge depth): edge of a texel, and depth per world unit, at w = 1
+/// @formula            per_code = 16 light_size / (65536 edge depth), with the edge of a texel, and depth per world
+///                     unit, at w = 1
 template <real T>
 [[nodiscard]] penumbra_params make_penumbra_params(const light_space<T>& light, glm::ivec2 map_size,
                                                    std::type_identity_t<T> light_size,
@@ -5999,13 +6001,14 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 //     float visibility =
 //         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
-// Where texels are not square, an ellipse of these points is a disc in the world (ellipse).
+// Where texels are not square, a disc in the world is an ellipse of these points (ellipse).
 // Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
 // See also: disc_tap.hpp, disc_hardware.hpp, blocker/pcss.hpp.
 
 namespace umbrage {
 
-/// Fraction of the points of an ellipse that are lit. Where texels are not square, it is a disc in the world.
+/// Fraction of the points of an ellipse that are lit. Where texels are not square, a disc in the world is such an
+/// ellipse.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
 ///                   radius outside the map: pass clamped(map) or bordered(map)
@@ -6213,7 +6216,8 @@ template <int Points, real T>
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
 ///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
-///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)), each radius x + y
+///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)),
+///                   where a radius counts as the sum of its x and y
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<4, T> rotation,
@@ -6377,8 +6381,8 @@ namespace umbrage {
 ///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   ellipse(penumbra(z - floor(s / m)))
-/// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
-///                   down to 16 bits. It is also off by 1/256 of itself, from the rounding of per_code
+/// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code of its axis, since
+///                   depths are rounded down to 16 bits. It is also off by 1/256 of itself, as per_code is rounded
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>
@@ -6858,7 +6862,7 @@ template <real T>
     return coord + x * p.x + y * p.y;
 }
 
-/// Mean of pcf_2x2 over the points of an ellipse. Where texels are not square, it is a disc in the world.
+/// Mean of pcf_2x2 over the points of an ellipse. Where texels are not square, a disc in the world is such an ellipse.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 Points times, with indices up to
 ///                   a radius and one texel outside the map: pass clamped(map) or bordered(map)
@@ -23794,7 +23798,7 @@ struct shadow_terms {
     glm::vec2 map_size{1};      ///< size of one map, texels
     float reach = 0;            ///< reach of the filter, as its bias counts it, texels
     float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or penumbra_params of map 0
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or the softness of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
@@ -23826,13 +23830,13 @@ struct map_grid {
 /// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
 /// argument. In C++ chosen_places joins the two.
 ///
-/// Six kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Seven kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
-/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see
-/// place_blocks.hpp.
+/// shape(u, number, at), its C++ version. A setup whose maps may be warped specializes has_warps, and has is_warped().
+/// A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -23879,8 +23883,8 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
-/// True for a setup whose maps may be warped. Under contact hardening its block ends with a matrix of warps
-/// (penumbra_shape.hpp), and it says in is_warped() whether one is.
+/// True for a setup whose maps may be warped. Under contact hardening its block has a matrix of warps before the terms
+/// (penumbra_shape.hpp). Its is_warped() says whether a map is warped.
 template <class Setup>
 inline constexpr bool has_warps = false;
 
@@ -24046,8 +24050,8 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// Edge of a texel's footprint across the light along the x of its map, at a point of the world, and its height. Where
-/// its corners are square both are its edges.
+/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
+/// that edge. Where texels are rectangles, it is the other edge.
 [[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
     const auto sides = across(unit(direction_of(m)));
     const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
@@ -25279,16 +25283,17 @@ struct setup_for<dual_paraboloid_light<T>> {
 }  // namespace umbrage
 
 // ---- umbrage/shadow/penumbra_shape.hpp
-// Shape of penumbras at a place of a map: by how much its softness differs from the map's, along either axis, and its
-// shear. A warp (LiSPSM, TSM, PSM) has smaller and more slanted texels from place to place. Other maps have one shape.
+// Shape of penumbras at a place of a map: factors of the map's softness along x and y, and a shear of x by y. A warp
+// (LiSPSM, TSM, PSM) has smaller and more slanted texels from place to place. A tetrahedron's map has two shapes
+// (tetrahedron_shape), other maps have one.
 //
 //     const glm::vec3 shape = umbrage::warp_shape(warps, 0.0f, coord);  // factors in x and y, shear
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
-// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel's row, and the shear is
-// linear in its column.
+// Under LiSPSM and TSM a ray of the light keeps its w, under PSM nearly so. So the depth between a caster and its
+// receiver, and the width of the penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the
+// texel's row, and the shear is linear in its column.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 
 namespace umbrage {
@@ -25305,7 +25310,8 @@ template <real T>
     return {T(1), own.x + own.y * at.y, (glm::clamp)(own.z + own.w * at.x, T(-2), T(2))};
 }
 
-/// Softness of a place. Its largest radius shrinks with the shear, as the filter's reach holds for the ellipse.
+/// Softness at a place of a map. Its largest radius shrinks with the shear, so that no point lies farther along x than
+/// a disc's farthest point.
 /// @param softness   (per_code_x, per_code_y, min_radius, max_radius) of the map
 /// @param shape      factors in x and y, shear
 /// @formula          max_radius / sqrt(1 + shear^2)
@@ -26824,8 +26830,8 @@ template <class Setup, class Filter, class Encoding>
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
-// The uniform block holds those of eight maps in a matrix. Setups whose maps are alike have none: `has_like_maps`.
-// Within a warped map, and from face to face of a tetrahedron, it changes once more: penumbra_shape.hpp.
+// Each matrix of the uniform block holds the softness of eight maps. Setups whose maps are alike have none:
+// `has_like_maps`. In a warped map, or in a tetrahedron's, softness also depends on the place: penumbra_shape.hpp.
 
 namespace umbrage {
 
@@ -26943,6 +26949,21 @@ template <shadow_setup Setup>
     return all;
 }
 
+/// Texture matrix of a map at a point of the world. Of lights that share one map it is that of the light before which
+/// the point lies farthest.
+template <shadow_setup Setup>
+[[nodiscard]] glm::dmat4 matrix_at(const Setup& setup, glm::ivec2 map_size, int number, glm::dvec3 p) {
+    const std::vector<light_space<double>> lights = setup.lights();
+    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows))
+        return texture_matrix(lights[std::size_t(number)], map_size);
+    glm::dmat4 before(0);
+    for (const light_space<double>& light : lights) {
+        const glm::dmat4 m = texture_matrix(light, map_size);
+        if ((m * glm::dvec4(p, 1)).w > (before * glm::dvec4(p, 1)).w) before = m;
+    }
+    return before;
+}
+
 /// Warps of a setup's maps, one column each: up to four.
 template <shadow_setup Setup>
 [[nodiscard]] glm::mat4 warps_of(const Setup& setup, glm::ivec2 map_size) {
@@ -26982,8 +27003,8 @@ template <class Setup, class Filter, class Uniforms>
     return shaped_filter<Filter, decltype(shape)>{filter, shape};
 }
 
-/// Words of the frame's text that find the softness of a place. All are empty but `terms` for other filters, and for
-/// maps that are alike.
+/// Words of the frame's text that find the softness of a place. For other filters all are empty but `terms`. Maps that
+/// are alike and have one shape have no statements.
 struct softness_words {
     std::string fields{}, names{};          ///< matrices, as parameters and as arguments
     std::vector<std::string> statements{};  ///< those that find `own_terms` of the place, and its `shape`
@@ -27068,8 +27089,8 @@ namespace umbrage {
     return {place};
 }
 
-/// Shape of penumbras at a texel of a tetrahedron's map. Triangles of the world are wider than high in it. Those of two
-/// faces lie on their sides.
+/// Shape of penumbras at a texel of a tetrahedron's map. A face's triangle is stretched in the map, so texels are not
+/// square. On the left and right it lies on its side.
 /// @param center   x: half the map's size, texels
 /// @param at       place in the map, texels
 /// @return         factors of face 0's softness in x and in y, and no shear: (1, 1, 0), or (1 / sqrt(3), sqrt(3), 0) on
@@ -30136,8 +30157,7 @@ template <shadow_setup Setup, class Filter>
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front().x;
         all.terms.filter_terms.y = each.front().y;
-        if constexpr (matrices_of_maps < Setup >> 0)
-            std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (!has_like_maps<Setup>) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
         if constexpr (has_warps<Setup>) all.softness.back() = warps_of(setup, map_size);
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
@@ -30146,7 +30166,8 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter for one map. Contact hardening gets the softness of that map, in the middle of a warped one.
+/// Filter for one map. Contact hardening gets the softness of that map: that of its middle if it is warped, and that of
+/// face 0 in a tetrahedron's.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,
@@ -30189,7 +30210,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require(map_size.x <= 32768 && map_size.y <= 32768, "shadow", "map_size", "32768 or less", map_size,
-            "Filters take texels farther away as outside.");
+            "Filters take coordinates of 32768 texels or more as outside the map.");
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
@@ -30204,7 +30225,8 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter
+/// reaches.
 template <shadow_setup Setup>
 void require_maps(const Setup& setup, float reach) {
     constexpr map_grid grid = Setup::grid;
@@ -30279,8 +30301,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map, here that of its
-    /// middle.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its middle if
+    /// it is warped, and that of face 0 in a tetrahedron's.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -30418,16 +30440,20 @@ public:
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
     /// @return   narrowest and widest, world units. Outside all maps: 0
-    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10 to
-    ///           90 % over 1.374 of its radii
+    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10
+    ///           to 90 % over 1.374 of its radii. Where a warp slants texels, max_radius is that of shaped_softness
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const glm::vec2 edges(detail::edges_at(matrix_of(place.number), glm::dvec3(world) + origin_));
-        return {2.0f * (glm::max)(edges.x, edges.y),
-                1.374f / 16.0f * detail::softness_of(filter_).max_radius * (glm::min)(edges.x, edges.y)};
+        const glm::dvec3 p = glm::dvec3(world) + origin_;
+        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
+        glm::vec4 soft(detail::softness_of(filter_));
+        if constexpr (detail::has_shapes<Setup, Filter>)
+            if (detail::changes_shape(setup_))
+                soft = shaped_softness(soft, detail::shaped<Setup>(filter_, uniforms_, place.number).shape(at));
+        return {2.0f * (glm::max)(edges.x, edges.y), 1.374f / 16.0f * soft.w * (glm::min)(edges.x, edges.y)};
     }
 
     /// Uniform block for the shader of in_shader.hpp.

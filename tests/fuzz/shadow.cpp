@@ -53,8 +53,11 @@ void with_filter(fuzz::input& in, const auto& light, glm::ivec2 map_size) {
                               shadow(light, map_size, filters::disc{.points = 8, .radius_texels = in.number(0, 4)}));
         case 4: {
             const float low = static_cast<float>(in.within(-1, 32));
-            const penumbra_params soft{in.number(0, 1), low, low + static_cast<float>(in.within(-1, 64)),
-                                       in.number(-1, 9)};
+            const penumbra_params soft{.per_code_x = in.number(0, 1),
+                                       .per_code_y = in.number(0, 1),
+                                       .min_radius = low,
+                                       .max_radius = low + static_cast<float>(in.within(-1, 64)),
+                                       .light_size = in.number(-1, 9)};
             return try_shadow(in,
                               shadow(light, map_size, filters::pcss{.points = 8 * in.within(0, 4), .softness = soft}));
         }

@@ -168,7 +168,7 @@ async function playcanvas() {
 
 /** Mistakes of the addons, each of which must be seen. */
 function plant_faults() {
-    const texts = ['= umbrage_disc16_three(shadowMap, size, at.xy, at.z, 3.0);', '= umbrage_pcss16_babylon_pcss(map, vec3(0.0625, 16.0, 255.0));',
+    const texts = ['= umbrage_disc16_three(shadowMap, size, at.xy, at.z, 3.0);', '= umbrage_pcss16_babylon_pcss(map, vec4(0.0625, 0.0625, 16.0, 255.0));',
         '= umbrage_box_playcanvas_pcf(map, 2.0);', 'float umbrage_disc16_three();'];
     const asked = [['disc16', { radius: 2 }], ['pcss16', given.pcss16], ['box', given.box], ['disc16', given.disc16]];
     const seen = asked.filter(([name, options], i) => wrong_in_text(texts[i], name, options)).length;

@@ -29,7 +29,6 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/bias/constant.hpp>
-#include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/light_space.hpp>

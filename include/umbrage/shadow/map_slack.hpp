@@ -103,8 +103,8 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// Edge of a texel's footprint across the light along the x of its map, at a point of the world, and its height. Where
-/// its corners are square both are its edges.
+/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
+/// that edge. Where texels are rectangles, it is the other edge.
 [[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
     const auto sides = across(unit(direction_of(m)));
     const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);

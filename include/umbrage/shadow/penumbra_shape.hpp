@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Shape of penumbras at a place of a map: by how much its softness differs from the map's, along either axis, and its
-// shear. A warp (LiSPSM, TSM, PSM) has smaller and more slanted texels from place to place. Other maps have one shape.
+// Shape of penumbras at a place of a map: factors of the map's softness along x and y, and a shear of x by y. A warp
+// (LiSPSM, TSM, PSM) has smaller and more slanted texels from place to place. A tetrahedron's map has two shapes
+// (tetrahedron_shape), other maps have one.
 //
 //     const glm::vec3 shape = umbrage::warp_shape(warps, 0.0f, coord);  // factors in x and y, shear
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
-// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel's row, and the shear is
-// linear in its column.
+// Under LiSPSM and TSM a ray of the light keeps its w, under PSM nearly so. So the depth between a caster and its
+// receiver, and the width of the penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the
+// texel's row, and the shear is linear in its column.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,7 +23,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -43,7 +42,8 @@ template <real T>
     return {T(1), own.x + own.y * at.y, (glm::clamp)(own.z + own.w * at.x, T(-2), T(2))};
 }
 
-/// Softness of a place. Its largest radius shrinks with the shear, as the filter's reach holds for the ellipse.
+/// Softness at a place of a map. Its largest radius shrinks with the shear, so that no point lies farther along x than
+/// a disc's farthest point.
 /// @param softness   (per_code_x, per_code_y, min_radius, max_radius) of the map
 /// @param shape      factors in x and y, shear
 /// @formula          max_radius / sqrt(1 + shear^2)

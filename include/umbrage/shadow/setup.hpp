@@ -30,7 +30,7 @@ struct shadow_terms {
     glm::vec2 map_size{1};      ///< size of one map, texels
     float reach = 0;            ///< reach of the filter, as its bias counts it, texels
     float error = 0;            ///< largest error of a stored depth. Under acne_free_bias less the 2^-23 that it adds
-    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or penumbra_params of map 0
+    glm::vec4 filter_terms{0};  ///< numbers of the filter: a radius, or the softness of map 0
 
     static constexpr uniform_field fields[]{{"terms", false}, {"filter_terms", false}};
 };
@@ -62,13 +62,13 @@ struct map_grid {
 /// A setup of two places also has `choosing`, a choice_function. Its `placing` takes the number of a map as last
 /// argument. In C++ chosen_places joins the two.
 ///
-/// Six kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
+/// Seven kinds of setup have more. One with anchor(), a position of the world, has the vertices of its depth passes
 /// relative to it, as its receivers are. A setup with its own depth pass has draw(depths, mesh, instances, origin,
 /// parallel). A setup whose maps meet, each within a border of texels, has require_reach(reach), which refuses filters
 /// that read beyond the border. A setup that bends straight lines specializes bends_of, and has bend() for
 /// peter_panning_distance. A setup whose maps hold penumbras of several shapes has `shaping`, a shape_function, and
-/// shape(u, number, at), its C++ version. A setup with place_block() places and biases 64 receivers at once: see
-/// place_blocks.hpp.
+/// shape(u, number, at), its C++ version. A setup whose maps may be warped specializes has_warps, and has is_warped().
+/// A setup with place_block() places and biases 64 receivers at once: see place_blocks.hpp.
 template <class Setup>
 concept shadow_setup = std::copyable<Setup> &&
     requires(const Setup& s, const typename Setup::uniforms& u, const shadow_terms& terms, glm::vec3 v) {
@@ -115,8 +115,8 @@ inline constexpr bool has_bent_lines = bends_of<Setup>.reach > 0.0f;
 template <class Setup>
 inline constexpr bool has_like_maps = Setup::grid.columns* Setup::grid.rows == 1;
 
-/// True for a setup whose maps may be warped. Under contact hardening its block ends with a matrix of warps
-/// (penumbra_shape.hpp), and it says in is_warped() whether one is.
+/// True for a setup whose maps may be warped. Under contact hardening its block has a matrix of warps before the terms
+/// (penumbra_shape.hpp). Its is_warped() says whether a map is warped.
 template <class Setup>
 inline constexpr bool has_warps = false;
 

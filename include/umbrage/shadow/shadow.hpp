@@ -57,7 +57,7 @@ void require_shadow(const clip_space& clip, glm::ivec2 map_size, const Filter& f
             clip.subpixel_bits);
     require(map_size.x >= 1 && map_size.y >= 1, "shadow", "map_size", "above 0", map_size);
     require(map_size.x <= 32768 && map_size.y <= 32768, "shadow", "map_size", "32768 or less", map_size,
-            "Filters take texels farther away as outside.");
+            "Filters take coordinates of 32768 texels or more as outside the map.");
     require_filter("shadow", filter);
     const float reach = reach_of(filter);
     require(2.0f * reach <= static_cast<float>((glm::min)(map_size.x, map_size.y)), "shadow", "map_size",
@@ -72,7 +72,8 @@ inline constexpr bool has_own_draw = requires(const Setup& s, image_view<float> 
     s.draw(depths, mesh, instances, glm::dvec3(0), parallel);
 };
 
-/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter reaches.
+/// Checks the grid and the maps. The grid has a map for each light, and each map continues as far as the filter
+/// reaches.
 template <shadow_setup Setup>
 void require_maps(const Setup& setup, float reach) {
     constexpr map_grid grid = Setup::grid;
@@ -147,8 +148,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map, here that of its
-    /// middle.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its middle if
+    /// it is warped, and that of face 0 in a tetrahedron's.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -286,16 +287,20 @@ public:
     /// Widths of penumbras that contact hardening resolves at a receiver: those of a straight edge's shadow, from 10 to
     /// 90 % of the light, across the light's rays. Narrower ones get the filter's own softness, wider ones are cut.
     /// @return   narrowest and widest, world units. Outside all maps: 0
-    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10 to
-    ///           90 % over 1.374 of its radii
+    /// @formula  2 texels of the longer edge, and 1.374 max_radius of the shorter one: an edge darkens a disc from 10
+    ///           to 90 % over 1.374 of its radii. Where a warp slants texels, max_radius is that of shaped_softness
     [[nodiscard]] glm::vec2 penumbra_widths(glm::vec3 world,
                                             glm::vec3 normal) const requires detail::contact_hardening<Filter> {
         const map_place place = Setup::places(uniforms_.maps, uniforms_.terms, world, normal)[0];
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
-        const glm::vec2 edges(detail::edges_at(matrix_of(place.number), glm::dvec3(world) + origin_));
-        return {2.0f * (glm::max)(edges.x, edges.y),
-                1.374f / 16.0f * detail::softness_of(filter_).max_radius * (glm::min)(edges.x, edges.y)};
+        const glm::dvec3 p = glm::dvec3(world) + origin_;
+        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
+        glm::vec4 soft(detail::softness_of(filter_));
+        if constexpr (detail::has_shapes<Setup, Filter>)
+            if (detail::changes_shape(setup_))
+                soft = shaped_softness(soft, detail::shaped<Setup>(filter_, uniforms_, place.number).shape(at));
+        return {2.0f * (glm::max)(edges.x, edges.y), 1.374f / 16.0f * soft.w * (glm::min)(edges.x, edges.y)};
     }
 
     /// Uniform block for the shader of in_shader.hpp.

@@ -6,8 +6,8 @@
 //     const umbrage::filters::pcss soft{.softness = umbrage::make_penumbra_params(0.05f)};  // size of the light
 //     umbrage::shadow sun(cascades, fit.map_size, soft);
 //
-// The uniform block holds those of eight maps in a matrix. Setups whose maps are alike have none: `has_like_maps`.
-// Within a warped map, and from face to face of a tetrahedron, it changes once more: penumbra_shape.hpp.
+// Each matrix of the uniform block holds the softness of eight maps. Setups whose maps are alike have none:
+// `has_like_maps`. In a warped map, or in a tetrahedron's, softness also depends on the place: penumbra_shape.hpp.
 #pragma once
 
 #include <array>
@@ -18,15 +18,18 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/pcf/disc_tap.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/interface.hpp>
-#include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/lookup.hpp>
+#include <umbrage/shadow/map_slack.hpp>
 #include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/setup.hpp>
 
@@ -146,6 +149,21 @@ template <shadow_setup Setup>
     return all;
 }
 
+/// Texture matrix of a map at a point of the world. Of lights that share one map it is that of the light before which
+/// the point lies farthest.
+template <shadow_setup Setup>
+[[nodiscard]] glm::dmat4 matrix_at(const Setup& setup, glm::ivec2 map_size, int number, glm::dvec3 p) {
+    const std::vector<light_space<double>> lights = setup.lights();
+    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows))
+        return texture_matrix(lights[std::size_t(number)], map_size);
+    glm::dmat4 before(0);
+    for (const light_space<double>& light : lights) {
+        const glm::dmat4 m = texture_matrix(light, map_size);
+        if ((m * glm::dvec4(p, 1)).w > (before * glm::dvec4(p, 1)).w) before = m;
+    }
+    return before;
+}
+
 /// Warps of a setup's maps, one column each: up to four.
 template <shadow_setup Setup>
 [[nodiscard]] glm::mat4 warps_of(const Setup& setup, glm::ivec2 map_size) {
@@ -185,8 +203,8 @@ template <class Setup, class Filter, class Uniforms>
     return shaped_filter<Filter, decltype(shape)>{filter, shape};
 }
 
-/// Words of the frame's text that find the softness of a place. All are empty but `terms` for other filters, and for
-/// maps that are alike.
+/// Words of the frame's text that find the softness of a place. For other filters all are empty but `terms`. Maps that
+/// are alike and have one shape have no statements.
 struct softness_words {
     std::string fields{}, names{};          ///< matrices, as parameters and as arguments
     std::vector<std::string> statements{};  ///< those that find `own_terms` of the place, and its `shape`

@@ -48,8 +48,8 @@ namespace umbrage {
     return {place};
 }
 
-/// Shape of penumbras at a texel of a tetrahedron's map. Triangles of the world are wider than high in it. Those of two
-/// faces lie on their sides.
+/// Shape of penumbras at a texel of a tetrahedron's map. A face's triangle is stretched in the map, so texels are not
+/// square. On the left and right it lies on its side.
 /// @param center   x: half the map's size, texels
 /// @param at       place in the map, texels
 /// @return         factors of face 0's softness in x and in y, and no shear: (1, 1, 0), or (1 / sqrt(3), sqrt(3), 0) on

@@ -70,8 +70,7 @@ template <shadow_setup Setup, class Filter>
         const auto each = softness_of_maps(setup, map_size, softness_of(filter).light_size);
         all.terms.filter_terms.x = each.front().x;
         all.terms.filter_terms.y = each.front().y;
-        if constexpr (matrices_of_maps < Setup >> 0)
-            std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
+        if constexpr (!has_like_maps<Setup>) std::memcpy(&all.softness, each.data(), each.size() * sizeof(glm::vec2));
         if constexpr (has_warps<Setup>) all.softness.back() = warps_of(setup, map_size);
     }
     std::array<float, sizeof all / sizeof(float)> numbers;
@@ -80,7 +79,8 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter for one map. Contact hardening gets the softness of that map, in the middle of a warped one.
+/// Filter for one map. Contact hardening gets the softness of that map: that of its middle if it is warped, and that of
+/// face 0 in a tetrahedron's.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,

@@ -1856,9 +1856,9 @@ float4 umbrage_disc_rotation(float2 pixel) {
 export const sheared_rotation = { language, name: "sheared_rotation", summary: "rotation of a disc, sheared to an ellipse",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 float4 umbrage_sheared_rotation(float4 rotation, float shear) {
     precise float x = rotation.x + shear * rotation.z;
     precise float y = rotation.y + shear * rotation.w;

@@ -1855,9 +1855,9 @@ fn umbrage_disc_rotation(pixel: vec2f) -> vec4f {
 export const sheared_rotation = { language, name: "sheared_rotation", summary: "rotation of a disc, sheared to an ellipse",
     exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [], text: `
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 fn umbrage_sheared_rotation(rotation: vec4f, shear: f32) -> vec4f {
     let x: f32 = rotation.x + shear * rotation.z;
     let y: f32 = rotation.y + shear * rotation.w;

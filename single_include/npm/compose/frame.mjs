@@ -7,7 +7,7 @@ const listed = all => all.map(name => `${name}, `).join('');
 
 /** A text's functions for one shadow, in the order in which they call each other: name, text and what they need.
  *  @param is   { snippet, maps, along_plane, turns, hardens, layers, linear }: the filter's snippet, the kind's maps, whether the
- *              filter hardens contacts, and its form for a linear comparison sampler, if that is asked for */
+ *              filter hardens contacts, and its form for a linear comparison sampler, if that is given */
 export function frame_in(w, calls, is) {
     const { snippet, maps, along_plane, turns, hardens, layers, linear } = is, { filter } = snippet, { constant } = w;
     const vec = (n, ...parts) => `${w.type(`vec${n}`)}(${parts.join(', ')})`;
@@ -15,7 +15,8 @@ export function frame_in(w, calls, is) {
     const own = (name, says, type, parameters, lines, needs) => ({ name, needs, text: `\n// umbrage_${name}: ${says}\n`
         + `${w.head(type, `umbrage_${name}`, parameters.map(p => p === 'map' ? 'UMBRAGE_MAP map' : w.parameter(...p)).join(', '))}\n`
         + lines.map(line => line.startsWith('#') ? `${line}\n` : `    ${line}\n`).join('') + '}\n' });
-    const soft = hardens ? maps.softness : 0, shape = hardens ? maps.shape : undefined;  // maps that are not alike, or not throughout
+    /** Matrices of softness, where maps differ; function of the shape, where it differs within a map. */
+    const soft = hardens ? maps.softness : 0, shape = hardens ? maps.shape : undefined;
     const fields = all_fields(maps, hardens).map(({ name, matrix }) => [matrix ? 'mat4' : 'vec4', name]);
     const several = maps.grid[0] * maps.grid[1] > 1, columns = `${maps.grid[0]}.0`;
 

@@ -38,9 +38,7 @@ inline std::string numbers(glm::vec4 v) { return numbers({v.x, v.y, v.z, v.w}); 
 
 inline std::string numbers(float v) { return numbers({v}); }
 inline std::string numbers(int v) { return numbers({static_cast<float>(v)}); }
-inline std::string numbers(const umbrage::penumbra_params& v) {
-    return numbers(glm::vec4(v));
-}
+inline std::string numbers(const umbrage::penumbra_params& v) { return numbers(glm::vec4(v)); }
 
 /// Defaults of what a filter's function takes behind coordinate and receiver.
 template <umbrage::detail::with_numbers Filter>

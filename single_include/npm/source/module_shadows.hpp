@@ -94,19 +94,19 @@ template <class Setup>
            std::to_string(grid.rows) +
            "], outside: " + literal(Setup::outside == umbrage::outside_map::bordered ? "bordered" : "clamped") +
            ", bends: " + (bends ? "true" : "false") + ", softness: " + std::to_string(matrices) +
-           ", warps: " + (umbrage::has_warps<Setup> ? "true" : "false") + ",\n    " +
-           fields_of(Setup::fields) + ",\n    placing: snippets." + std::string(placing.name) +
-           choosing_of_module(umbrage::detail::choosing_of<Setup>()) + shape_of_module<Setup>() + vertex_of(umbrage::bends_of<Setup>.vertex) +
-           ",\n};\n";
+           ", warps: " + (umbrage::has_warps<Setup> ? "true" : "false") + ",\n    " + fields_of(Setup::fields) +
+           ",\n    placing: snippets." + std::string(placing.name) +
+           choosing_of_module(umbrage::detail::choosing_of<Setup>()) + shape_of_module<Setup>() +
+           vertex_of(umbrage::bends_of<Setup>.vertex) + ",\n};\n";
 }
 
 /// Snippets that texts of shadows call, by name.
 inline std::string calls_in_module() {
     std::string out = "\nexport const calls = {";
-    for (const snippet* s : {&glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::beyond_far_plane,
-                             &glsl::disc_rotation, &glsl::blend_cascades, &glsl::map_tile, &glsl::map_softness,
-                             &glsl::shaped_softness, &glsl::sheared_rotation,
-                             &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
+    for (const snippet* s :
+         {&glsl::acne_free_bias, &glsl::acne_free_disc_bias, &glsl::beyond_far_plane, &glsl::disc_rotation,
+          &glsl::blend_cascades, &glsl::map_tile, &glsl::map_softness, &glsl::shaped_softness, &glsl::sheared_rotation,
+          &glsl::cleared_depth, &glsl::anchored_vertex, &glsl::pancake})
         out += "\n    " + std::string(s->name) + ": snippets." + std::string(s->name) + ',';
     return out + "\n};\n";
 }

@@ -23,9 +23,9 @@
 
 #ifndef UMBRAGE_HAS_SHEARED_ROTATION
 #define UMBRAGE_HAS_SHEARED_ROTATION
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;

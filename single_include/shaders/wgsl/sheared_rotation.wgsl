@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the umbrage authors. License text: LICENSE in the umbrage repository.
 
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 fn umbrage_sheared_rotation(rotation: vec4f, shear: f32) -> vec4f {
     let x: f32 = rotation.x + shear * rotation.z;
     let y: f32 = rotation.y + shear * rotation.w;

@@ -15,6 +15,7 @@
 #include <umbrage/shadow/cascade_choice.hpp>
 #include <umbrage/shadow/map_tile.hpp>
 #include <umbrage/shadow/softness.hpp>
+#include <umbrage/shadow/tetrahedron_map.hpp>
 
 #include "hostile.hpp"
 

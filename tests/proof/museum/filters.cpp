@@ -236,7 +236,7 @@ const exhibit all[] = {
      "turn = interleaved gradient noise(uv N)", "pixels, rotated by less than an eighth of a turn from their neighbor",
      "turns", "`disc_rotation` takes the pixel, so neighbors in a row are a quarter turn apart",
      [] { return neighbors(noise_of_the_texel); }, [] { return neighbors([](vec2 p) {
-         const vec4 turned = disc_rotation(p);
+         const glm::vec4 turned = umbrage::disc_rotation(p);
          return vec2(turned.x, turned.z);
      }); }},
 };

@@ -55,7 +55,8 @@ template <int Points, real T>
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. softness
 ///                   out of range or NaN: from 0 to 1
 /// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
-///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)), each radius x + y
+///                   1 - hardened_kernel(m, floor(256 penumbra(z - floor(s / m)) / w)),
+///                   where a radius counts as the sum of its x and y
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<4, T> softness, glm::vec<4, T> rotation,

@@ -42,8 +42,8 @@ namespace umbrage {
 ///                   softness out of range or NaN: of a radius from 0 to 255.9375 texels
 /// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
 ///                   ellipse(penumbra(z - floor(s / m)))
-/// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code, since depths are rounded
-///                   down to 16 bits. It is also off by 1/256 of itself, from the rounding of per_code
+/// @accuracy         the radius is off by -(1 + c) to 2 c sixteenths of a texel, c = per_code of its axis, since
+///                   depths are rounded down to 16 bits. It is also off by 1/256 of itself, as per_code is rounded
 /// @exactness        A
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <int Points, real T, class Fetch, class Compare = less_equal>

@@ -3,7 +3,7 @@
 // Blocker search and penumbra width of soft shadows (PCSS, DPCF), by one formula for directional and spot lights.
 //
 //     umbrage::penumbra_params soft = umbrage::make_penumbra_params(light, map.size(), light_radius);
-//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, rotation);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, search, rotation);
 //     float mean = umbrage::floor_divide(found.y, found.x);  // of distance codes, 0 at the light
 //     glm::vec2 radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec4(soft));
 //
@@ -24,6 +24,7 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <umbrage/core/check.hpp>
@@ -117,7 +118,8 @@ template <real T>
 /// @edge               light of no size: they are 0, and every radius is min_radius
 /// @throws std::invalid_argument  map_size below 1; a clip space unset; a warped map; light_size not finite or below
 ///                                0; radii that are not 0 <= min_radius <= max_radius <= 255.9375
-/// @formula            per_code = 16 light_size / (65536 edge depth): edge of a texel, and depth per world unit, at w = 1
+/// @formula            per_code = 16 light_size / (65536 edge depth), with the edge of a texel, and depth per world
+///                     unit, at w = 1
 template <real T>
 [[nodiscard]] penumbra_params make_penumbra_params(const light_space<T>& light, glm::ivec2 map_size,
                                                    std::type_identity_t<T> light_size,

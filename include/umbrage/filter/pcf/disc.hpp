@@ -5,7 +5,7 @@
 //     float visibility =
 //         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
-// Where texels are not square, an ellipse of these points is a disc in the world (ellipse).
+// Where texels are not square, a disc in the world is an ellipse of these points (ellipse).
 // Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
 // See also: disc_tap.hpp, disc_hardware.hpp, blocker/pcss.hpp.
 #pragma once
@@ -22,7 +22,8 @@
 
 namespace umbrage {
 
-/// Fraction of the points of an ellipse that are lit. Where texels are not square, it is a disc in the world.
+/// Fraction of the points of an ellipse that are lit. Where texels are not square, a disc in the world is such an
+/// ellipse.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called Points times, with indices up to a
 ///                   radius outside the map: pass clamped(map) or bordered(map)

@@ -46,7 +46,7 @@ template <real T>
     return coord + x * p.x + y * p.y;
 }
 
-/// Mean of pcf_2x2 over the points of an ellipse. Where texels are not square, it is a disc in the world.
+/// Mean of pcf_2x2 over the points of an ellipse. Where texels are not square, a disc in the world is such an ellipse.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      returns the stored depth of a texel: float(glm::ivec2). Called 4 Points times, with indices up to
 ///                   a radius and one texel outside the map: pass clamped(map) or bordered(map)

@@ -18,6 +18,7 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
@@ -63,8 +64,8 @@ namespace detail {
     return disc_points<32>;
 }
 
-/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the first
-/// one of disc_rotation.
+/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the
+/// first one of disc_rotation.
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> bounded_rotation(glm::vec<4, T> rotation) {
     const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(170)) &&
@@ -72,8 +73,8 @@ template <real T>
     return bounded ? rotation : glm::vec<4, T>(T(64), T(0), T(0), T(64));
 }
 
-/// Radii of an ellipse that are no integers from 0 to 4095: clamped to -4095 .. 4095, and 0 for NaN. So all taps lie
-/// within max_disc_radius.
+/// Radii of an ellipse, clamped to -4095 .. 4095; NaN is 0. With a rotation of disc_rotation all taps then lie within
+/// max_disc_radius.
 template <real T>
 [[nodiscard]] constexpr glm::vec<2, T> bounded_radius(glm::vec<2, T> radius) {
     const auto bounded = [](T r) { return is_nan(r) ? T(0) : (glm::clamp)(r, T(-4095), T(4095)); };
@@ -105,9 +106,9 @@ template <real T>
     }
 }
 
-/// Rotation of a disc that an ellipse's shear follows, where a map's texels are no rectangles of the world.
+/// Rotation of a disc, and then a shear along x. It is for maps whose texels are no rectangles of the world.
 /// @param rotation   from disc_rotation
-/// @param shear      how far x moves with y, in radii; -2 to 2
+/// @param shear      by how much x grows with y, both in radii of the ellipse; -2 to 2
 /// @return           rows (x, y) + shear (z, w) and (z, w)
 /// @exactness        B, n = 2
 template <real T>
@@ -118,12 +119,12 @@ template <real T>
 /// Texel that a point of a disc falls on.
 /// @param position   floor(256 coord) of the receiver, in 1/256 texel
 /// @param p          one of disc_points, in 1/16 of the radius
-/// @param rotation   from disc_rotation
+/// @param rotation   from disc_rotation or sheared_rotation
 /// @param radius     along x and y, in 1/16 texel, integers from 0 to 4095
 /// @return           index of the texel
 /// @formula          floor((position + rotated point * radius / 64) / 256), where the rotated point is the rotation's
 ///                   rows times p
-/// @exactness        A: multiples of 2^-14 below 2^10, in any order
+/// @exactness        A for a rotation of disc_rotation: multiples of 2^-14 below 2^10, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<4, T> rotation,
                                       glm::vec<2, T> radius) {
@@ -175,9 +176,9 @@ inline constexpr snippet sheared_rotation{
     .exactness = tier::b,
     .operations = 2,
     .source = R"GLSL(
-// umbrage_sheared_rotation: rotation of a disc that an ellipse's shear follows
+// umbrage_sheared_rotation: rotation of a disc, and then a shear along x
 //   rotation   from umbrage_disc_rotation
-//   shear      how far x moves with y, in radii; -2.0 to 2.0
+//   shear      by how much x grows with y, both in radii of the ellipse; -2.0 to 2.0
 UMBRAGE_HIGHP vec4 umbrage_sheared_rotation(UMBRAGE_HIGHP vec4 rotation, UMBRAGE_HIGHP float shear) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float x = rotation.x + shear * rotation.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float y = rotation.y + shear * rotation.w;
