@@ -23,10 +23,9 @@ template <real T>
     require_given(light.clip, function, "light.clip");
     require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "above 0", map_size);
     const glm::mat<4, 4, T>& p = light.projection;
-    require(
-        p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
-        "free of a warp, its x and y without a part in w", p,
-        "A warp's units differ from point to point: a shadow takes it, and light_units_at measures a point.");
+    require(p[0][3] == T(0) && p[1][3] == T(0), function, "light.projection",
+            "free of a warp, its x and y without a part in w", p,
+            "A warp's units differ from point to point: a shadow takes it, and light_units_at measures a point.");
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
     const glm::vec<3, T> units(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)),
