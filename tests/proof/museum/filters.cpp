@@ -235,10 +235,13 @@ const exhibit all[] = {
      "Noise of a position in the map changes slowly from pixel to pixel. So neighbors rotate their taps alike.",
      "turn = interleaved gradient noise(uv N)", "pixels, rotated by less than an eighth of a turn from their neighbor",
      "turns", "`disc_rotation` takes the pixel, so neighbors in a row are a quarter turn apart",
-     [] { return neighbors(noise_of_the_texel); }, [] { return neighbors([](vec2 p) {
-         const glm::vec4 turned = umbrage::disc_rotation(p);
-         return vec2(turned.x, turned.z);
-     }); }},
+     [] { return neighbors(noise_of_the_texel); },
+     [] {
+         return neighbors([](vec2 p) {
+             const glm::vec4 turned = umbrage::disc_rotation(p);
+             return vec2(turned.x, turned.z);
+         });
+     }},
 };
 
 }  // namespace

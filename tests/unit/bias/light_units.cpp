@@ -97,7 +97,9 @@ TEST_CASE(
         fit.camera = {.position = {0, 2, 0}, .direction = {coordinate(random), 0, -1}};
         fit.direction = {coordinate(random), -1, coordinate(random)};
         const auto light = fit_light_space_perspective(fit).light;
-        CHECK(complaint([&] { (void)make_light_units(light, {300, 300}); }).ends_with("see light_units_at."));
+        CHECK(complaint([&] {
+                  (void)make_light_units(light, {300, 300});
+              }).ends_with("light_units_at measures a point."));
         const glm::dmat4 m = texture_matrix(light, {300, 200});
         const glm::dvec3 p(coordinate(random), coordinate(random), coordinate(random)),
             d = glm::normalize(fit.direction);
@@ -177,10 +179,11 @@ TEST_CASE("make_light_units: by hand, and what is refused") {
               "umbrage::make_light_units: map_size must be above 0; got " + detail::printed(none));
     light_space<float> flat{.clip = cpu_clip_space};
     flat.projection[2][2] = 0;
-    CHECK(complaint([&] {
-              static_cast<void>(make_light_units(flat, {1, 1}));
-          }) ==
-          "umbrage::make_light_units: light and map_size must be such that units are finite and above 0; got (2, 2, 0)");
+    CHECK(
+        complaint([&] {
+            static_cast<void>(make_light_units(flat, {1, 1}));
+        }) ==
+        "umbrage::make_light_units: light and map_size must be such that units are finite and above 0; got (2, 2, 0)");
     flat.projection = glm::mat4(std::numeric_limits<float>::quiet_NaN());
     CHECK(!complaint([&] { static_cast<void>(make_light_units(flat, {1, 1})); }).empty());
 }

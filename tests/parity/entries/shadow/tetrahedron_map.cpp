@@ -14,12 +14,12 @@ void add_shadow_tetrahedron_map(std::vector<entry>& all) {
                    return umbrage::tetrahedron_map_places(to_texels, planes, s.x[1], s.x[2], s.x[3], vec4(32, 0, 0, 0),
                                                           {}, vec3(s.x[0]), vec3(s.x[0].w, s.x[1].w, s.x[0].y));
                });
-    const auto texels = [](std::uint64_t i, random& r, sample& s) {
+    const auto places = [](std::uint64_t i, random& r, sample& s) {
         s.x[0] = {64.0f * r.unit(), 64.0f * r.unit(), 0.0f, 0.0f};
         if (i % 4 == 0) s.x[0].y = i % 8 ? s.x[0].x : 64.0f - s.x[0].x;  // on the seams
     };
     all.push_back({.primitive = &umbrage::glsl::tetrahedron_shape,
-                   .classes = {{"texels", texels}},
+                   .classes = {{"texels", places}},
                    .twin =
                        [](const sample& s) {
                            return vec4(umbrage::tetrahedron_shape(vec4(32, 0, 0, 0), 0.0f, vec2(s.x[0])), 1.0f);
