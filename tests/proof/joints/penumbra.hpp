@@ -34,8 +34,10 @@ struct ellipse_of_light {
 /// Texels of a penumbra's ellipse for each unit of depth between a blocker and its receiver, by rays from the receiver
 /// to the middle and to the rim of the light. A light faces along its map's axis.
 /// @param size   of the light: radius, or tangent of half the angle under which it is seen
-[[nodiscard]] inline ellipse_of_light penumbra_of_depth(const proof::traced_map& map, const proof::ray_light& light,
-                                                        double size, glm::dvec3 p) {
+/// @return       none where the map holds no texel around the point
+[[nodiscard]] inline std::optional<ellipse_of_light> penumbra_of_depth(const proof::traced_map& map,
+                                                                       const proof::ray_light& light, double size,
+                                                                       glm::dvec3 p) {
     const glm::dvec3 way = light.way(p);
     const auto w = [&](glm::dvec3 at) { return map.placed(at).w; };
     const glm::dvec3 ahead(w({1, 0, 0}) - w({0, 0, 0}), w({0, 1, 0}) - w({0, 0, 0}), w({0, 0, 1}) - w({0, 0, 0}));
@@ -43,20 +45,27 @@ struct ellipse_of_light {
     const glm::dvec3 side = glm::normalize(glm::cross(
                          axis, std::abs(axis.x) < 0.5 * glm::length(axis) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
                      other = glm::normalize(glm::cross(axis, side));
-    const auto texels_at = [&](glm::dvec3 at) { return glm::dvec2(map.placed(at)) / w(at); };
-    // Ellipse of the rim of a disc around a point, across the axis.
-    const auto rim = [&](glm::dvec3 at, double radius) {
-        const glm::dvec2 a = texels_at(at + side * radius) - texels_at(at),
-                         b = texels_at(at + other * radius) - texels_at(at);
-        const double rows = std::hypot(a.y, b.y), area = std::abs(a.x * b.y - a.y * b.x);
-        return ellipse_of_light{{area / rows, rows}, (a.x * a.y + b.x * b.y) / area};
+    // Texels of the rim of a disc around a point, across the axis, for each unit of its radius.
+    const auto rim = [&](glm::dvec3 at) -> std::optional<ellipse_of_light> {
+        const glm::dvec4 h = map.placed(at), across(axis, -glm::dot(axis, at));
+        const auto moved = [&](double x, double y) {
+            return map.point_at(glm::dvec2(h) / h.w + glm::dvec2(x, y), across);
+        };
+        const auto left = moved(-0.5, 0), right = moved(0.5, 0), below = moved(0, -0.5), above = moved(0, 0.5);
+        if (!left || !right || !below || !above) return std::nullopt;
+        const glm::dvec3 a = *right - *left, b = *above - *below;  // world units of a texel
+        const glm::dmat2 to_texels =
+            glm::inverse(glm::dmat2(glm::dot(a, side), glm::dot(a, other), glm::dot(b, side), glm::dot(b, other)));
+        const glm::dvec2 x(to_texels[0][0], to_texels[1][0]), y(to_texels[0][1], to_texels[1][1]);
+        const double rows = glm::length(y), area = std::abs(glm::determinant(to_texels));
+        return ellipse_of_light{{area / rows, rows}, glm::dot(x, y) / area};
     };
-    const double small = 1e-6 * glm::length(way);
-    const glm::dvec2 density = rim(p, small).radii / small;  // texels for each unit of length
-    const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 / std::min(density.x, density.y));
+    const auto here = rim(p);
+    if (!here) return std::nullopt;
+    const glm::dvec3 blocker = p + way * (light.is_point ? 0.25 : 16 / std::min(here->radii.x, here->radii.y));
     const double aside = light.is_point ? size * (1 - w(blocker) / w(p)) : size * glm::length(blocker - p);
-    ellipse_of_light all = rim(blocker, small);
-    all.radii *= (aside / small) / (map.depth(p) - map.depth(blocker));
+    auto all = rim(blocker);
+    if (all) all->radii *= aside / (map.depth(p) - map.depth(blocker));
     return all;
 }
 
@@ -84,8 +93,9 @@ public:
     penumbra_rays(const proof::traced_map& map, const proof::ray_light& light, const std::vector<surface>& all,
                   const receiver& r, bool clips, const soft_look& look)
         : map_(map), light_(light), own_(all[r.own]), at_(r.point), clips_(clips), look_(look) {
-        const ellipse_of_light penumbra = penumbra_of_depth(map, light, look.filter.light_size, at_);
-        of_depth_ = penumbra.radii, shear_ = penumbra.shear;
+        const auto penumbra = penumbra_of_depth(map, light, look.filter.light_size, at_);
+        if (!penumbra) return;
+        of_depth_ = penumbra->radii, shear_ = penumbra->shear;
         const glm::dvec4 turn = glm::dvec4(umbrage::disc_rotation(glm::vec2(look.pixel))) / 64.0;
         for (const glm::ivec2 point : umbrage::detail::points_of_disc(look.filter.points)) {
             const glm::dvec2 p = glm::dvec2(point) / 16.0;
@@ -144,7 +154,8 @@ private:
     /// Rays of the texel under a point of the disc, for all radii of a range.
     [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const radii_range& radius) const {
         const glm::dvec2 spread = glm::abs(point) * (0.5 * (radius.high - radius.low));
-        return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y),
+        const double slanted = look_.loose * std::abs(point.y) * std::max(radius.high.x, radius.high.y);
+        return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y) + slanted,
                           point * (0.5 * (radius.low + radius.high)));
     }
     /// Share of the disc's points that blockers hide; none where rays say nothing.
