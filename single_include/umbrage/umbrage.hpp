@@ -25583,6 +25583,7 @@ struct single_map {
     }
 };
 
+/// A light's one map may be warped.
 template <>
 inline constexpr bool has_warps<single_map> = true;
 
@@ -31217,6 +31218,7 @@ private:
     }
 };
 
+/// All of its maps are warped.
 template <>
 inline constexpr bool has_warps<warped_maps> = true;
 

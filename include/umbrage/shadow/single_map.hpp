@@ -145,6 +145,7 @@ struct single_map {
     }
 };
 
+/// A light's one map may be warped.
 template <>
 inline constexpr bool has_warps<single_map> = true;
 

@@ -115,6 +115,7 @@ private:
     }
 };
 
+/// All of its maps are warped.
 template <>
 inline constexpr bool has_warps<warped_maps> = true;
 

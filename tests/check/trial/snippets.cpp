@@ -31,7 +31,7 @@ TEST_CASE("own filters have their bits") {
         const bool box = name == "box", disc = name.starts_with("disc"), sdk = name == "pcf_2x2_dx_sdk";
         const std::string call = "umbrage_" + name + "(map, size, coord, z" +
                                  (box    ? ", 1"
-                                  : disc ? ", 2.0, vec2(64.0, 0.0)"
+                                  : disc ? ", 2.0, vec4(64.0, 0.0, 0.0, 64.0)"
                                   : sdk  ? ", 0.0"
                                          : "") +
                                  ")";

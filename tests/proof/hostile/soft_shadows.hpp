@@ -55,6 +55,9 @@ void each_with_points(const Run& run, const Fetch& fetch) {
             return glm::vec2(use(coord, in[0].z, turn, less_equal{}), use(coord, in[0].z, turn, greater_equal{}));
         });
     };
+    both("ellipse", [&](glm::vec2 coord, float receiver, glm::vec4 turn, auto is_lit) {
+        return ellipse<Points>(fetch, coord, receiver, glm::vec2(23.0f, 71.0f), turn, is_lit);
+    });
     const glm::vec4 soft(0.0234375f, 0.046875f, 5.0f, 100.0f);
     both("pcss", [&](glm::vec2 coord, float receiver, glm::vec4 turn, auto is_lit) {
         return pcss<Points>(fetch, coord, receiver, soft, turn, is_lit);

@@ -72,7 +72,7 @@ glm::dmat2 by_differences(const glm::dmat4& m, glm::dvec3 at) {
     return squared(j);
 }
 
-/// A floor, and a roof over the half of it where x is below 0, or y; seen from a light at the origin that looks down -z.
+/// A floor, and a roof over the half of it where x is below 0, or y. A light at the origin looks down -z at them.
 struct roofed {
     std::vector<glm::vec3> positions;
     std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
