@@ -5734,7 +5734,7 @@ inline constexpr const snippet* disc_tap_snippets[]{&disc_rotation, &sheared_rot
 //
 // A spot light's z/w is linear in 1 / distance, and so is the width of its penumbras in texels. It is
 // radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
-// Where texels are not square, a penumbra is an ellipse of texels: it has a radius along x and one along y.
+// A penumbra has a radius along x and one along y, in texels. They differ where texels are not square.
 // The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
 // the mean distance.
 // Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius
@@ -6000,7 +6000,7 @@ inline constexpr const snippet* penumbra_snippets[]{&distance_code, &penumbra,  
 //     float visibility =
 //         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
-// Where texels are not square, a disc in the world is an ellipse of these points (ellipse).
+// An ellipse of these points is a disc in the world where texels are not square (ellipse).
 // Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
 // See also: disc_tap.hpp, disc_hardware.hpp, blocker/pcss.hpp.
 
@@ -25290,9 +25290,10 @@ struct setup_for<dual_paraboloid_light<T>> {
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under LiSPSM and TSM a ray of the light keeps its w, under PSM nearly so. So the depth between a caster and its
-// receiver, and the width of the penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the
-// texel's row, and the shear is linear in its column.
+// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
+// penumbra in texels, both go with 1 / w. Under LiSPSM and TSM w varies along the map's y alone. What is left of their
+// ratio is then linear in the texel's row, and the shear is linear in its column. Under PSM w also varies a little
+// along x, which these numbers leave out.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 
 namespace umbrage {
@@ -26897,9 +26898,17 @@ template <class Setup, class Filter>
     return fields;
 }
 
+/// Function of the shape of penumbras in a setup's maps. Setups whose maps have one shape have none.
+template <class Setup>
+[[nodiscard]] constexpr shape_function shaping_of() {
+    if constexpr (has_warps<Setup>) return {&glsl::warp_shape, "warps"};
+    else if constexpr (requires { Setup::shaping; }) return Setup::shaping;
+    else return {};
+}
+
 /// True where the shape of penumbras may change within a map.
 template <class Setup, class Filter>
-inline constexpr bool has_shapes = contact_hardening<Filter> && (has_warps<Setup> || requires { Setup::shaping; });
+inline constexpr bool has_shapes = contact_hardening<Filter>&& shaping_of<Setup>().calls != nullptr;
 
 /// True where it does.
 template <class Setup>
@@ -27036,8 +27045,7 @@ template <class Setup, class Filter>
         }
         if constexpr (has_shapes<Setup, Filter>)
             if (changes_shape(setup)) {
-                shape_function shaping{&glsl::warp_shape, "warps"};
-                if constexpr (!has_warps<Setup>) shaping = Setup::shaping;
+                constexpr shape_function shaping = shaping_of<Setup>();
                 w.statements.push_back("UMBRAGE_HIGHP vec3 shape = umbrage_" + std::string(shaping.calls->name) + '(' +
                                        std::string(shaping.argument) + ", number, vec2(at.x, at.y));");
                 softness = "umbrage_shaped_softness(" + softness + ", shape)";

@@ -8,9 +8,10 @@
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under LiSPSM and TSM a ray of the light keeps its w, under PSM nearly so. So the depth between a caster and its
-// receiver, and the width of the penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the
-// texel's row, and the shear is linear in its column.
+// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
+// penumbra in texels, both go with 1 / w. Under LiSPSM and TSM w varies along the map's y alone. What is left of their
+// ratio is then linear in the texel's row, and the shear is linear in its column. Under PSM w also varies a little
+// along x, which these numbers leave out.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 #pragma once
 

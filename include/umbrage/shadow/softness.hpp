@@ -97,9 +97,17 @@ template <class Setup, class Filter>
     return fields;
 }
 
+/// Function of the shape of penumbras in a setup's maps. Setups whose maps have one shape have none.
+template <class Setup>
+[[nodiscard]] constexpr shape_function shaping_of() {
+    if constexpr (has_warps<Setup>) return {&glsl::warp_shape, "warps"};
+    else if constexpr (requires { Setup::shaping; }) return Setup::shaping;
+    else return {};
+}
+
 /// True where the shape of penumbras may change within a map.
 template <class Setup, class Filter>
-inline constexpr bool has_shapes = contact_hardening<Filter> && (has_warps<Setup> || requires { Setup::shaping; });
+inline constexpr bool has_shapes = contact_hardening<Filter>&& shaping_of<Setup>().calls != nullptr;
 
 /// True where it does.
 template <class Setup>
@@ -236,8 +244,7 @@ template <class Setup, class Filter>
         }
         if constexpr (has_shapes<Setup, Filter>)
             if (changes_shape(setup)) {
-                shape_function shaping{&glsl::warp_shape, "warps"};
-                if constexpr (!has_warps<Setup>) shaping = Setup::shaping;
+                constexpr shape_function shaping = shaping_of<Setup>();
                 w.statements.push_back("UMBRAGE_HIGHP vec3 shape = umbrage_" + std::string(shaping.calls->name) + '(' +
                                        std::string(shaping.argument) + ", number, vec2(at.x, at.y));");
                 softness = "umbrage_shaped_softness(" + softness + ", shape)";

@@ -76,10 +76,8 @@ inline std::string choosing_of_module(const umbrage::choice_function& choosing) 
 /// Shape of penumbras in a setup's maps; others have none. No light of one map is warped here.
 template <class Setup>
 [[nodiscard]] std::string shape_of_module() {
-    umbrage::shape_function shaping;
-    if constexpr (requires { Setup::shaping; }) shaping = Setup::shaping;
-    else if constexpr (std::is_same_v<Setup, umbrage::warped_maps>) shaping = {&glsl::warp_shape, "warps"};
-    if (shaping.calls == nullptr) return "";
+    constexpr umbrage::shape_function shaping = umbrage::detail::shaping_of<Setup>();
+    if (shaping.calls == nullptr || std::is_same_v<Setup, umbrage::single_map>) return "";
     return ", shape: { calls: snippets." + std::string(shaping.calls->name) +
            ", argument: " + literal(shaping.argument) + " }";
 }

@@ -84,7 +84,7 @@ struct soft_look {
     double reach;      ///< of the filter, texels
     double beside;     ///< texels from a point to the center of its texel, with what a rasterizer moves
     double hidden;     ///< depth before a receiver that its bias may hide
-    double loose = 0;  ///< share of a radius by which it may be off beside: under PSM, whose rays do not keep their w
+    double loose = 0;  ///< share of a radius by which it may be off: under PSM, where w also varies along x
 };
 
 /// What rays say of a receiver in one map, by the points of its filter's disc.

@@ -9,7 +9,7 @@
 //
 // A spot light's z/w is linear in 1 / distance, and so is the width of its penumbras in texels. It is
 // radius (1 / d_blocker - 1 / d_receiver), in texels per unit at distance 1. So no depth has to be made linear.
-// Where texels are not square, a penumbra is an ellipse of texels: it has a radius along x and one along y.
+// A penumbra has a radius along x and one along y, in texels. They differ where texels are not square.
 // The mean z/w of several blockers gives their harmonic mean distance. Penumbras are therefore never smaller than for
 // the mean distance.
 // Also called: blocker search (blockers); penumbra estimate (penumbra); light size, source radius

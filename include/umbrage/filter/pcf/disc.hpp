@@ -5,7 +5,7 @@
 //     float visibility =
 //         umbrage::disc<16>(umbrage::bordered(map), coord, depth - bias, 3.0f, umbrage::disc_rotation(pixel));
 //
-// Where texels are not square, a disc in the world is an ellipse of these points (ellipse).
+// An ellipse of these points is a disc in the world where texels are not square (ellipse).
 // Also called: Poisson disk, Vogel disk, rotated disc PCF (disc, disc_rotation).
 // See also: disc_tap.hpp, disc_hardware.hpp, blocker/pcss.hpp.
 #pragma once
