@@ -239,7 +239,7 @@
 // warped_maps_choice, tier C: within 12 x 2^-23 x S of the exact result.
 // warped_maps_place, tier C: within 121 x 2^-23 x S of the exact result.
 // adaptive_maps_places, tier C: within 68 x 2^-23 x S of the exact result.
-// warp_shape, tier B: within 2 x 2^-23 x S of the exact result.
+// warp_shape, tier C: within 20 x 2^-23 x S of the exact result.
 // shaped_softness, tier C: within 9 x 2^-23 x S of the exact result.
 // box_shadow, tier B: within 290 x 2^-23 x S of the exact result.
 // castano5_shadow, tier B: within 80 x 2^-23 x S of the exact result.
@@ -2379,15 +2379,17 @@ inline float2 umbrage_map_softness(metal::float4x4 eight, float number) {
 #ifndef UMBRAGE_HAS_WARP_SHAPE
 #define UMBRAGE_HAS_WARP_SHAPE
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 inline float3 umbrage_warp_shape(metal::float4x4 warps, float number, float2 at) {
     float4 own = umbrage_cascade_column(warps, number);
-    float factor = own.x + own.y * at.y;
-    float shear = own.z + own.w * at.x;
-    return float3(1.0, factor, metal::clamp(shear, -2.0, 2.0));
+    float2 a = float2(1.0 - at.x * own.x, own.z - at.x * own.y);
+    float2 b = float2(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    float area = metal::abs(a.x * b.y - a.y * b.x);
+    float rows = metal::length(b);
+    return float3(area / rows, rows, metal::clamp(metal::dot(a, b) / area, -8.0, 8.0));
 }
 #endif
 

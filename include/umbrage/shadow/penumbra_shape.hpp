@@ -9,9 +9,12 @@
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
 // Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
-// penumbra in texels, both go with 1 / w. Under LiSPSM and TSM w varies along the map's y alone. What is left of their
-// ratio is then linear in the texel's row, and the shear is linear in its column. Under PSM w also varies a little
-// along x, which these numbers leave out.
+// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel: the rows
+//
+//     a = (1, shear) - x change      and      b = (0, 1) - y ratio change
+//
+// are what a step across the light adds to x and y of the map, in units of its first texel's: `change` is that of w.
+// Their ellipse has the radii |a x b| / |b| and |b|, and the shear a . b / |a x b|.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 #pragma once
 
@@ -32,15 +35,18 @@
 namespace umbrage {
 
 /// Shape of penumbras at a texel of a warped map.
-/// @param warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+/// @param warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0), as above
 /// @param number   number of the map, an integer from 0 to 3
 /// @param at       place in the map, texels
-/// @return         factors of the map's softness in x, which is 1, and in y; shear from -2 to 2
-/// @exactness      B, n = 2
+/// @return         factors of the map's softness in x and y, which are 1 at (0, 0); shear from -8 to 8
+/// @exactness      C, n = 20
 template <real T>
 [[nodiscard]] glm::vec<3, T> warp_shape(const glm::mat<4, 4, T>& warps, T number, glm::vec<2, T> at) {
     const glm::vec<4, T> own = cascade_column(warps, number);
-    return {T(1), own.x + own.y * at.y, (glm::clamp)(own.z + own.w * at.x, T(-2), T(2))};
+    const glm::vec<2, T> a(T(1) - at.x * own.x, own.z - at.x * own.y),
+        b(T(0) - at.y * own.w * own.x, T(1) - at.y * own.w * own.y);
+    const T area = glm::abs(a.x * b.y - a.y * b.x), rows = std::sqrt(b.x * b.x + b.y * b.y);
+    return {area / rows, rows, (glm::clamp)((a.x * b.x + a.y * b.y) / area, T(-8), T(8))};
 }
 
 /// Softness at a place of a map. Its largest radius shrinks with the shear, so that no point lies farther along x than
@@ -56,23 +62,25 @@ template <real T>
 
 namespace detail {
 
-/// Numbers of a map for warp_shape: a column of it. (1, 0, 0, 0) where no warp changes the shape.
+/// Texel of a warped map whose softness the factors of warp_shape belong to.
+inline constexpr glm::ivec2 warp_origin{0};
+
+/// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where no warp changes the shape.
 /// @param m   texture matrix of the map
 [[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    // d(texel) / d(world across the light) is (x - column w, y - row w) / w, of the matrix' rows x, y and w.
-    const glm::dvec3 way = glm::normalize(direction_of(m)), x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
-    const auto across = [&](const glm::dvec3& v) { return v - way * glm::dot(way, v); };
-    const glm::dvec2 size(map_size);
-    const glm::dvec3 middle = across(y - 0.5 * size.y * w);
-    const auto factor = [&](double row) { return glm::dot(across(y - row * w), middle) / glm::dot(middle, middle); };
-    const auto shear = [&](double column) {
-        const glm::dvec3 a = across(x - column * w);
-        return glm::dot(a, middle) / glm::length(glm::cross(a, middle));
+    // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
+    const auto sides = across(unit(direction_of(m)));
+    const auto part = [&](int row) {
+        const glm::dvec3 all = row_of(m, row);
+        return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));
     };
-    const glm::dvec4 all(factor(0), (factor(size.y) - factor(0)) / size.y, shear(0),
-                         (shear(size.x) - shear(0)) / size.x);
-    const bool changes = std::abs(all.y * size.y) > 1e-6 || std::abs(all.z) > 1e-6 || std::abs(all.w * size.x) > 1e-6;
-    return changes ? glm::vec4(all) : glm::vec4(1, 0, 0, 0);
+    const glm::dvec2 x = part(0), y = part(1), w = part(3), ahead = glm::normalize(y);
+    const glm::dvec2 aside = glm::dvec2(ahead.y, -ahead.x) * (x.x * ahead.y < x.y * ahead.x ? -1.0 : 1.0);
+    const double wide = glm::dot(x, aside);
+    const glm::dvec4 all(glm::dvec3(glm::dot(w, aside), glm::dot(w, ahead), glm::dot(x, ahead)) / wide,
+                         wide / glm::length(y));
+    const double most = (glm::max)(std::abs(all.x), std::abs(all.y)) * (glm::max)(map_size.x, map_size.y);
+    return most > 1e-6 || std::abs(all.z) > 1e-6 ? glm::vec4(all) : glm::vec4(0, 0, 0, 1);
 }
 
 }  // namespace detail
@@ -82,20 +90,22 @@ namespace glsl {
 inline constexpr snippet warp_shape{
     .name = "warp_shape",
     .summary = "shape of penumbras at a texel of a warped map",
-    .exactness = tier::b,
-    .operations = 2,
+    .exactness = tier::c,
+    .operations = 20,
     .needs = list<&cascade_column>,
     .source = R"GLSL(
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 UMBRAGE_HIGHP vec3 umbrage_warp_shape(UMBRAGE_HIGHP mat4 warps, UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 at) {
     UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(warps, number);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float factor = own.x + own.y * at.y;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float shear = own.z + own.w * at.x;
-    return vec3(1.0, factor, clamp(shear, -2.0, 2.0));
+    UMBRAGE_HIGHP vec2 a = vec2(1.0 - at.x * own.x, own.z - at.x * own.y);
+    UMBRAGE_HIGHP vec2 b = vec2(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    UMBRAGE_HIGHP float area = abs(a.x * b.y - a.y * b.x);
+    UMBRAGE_HIGHP float rows = length(b);
+    return vec3(area / rows, rows, clamp(dot(a, b) / area, -8.0, 8.0));
 }
 )GLSL",
 };

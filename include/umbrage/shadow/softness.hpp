@@ -140,14 +140,18 @@ void require_light_size(const Filter& filter) {
 }
 
 /// `per_code_x` and `per_code_y` of each map of a setup. They come from the setup's first lights, because lights that
-/// share a map are alike. A setup with no light has one pair of 0.
+/// share a map are alike. A warped map has that of its first texel. A setup with no light has one pair of 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<glm::vec2> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<glm::vec2> all;
+    const bool is_warped = [&] {
+        if constexpr (has_warps<Setup>) return setup.is_warped();
+        else return false;
+    }();
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = measured_at(m, map_size);
+            const glm::dvec3 at = measured_at(m, is_warped ? warp_origin : map_size);
             const glm::dvec2 edges = edges_at(m, at);
             const double depth = units_at(m, at).y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),

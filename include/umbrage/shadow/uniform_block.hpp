@@ -79,8 +79,8 @@ template <shadow_setup Setup, class Filter>
     return all;
 }
 
-/// Filter for one map. Contact hardening gets the softness of that map: that of its middle if it is warped, and that of
-/// face 0 in a tetrahedron's.
+/// Filter for one map. Contact hardening gets the softness of that map: that of its first texel if it is warped, and
+/// that of face 0 in a tetrahedron's.
 template <class Setup, class Filter>
 [[nodiscard]] Filter filter_of_map(const Filter& filter,
                                    const shadow_uniforms<Setup, softness_matrices<Setup, Filter>>& uniforms,

@@ -5211,18 +5211,20 @@ UMBRAGE_HIGHP vec2 umbrage_map_softness(UMBRAGE_HIGHP mat4 eight, UMBRAGE_HIGHP 
 ` };
 
 export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
-    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 UMBRAGE_HIGHP vec3 umbrage_warp_shape(UMBRAGE_HIGHP mat4 warps, UMBRAGE_HIGHP float number, UMBRAGE_HIGHP vec2 at) {
     UMBRAGE_HIGHP vec4 own = umbrage_cascade_column(warps, number);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float factor = own.x + own.y * at.y;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float shear = own.z + own.w * at.x;
-    return vec3(1.0, factor, clamp(shear, -2.0, 2.0));
+    UMBRAGE_HIGHP vec2 a = vec2(1.0 - at.x * own.x, own.z - at.x * own.y);
+    UMBRAGE_HIGHP vec2 b = vec2(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    UMBRAGE_HIGHP float area = abs(a.x * b.y - a.y * b.x);
+    UMBRAGE_HIGHP float rows = length(b);
+    return vec3(area / rows, rows, clamp(dot(a, b) / area, -8.0, 8.0));
 }
 ` };
 

@@ -5008,18 +5008,20 @@ float2 umbrage_map_softness(float4x4 eight, float number) {
 ` };
 
 export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
-    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 float3 umbrage_warp_shape(float4x4 warps, float number, float2 at) {
     float4 own = umbrage_cascade_column(warps, number);
-    precise float factor = own.x + own.y * at.y;
-    precise float shear = own.z + own.w * at.x;
-    return float3(1.0, factor, clamp(shear, -2.0, 2.0));
+    float2 a = float2(1.0 - at.x * own.x, own.z - at.x * own.y);
+    float2 b = float2(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    float area = abs(a.x * b.y - a.y * b.x);
+    float rows = length(b);
+    return float3(area / rows, rows, clamp(dot(a, b) / area, -8.0, 8.0));
 }
 ` };
 

@@ -4992,18 +4992,20 @@ fn umbrage_map_softness(eight: mat4x4f, number: f32) -> vec2f {
 ` };
 
 export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
-    exactness: "b", operations: 2, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 fn umbrage_warp_shape(warps: mat4x4f, number: f32, at: vec2f) -> vec3f {
     let own: vec4f = umbrage_cascade_column(warps, number);
-    let factor: f32 = own.x + own.y * at.y;
-    let shear: f32 = own.z + own.w * at.x;
-    return vec3f(1.0, factor, clamp(shear, -2.0, 2.0));
+    let a: vec2f = vec2f(1.0 - at.x * own.x, own.z - at.x * own.y);
+    let b: vec2f = vec2f(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    let area: f32 = abs(a.x * b.y - a.y * b.x);
+    let rows: f32 = length(b);
+    return vec3f(area / rows, rows, clamp(dot(a, b) / area, -8.0, 8.0));
 }
 ` };
 

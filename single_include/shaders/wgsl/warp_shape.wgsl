@@ -1,6 +1,6 @@
-// umbrage 0.1.0, warp_shape: shape of penumbras at a texel of a warped map. Exactness: tier B.
+// umbrage 0.1.0, warp_shape: shape of penumbras at a texel of a warped map. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
-// warp_shape, tier B: within 2 x 2^-23 x S of the exact result.
+// warp_shape, tier C: within 20 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT
@@ -14,13 +14,15 @@ fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
 }
 
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
-//   warps    one column per map: its factor in y is x + y times the row, its shear z + w times the column
+//   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)
 //   number   number of the map
 //   at       place in the map, texels
 //   returns factors of the map's softness in x and y, and the shear
 fn umbrage_warp_shape(warps: mat4x4f, number: f32, at: vec2f) -> vec3f {
     let own: vec4f = umbrage_cascade_column(warps, number);
-    let factor: f32 = own.x + own.y * at.y;
-    let shear: f32 = own.z + own.w * at.x;
-    return vec3f(1.0, factor, clamp(shear, -2.0, 2.0));
+    let a: vec2f = vec2f(1.0 - at.x * own.x, own.z - at.x * own.y);
+    let b: vec2f = vec2f(-at.y * own.w * own.x, 1.0 - at.y * own.w * own.y);
+    let area: f32 = abs(a.x * b.y - a.y * b.x);
+    let rows: f32 = length(b);
+    return vec3f(area / rows, rows, clamp(dot(a, b) / area, -8.0, 8.0));
 }

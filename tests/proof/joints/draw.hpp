@@ -143,8 +143,7 @@ private:
         verdict here = verdict_of(map, lit_.light, scene_.surfaces, r, reach, stated, lit_.clips);
         if (here.is_open() && choices_.filter.hardens() && umbrage::detail::is_seen(place)) {
             const double hidden = 2 * double(facts.terms.error + place.slack) + facts.farther + 0x1p-22;
-            soft_look look{choices_.filter, pixel(i), reach, 0.5 + more + 1.0 / 16, hidden};
-            if (choices_.setup == setup_kind::perspective) look.loose = 0.2;
+            const soft_look look{choices_.filter, pixel(i), reach, 0.5 + more + 1.0 / 16, hidden};
             here = penumbra_rays(map, lit_.light, scene_.surfaces, r, lit_.clips, look).visibility();
         }
         return is_held(map, r.point, reach + 1) ? here : verdict{here.least, 1};

@@ -108,7 +108,7 @@ const std::vector<fault> faults{
     {"softness: a light 1.3 times too small", [](tweaks& t) { t.softness = 1 / 1.3f; }, hardens},
     {"softness: the default, not of the light's size", [](tweaks& t) { t.default_softness = true; }, hardens},
     {"softness: of a texel's longer edge alone", [](tweaks& t) { t.one_softness = true; }, has_long_texels},
-    {"softness: of the middle of a warped map", [](tweaks& t) { t.drops_shape = true; }, has_shapes},
+    {"softness: of the first texel of a warped map", [](tweaks& t) { t.drops_shape = true; }, has_shapes},
     {"softness: of the next map", [](tweaks& t) { t.other_softness = 1; }, has_softnesses},
     {"blockers: searched within the smallest radius", [](tweaks& t) { t.searches_least = true; }, is_pcss},
     {"blockers: a mean over all points", [](tweaks& t) { t.counts_all_points = true; }, is_pcss},

@@ -84,7 +84,6 @@ struct soft_look {
     double reach;      ///< of the filter, texels
     double beside;     ///< texels from a point to the center of its texel, with what a rasterizer moves
     double hidden;     ///< depth before a receiver that its bias may hide
-    double loose = 0;  ///< share of a radius by which it may be off: under PSM, where w also varies along x
 };
 
 /// What rays say of a receiver in one map, by the points of its filter's disc.
@@ -102,7 +101,7 @@ public:
             const double x = turn.x * p.x + turn.y * p.y, y = turn.z * p.x + turn.w * p.y;
             points_.emplace_back(x + shear_ * y, y);
         }
-        if (!(std::abs(shear_) < 2)) points_.clear();  // which filters cut
+        if (!(std::abs(shear_) < 8)) points_.clear();  // which filters cut
         const std::optional<beam> wide = beam::make(map, light, own_, at_, look.reach);
         if (!wide) points_.clear();
         for (std::size_t k = 0; k < all.size() && wide; ++k)
@@ -142,7 +141,7 @@ public:
 private:
     /// Radii of penumbras, texels: those of a light in world units, and the stated accuracy of pcss.
     [[nodiscard]] radii_range radii(const range& apart) const {
-        const double off = look_.loose + 1.0 / 256;
+        constexpr double off = 1.0 / 256;
         const glm::dvec2 code = of_depth_ * (16.0 / 65536);  // sixteenths of a texel per code of depth
         const glm::dvec2 low = of_depth_ * (16 * (apart.low - look_.hidden) * (1 - off)) - 1.0 - code;
         const glm::dvec2 high = of_depth_ * (16 * (apart.high + look_.hidden) * (1 + off)) + 2.0 * code;
@@ -154,8 +153,7 @@ private:
     /// Rays of the texel under a point of the disc, for all radii of a range.
     [[nodiscard]] std::optional<beam> beam_of(glm::dvec2 point, const radii_range& radius) const {
         const glm::dvec2 spread = glm::abs(point) * (0.5 * (radius.high - radius.low));
-        const double slanted = look_.loose * std::abs(point.y) * std::max(radius.high.x, radius.high.y);
-        return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y) + slanted,
+        return beam::make(map_, light_, own_, at_, look_.beside + std::max(spread.x, spread.y),
                           point * (0.5 * (radius.low + radius.high)));
     }
     /// Share of the disc's points that blockers hide; none where rays say nothing.

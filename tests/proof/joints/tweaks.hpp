@@ -62,7 +62,7 @@ struct tweaks {
     float softness = 1;              ///< factor of the light's size
     bool default_softness = false;   ///< a map's softness as filters have it before it is computed
     bool one_softness = false;       ///< that of the longer edge of a texel along both axes
-    bool drops_shape = false;        ///< that of the middle of a map everywhere
+    bool drops_shape = false;        ///< that of the first texel of a map everywhere
     int other_softness = 0;          ///< each map has the softness of the one so many maps on
     bool searches_least = false;     ///< blockers within the smallest radius
     bool counts_all_points = false;  ///< mean over all points of the search, not over those that found a blocker

@@ -184,7 +184,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           (number of blockers, sum of their distance_codes): integers
 /// @edge             NaN receiver: every texel blocks. NaN texel: a blocker at the far plane. Radius beyond 4095 to
-///                   either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0, 0, 64)
+///                   either side: clamped; NaN: 0. rotation NaN or of components above 576: (64, 0, 0, 64)
 /// @exactness        A: a sum below 2^21
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, glm::vec<2, T> radius,

@@ -34,7 +34,7 @@ namespace umbrage {
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. Radius
-///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or of components above 192: (64, 0,
+///                   beyond 4095 to either side: clamped; NaN: 0. rotation NaN or of components above 576: (64, 0,
 ///                   0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
@@ -63,7 +63,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param is_lit     less_equal, or greater_equal for reversed depth
 /// @return           visibility in [0, 1]: 0 in shadow, 1 lit. A multiple of 1 / Points
 /// @edge             coord outside texel space or NaN: 1. Receiver beyond the far plane: 1. NaN receiver: 0. rotation
-///                   NaN or of components above 192: (64, 0, 0, 64)
+///                   NaN or of components above 576: (64, 0, 0, 64)
 /// @formula          mean of [receiver <= fetch(disc_tap)] over disc_points
 /// @exactness        A
 template <int Points, real T, class Fetch, class Compare = less_equal>

@@ -64,12 +64,12 @@ namespace detail {
     return disc_points<32>;
 }
 
-/// Rotation from disc_rotation or sheared_rotation, whose components are at most 192. Any other, NaN included: the
+/// Rotation from disc_rotation or sheared_rotation, whose components are at most 576. Any other, NaN included: the
 /// first one of disc_rotation.
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> bounded_rotation(glm::vec<4, T> rotation) {
-    const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(170)) &&
-                         inside_texel_space(glm::vec<2, T>(rotation.z, rotation.w) * T(170));
+    const bool bounded = inside_texel_space(glm::vec<2, T>(rotation.x, rotation.y) * T(56)) &&
+                         inside_texel_space(glm::vec<2, T>(rotation.z, rotation.w) * T(56));
     return bounded ? rotation : glm::vec<4, T>(T(64), T(0), T(0), T(64));
 }
 
@@ -108,7 +108,7 @@ template <real T>
 
 /// Rotation of a disc, and then a shear along x. It is for maps whose texels are no rectangles of the world.
 /// @param rotation   from disc_rotation
-/// @param shear      by how much x grows with y, both in radii of the ellipse; -2 to 2
+/// @param shear      by how much x grows with y, both in radii of the ellipse; -8 to 8
 /// @return           rows (x, y) + shear (z, w) and (z, w)
 /// @exactness        B, n = 2
 template <real T>

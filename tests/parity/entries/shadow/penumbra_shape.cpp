@@ -9,7 +9,8 @@ void add_shadow_penumbra_shape(std::vector<entry>& all) {
     const auto warps = [](std::uint64_t i, random& r, sample& s) {
         s.x[0] = {4096.0f * r.unit(), 4096.0f * r.unit(), static_cast<float>(i % 4), 0.0f};
         for (std::size_t column = 1; column < 5; ++column)
-            s.x[column] = {2.0f * r.unit(), r.unit() / 2048.0f, 3.0f * r.unit() - 1.5f, r.unit() / 1024.0f};
+            s.x[column] = {(r.unit() - 0.5f) / 8192.0f, (1.5f * r.unit() - 1.0f) / 8192.0f, 3.0f * r.unit() - 1.5f,
+                           0.5f + r.unit()};
     };
     all.push_back({.primitive = &umbrage::glsl::warp_shape,
                    .classes = {{"warps", warps}},
