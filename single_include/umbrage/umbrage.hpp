@@ -25306,7 +25306,7 @@ namespace umbrage {
 /// @param number   number of the map, an integer from 0 to 3
 /// @param at       place in the map, texels
 /// @return         factors of the map's softness in x and y, which are 1 at (0, 0); shear from -8 to 8
-/// @exactness      C, n = 20
+/// @exactness      C, n = 29
 template <real T>
 [[nodiscard]] glm::vec<3, T> warp_shape(const glm::mat<4, 4, T>& warps, T number, glm::vec<2, T> at) {
     const glm::vec<4, T> own = cascade_column(warps, number);
@@ -25329,15 +25329,12 @@ template <real T>
 
 namespace detail {
 
-/// Texel of a warped map whose softness the factors of warp_shape belong to.
-inline constexpr glm::ivec2 warp_origin{0};
-
 /// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where no warp changes the shape.
 /// @param m   texture matrix of the map
 [[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
     // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
     const auto sides = across(unit(direction_of(m)));
-    const auto part = [&](int row) {
+    const auto part = [&](glm::length_t row) {
         const glm::dvec3 all = row_of(m, row);
         return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));
     };
@@ -25358,7 +25355,7 @@ inline constexpr snippet warp_shape{
     .name = "warp_shape",
     .summary = "shape of penumbras at a texel of a warped map",
     .exactness = tier::c,
-    .operations = 20,
+    .operations = 29,
     .needs = list<&cascade_column>,
     .source = R"GLSL(
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
@@ -26962,7 +26959,7 @@ template <shadow_setup Setup>
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = measured_at(m, is_warped ? warp_origin : map_size);
+            const glm::dvec3 at = measured_at(m, is_warped ? glm::ivec2(0) : map_size);
             const glm::dvec2 edges = edges_at(m, at);
             const double depth = units_at(m, at).y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),

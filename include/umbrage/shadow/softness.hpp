@@ -151,7 +151,7 @@ template <shadow_setup Setup>
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = measured_at(m, is_warped ? warp_origin : map_size);
+            const glm::dvec3 at = measured_at(m, is_warped ? glm::ivec2(0) : map_size);
             const glm::dvec2 edges = edges_at(m, at);
             const double depth = units_at(m, at).y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),

@@ -5008,7 +5008,7 @@ float2 umbrage_map_softness(float4x4 eight, float number) {
 ` };
 
 export const warp_shape = { language, name: "warp_shape", summary: "shape of penumbras at a texel of a warped map",
-    exactness: "c", operations: 20, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
+    exactness: "c", operations: 29, within: 0, as_written: false, lowest: "100", role: "none", scaled: false,
     needs: [cascade_column], text: `
 // umbrage_warp_shape: shape of penumbras at a texel of a warped map
 //   warps    one column per map: (change of w along both axes, shear, ratio) of its texel (0, 0)

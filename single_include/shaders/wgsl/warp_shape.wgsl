@@ -1,6 +1,6 @@
 // umbrage 0.1.0, warp_shape: shape of penumbras at a texel of a warped map. Exactness: tier C.
 // WGSL lets compilers fuse or reorder sums.
-// warp_shape, tier C: within 20 x 2^-23 x S of the exact result.
+// warp_shape, tier C: within 29 x 2^-23 x S of the exact result.
 // S is the formula with the magnitude of every value and a plus for every minus.
 // Inside the bound, a comparison or floor may fall on either side.
 // SPDX-License-Identifier: MIT

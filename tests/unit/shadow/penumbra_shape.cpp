@@ -115,7 +115,7 @@ TEST_CASE("warp_shape: texels per unit of depth everywhere in a warped map, by d
         const glm::dmat4 m = texture_matrix(light, size), back = glm::inverse(m);
         glm::mat4 warps(0);
         warps[2] = detail::warp_of(m, size);
-        const glm::dvec3 first = detail::measured_at(m, detail::warp_origin);
+        const glm::dvec3 first = detail::measured_at(m, glm::ivec2(0));
         const glm::dvec2 dense = 1.0 / detail::edges_at(m, first) / detail::units_at(m, first).y;
         for (const double x : {0.1, 0.5, 0.85})
             for (const double y : {0.05, 0.4, 0.95}) {
