@@ -110,8 +110,7 @@ std::vector<job> soft(const std::string& folder) {
         {"PCSS, 16 + 16 taps",
          {{us, "pcss_hardware16", "", pcss_hardware_items(),
            "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec4(0.0625, 0.0625, 16.0, 96.0), "
-           "vec2(64.0, "
-           "0.0)))"},
+           "vec4(64.0, 0.0, 0.0, 64.0)))"},
           {us, "pcss_hardware16, turned", "", pcss_hardware_items(),
            "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec4(0.0625, 0.0625, 16.0, 96.0), "
            "umbrage_disc_rotation(gl_FragCoord.xy)))"},
