@@ -24,6 +24,7 @@ namespace joints {
 enum class setup_kind {
     spot,
     fitted_spot,
+    warped_lamp,  ///< by a camera's perspective, or by a plane that it sees
     sun_with_casters,
     sun_alone,  ///< no casters given: those before the near plane are clamped
     sun_by_hand,
@@ -31,6 +32,7 @@ enum class setup_kind {
     light_space_perspective,
     trapezoidal,
     perspective,
+    plane_optimal,
     stable_cascades,
     eight_cascades,
     tight_cascades,
@@ -40,23 +42,12 @@ enum class setup_kind {
     tetrahedron,
     paraboloids,
 };
-inline constexpr std::array<std::string_view, 17> setup_names{"spot",
-                                                              "fitted spot",
-                                                              "sun with casters",
-                                                              "sun alone",
-                                                              "sun by hand",
-                                                              "snapped sun",
-                                                              "LiSPSM",
-                                                              "trapezoidal",
-                                                              "perspective warp",
-                                                              "stable cascades",
-                                                              "eight cascades",
-                                                              "tight cascades",
-                                                              "warped cascades",
-                                                              "pages",
-                                                              "cube",
-                                                              "tetrahedron",
-                                                              "paraboloids"};
+inline constexpr std::array<std::string_view, 19> setup_names{
+    "spot",           "fitted spot",      "warped lamp",     "sun with casters",
+    "sun alone",      "sun by hand",      "snapped sun",     "LiSPSM",
+    "trapezoidal",    "perspective warp", "plane-optimal",   "stable cascades",
+    "eight cascades", "tight cascades",   "warped cascades", "pages",
+    "cube",           "tetrahedron",      "paraboloids"};
 
 inline constexpr std::array<std::string_view, 7> filter_names{"hard", "pcf_2x2", "box", "window",
                                                               "disc", "pcss",    "dpcf"};
@@ -102,7 +93,7 @@ struct choices {
 
     [[nodiscard]] std::string_view setup_name() const { return setup_names[std::size_t(setup)]; }
     [[nodiscard]] bool is_point() const { return setup >= setup_kind::cube; }
-    [[nodiscard]] bool is_spot() const { return setup == setup_kind::spot || setup == setup_kind::fitted_spot; }
+    [[nodiscard]] bool is_spot() const { return setup <= setup_kind::warped_lamp; }
     [[nodiscard]] std::string_view encoding_name() const {
         return encoding == 3 ? own_encoding_names[std::size_t(filter.number)] : encoding_names[std::size_t(encoding)];
     }
@@ -110,11 +101,16 @@ struct choices {
     [[nodiscard]] bool is_sun() const { return !is_point() && !is_spot(); }
     /// True for setups that hold what a camera sees.
     [[nodiscard]] bool has_camera() const {
-        return setup >= setup_kind::light_space_perspective && setup <= setup_kind::warped_cascades;
+        return setup == setup_kind::warped_lamp ||
+               (setup >= setup_kind::light_space_perspective && setup <= setup_kind::warped_cascades);
     }
     [[nodiscard]] bool is_warped() const {
-        return setup == setup_kind::warped_cascades ||
-               (setup >= setup_kind::light_space_perspective && setup <= setup_kind::perspective);
+        return setup == setup_kind::warped_lamp || setup == setup_kind::warped_cascades ||
+               (setup >= setup_kind::light_space_perspective && setup <= setup_kind::plane_optimal);
+    }
+    /// True for warps in which the ground is as the camera sees it.
+    [[nodiscard]] bool warps_for_ground() const {
+        return setup == setup_kind::plane_optimal || (setup == setup_kind::warped_lamp && cascades % 2 == 0);
     }
     [[nodiscard]] bool is_reversed() const { return clip.direction == umbrage::depth_direction::reversed; }
 };
@@ -152,7 +148,8 @@ struct choices {
              : d.one_in(25)  ? d.spread(1e3, 5e3)
                              : d.spread(0.1, 1e3);
     if (c.with_origin) c.in_double = true;
-    c.scene = c.is_sun() ? scene_kind(d.whole(1, 2)) : scene_kind(d.one_in(3) ? d.whole(1, 2) : 0);
+    const bool is_outdoors = c.is_sun() || c.setup == setup_kind::warped_lamp || d.one_in(3);
+    c.scene = scene_kind(is_outdoors ? d.whole(1, 2) : 0);
     c.facing = d.one_in(3);
     c.rotated = !d.one_in(4);
     c.mirrored = d.one_in(2);

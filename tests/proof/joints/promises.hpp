@@ -23,7 +23,7 @@ namespace joints {
     using enum setup_kind;
     const double unit = c.scale, ulps = 0x1p-21 * glm::length(s.placed(glm::dvec3(0)));
     const glm::dvec3 lamp = s.placed(s.lamp), axis = glm::normalize(s.turned(s.aim));
-    const auto in_box = [b = s.near_box(), o = s.origin](glm::dvec3 p) {
+    const auto in_box = [b = c.setup == warped_lamp ? s.low_box() : s.near_box(), o = s.origin](glm::dvec3 p) {
         return glm::all(glm::greaterThan(p + o, b.low)) && glm::all(glm::lessThan(p + o, b.high));
     };
     const auto in_cone = [=, nearest = 1.1 * s.z_near * unit + ulps, cosine = std::cos(0.97 * s.angle)](glm::dvec3 p) {
@@ -41,9 +41,14 @@ namespace joints {
             return away > nearest && away < 24 * unit;
         };
     if (!c.has_camera()) return in_box;
-    const double spare = 1e-4 * unit + 0x1p-22 * glm::length(s.placed(glm::dvec3(0)) + s.origin);
-    return [=, seen = umbrage::polyhedron(s.camera<double>()), o = s.origin](glm::dvec3 p) {
-        return in_box(p) && std::ranges::all_of(seen.faces(), [&](const auto& face) {
+    const double off = 1e-5 * unit + 0x1p-22 * glm::length(s.placed(glm::dvec3(0)));  // of points on the ground
+    const double spare = 1e-4 * unit + 8 * off + 0x1p-22 * glm::length(s.placed(glm::dvec3(0)) + s.origin);
+    const auto on_ground = [=, up = s.turned({0, 1, 0}), at = s.placed(glm::dvec3(0))](glm::dvec3 p) {
+        return std::abs(glm::dot(up, p - at)) < off;
+    };
+    return [=, seen = umbrage::polyhedron(s.camera<double>()), o = s.origin,
+            needs_ground = c.warps_for_ground()](glm::dvec3 p) {
+        return (needs_ground ? on_ground(p) : in_box(p)) && std::ranges::all_of(seen.faces(), [&](const auto& face) {
                    return glm::dot(face.plane, glm::dvec4(p + o, 1)) > spare;
                });
     };

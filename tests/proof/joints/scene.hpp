@@ -47,9 +47,11 @@ public:
         if (c.scene == scene_kind::room) make_room();
         else make_outdoors();
         // A paraboloid's mesh keeps edges that are as near to the light as range / 4096, and their shadows; far from
-        // the origin floats do not resolve the card.
+        // the origin floats do not resolve the card. The near plane of a warped lamp is not at its z_near.
         const bool is_flat = z_near * c.scale < 0x1p-16 * glm::length(placed(lamp));
-        if (!c.is_sun() && c.setup != setup_kind::paraboloids && !is_flat && dice_.one_in(2)) add_shade();
+        const bool has_near_plane =
+            !c.is_sun() && c.setup != setup_kind::paraboloids && c.setup != setup_kind::warped_lamp;
+        if (has_near_plane && !is_flat && dice_.one_in(2)) add_shade();
     }
 
     glm::dvec3 origin{0};
@@ -86,13 +88,10 @@ public:
         return b;
     }
     /// Box of the receivers, in the world: the scene but for what is apart.
-    [[nodiscard]] umbrage::bounding_box<double> near_box() const {
-        umbrage::bounding_box<double> b{glm::dvec3(1e300), glm::dvec3(-1e300)};
-        for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 p = placed({i & 1 ? 5 : -5, i & 2 ? 4 : -0.5, i & 4 ? 5 : -5}) + origin;
-            b.low = glm::min(b.low, p), b.high = glm::max(b.high, p);
-        }
-        return b;
+    [[nodiscard]] umbrage::bounding_box<double> near_box() const { return box_around({-5, -0.5, -5}, {5, 4, 5}); }
+    /// Box of those that lie before a lamp outdoors, along its axis.
+    [[nodiscard]] umbrage::bounding_box<double> low_box() const {
+        return box_around({-1.5, -0.5, -1.5}, {1.5, 1, 1.5});
     }
 
     /// The camera that maps are fitted to, in the world.
@@ -119,6 +118,16 @@ public:
     }
 
 private:
+    /// Box in the world around a box of the scene.
+    [[nodiscard]] umbrage::bounding_box<double> box_around(glm::dvec3 low, glm::dvec3 high) const {
+        umbrage::bounding_box<double> b{glm::dvec3(1e300), glm::dvec3(-1e300)};
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 p =
+                placed({(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z}) + origin;
+            b.low = glm::min(b.low, p), b.high = glm::max(b.high, p);
+        }
+        return b;
+    }
     void add(std::vector<glm::dvec3> own, bool as_given = false) {
         surface s;
         const auto first = static_cast<unsigned>(positions.size());
@@ -203,7 +212,7 @@ private:
     }
     void make_outdoors() {
         sun = dice_.upwards(0.15);
-        lamp = dice_.upwards(0.3) * dice_.real(6, 9),
+        lamp = dice_.upwards(choices_.setup == setup_kind::warped_lamp ? 0.6 : 0.3) * dice_.real(6, 9);
         z_near = dice_.one_in(8) ? dice_.spread(1e-5, 1e-3) : dice_.real(0.02, 0.5);
         angle = dice_.real(0.2, 0.6);
         if (choices_.is_point()) lamp = dice_.between({-2, 1, -2}, {2, 3, 2});

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -16,8 +17,10 @@
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/warp/light_position.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/shadow/adaptive_maps.hpp>
 #include <umbrage/shadow/cascaded_maps.hpp>
@@ -60,6 +63,7 @@ public:
         switch (c_.setup) {
             case spot:
             case fitted_spot: return single(spot_light(), spot_rays(), true);
+            case warped_lamp: return single(warped_lamp_light(), spot_rays(), true);
             case stable_cascades: return cascades(c_.cascades, true);
             case tight_cascades: return cascades(c_.cascades, false);
             case eight_cascades: return {umbrage::cascaded_maps(stable<6>()), c_.size, sun_rays(), false};
@@ -105,6 +109,29 @@ private:
         if (!light) throw nothing_seen();
         return *light;
     }
+    [[nodiscard]] umbrage::warp_fit<T> seen_along(vec along, const umbrage::bounding_box<T>& received) const {
+        return {.camera = s_.camera<T>(),
+                .direction = along,
+                .receivers = umbrage::intersection(s_.camera<T>(), received),
+                .margin = T(0.02),
+                .clip = c_.clip};
+    }
+    /// Plane of the ground: 0 on it.
+    [[nodiscard]] glm::vec<4, T> ground() const {
+        const glm::dvec3 up = s_.turned({0, 1, 0});
+        return glm::vec<4, T>(glm::dvec4(up, -glm::dot(up, s_.placed(glm::dvec3(0)) + s_.origin)));
+    }
+    [[nodiscard]] static umbrage::light_space<T> on_ground(const std::optional<umbrage::warped_light<T>>& found) {
+        if (!found) throw nothing_seen();
+        return found->light;
+    }
+    [[nodiscard]] umbrage::light_space<T> warped_lamp_light() const {
+        umbrage::warp_fit<T> warp = seen_along(direction(s_.aim), cast(s_.low_box()));
+        if (c_.mirrored) warp.casters = cast(s_.box());
+        const umbrage::light_position<T> from{position(s_.lamp), length(s_.z_near)};
+        if (c_.warps_for_ground()) return on_ground(umbrage::fit_plane_optimal(warp, ground(), from));
+        return umbrage::fit_perspective(warp, from).light;
+    }
     [[nodiscard]] umbrage::light_space<T> sun_light() const {
         using namespace umbrage;
         using enum setup_kind;
@@ -123,14 +150,11 @@ private:
         if (c_.setup != sun_alone) fit.casters = all;
         if (c_.setup == snapped_sun) fit.snap_texels = c_.size;
         if (!c_.has_camera()) return fit_directional_light(fit);
-        warp_fit<T> warp{.camera = s_.camera<T>(),
-                         .direction = along,
-                         .receivers = intersection(s_.camera<T>(), received),
-                         .margin = T(0.02),
-                         .clip = c_.clip};
+        warp_fit<T> warp = seen_along(along, received);
         if (c_.mirrored || c_.filter.hardens()) warp.casters = all;
         if (c_.setup == trapezoidal) return fit_trapezoidal(warp, length(2)).light;
         if (c_.setup == setup_kind::perspective) return fit_perspective(warp).light;
+        if (c_.setup == plane_optimal) return on_ground(fit_plane_optimal(warp, ground()));
         return fit_light_space_perspective(warp).light;
     }
 
