@@ -21545,7 +21545,8 @@ struct warp_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
     std::optional<hull> receivers{};              ///< required: the part of the scene that the camera sees. If it is
                                                   ///< empty, the camera's frustum replaces it
-    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps
+    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps.
+                                                  ///< A point light's is then at its own z_near
     T margin = T(0.01);  ///< border on every side, as a fraction of the receivers' extent in the
                          ///< map, 0 to 1000
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp
@@ -22101,7 +22102,8 @@ struct light_position {
 
 namespace detail {
 
-/// View of a point light: its receivers, and the casters that may stand between them and the light.
+/// View of a point light: its receivers, and the casters that may stand between them and the light. If the fit has no
+/// casters, they may stand anywhere from z_near on: a depth pass clips those of a point light.
 struct axis_view {
     glm::dmat4 frame;        ///< world to x, y and the distance along the axis
     double least, farthest;  ///< smallest and largest distance of receivers
@@ -22118,12 +22120,11 @@ template <real T>
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
             "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
-    if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = (glm::max)(edge, (glm::max)(glm::abs(p.x), glm::abs(p.y)) / p.z);
     require(edge <= 0x1p16, function, "receivers", "within a slope of 2^16 of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
-    v.casters = intersection(all, *fit.casters);
+    v.casters = fit.casters ? intersection(all, *fit.casters) : polyhedron(all);
     return v;
 }
 
@@ -24009,13 +24010,16 @@ inline constexpr double grazing = 0.125;
     return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
 }
 
+/// Point where the rays of a perspective meet.
+[[nodiscard]] inline glm::dvec3 eye_of(const glm::dmat4& m) {
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
+    return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
+}
+
 /// Point where the rays of a lens meet, or else the middle of the map.
 /// @param m   texture matrix of the map
 [[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) {
-        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
-        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
-    }
+    if (is_lens(m)) return eye_of(m);
     const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
     return glm::dvec3(middle) / middle.w;
 }
@@ -24047,15 +24051,6 @@ inline constexpr double grazing = 0.125;
 /// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
 [[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
     return light_units_at(m, direction_of(m), world).units;
-}
-
-/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
-/// that edge. Where texels are rectangles, it is the other edge.
-[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
-    const auto sides = across(unit(direction_of(m)));
-    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
-    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
 }
 
 /// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
@@ -25290,13 +25285,14 @@ struct setup_for<dual_paraboloid_light<T>> {
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
-// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel: the rows
+// Under a warp a sun's ray keeps its w. So the depth between a caster and its receiver, and the width of the penumbra
+// in texels, both go with 1 / w. What is left of their ratio is linear in the texel: the rows
 //
 //     a = (1, shear) - x change      and      b = (0, 1) - y ratio change
 //
 // are what a step across the light adds to x and y of the map, in units of its first texel's: `change` is that of w.
-// Their ellipse has the radii |a x b| / |b| and |b|, and the shear a . b / |a x b|.
+// Their ellipse has the radii |a x b| / |b| and |b|, and the shear a . b / |a x b|. Where rays meet, both go with the
+// difference of 1 / w, whatever the texel: a warped point light has one shear, and no change across its axis.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 
 namespace umbrage {
@@ -25329,11 +25325,32 @@ template <real T>
 
 namespace detail {
 
-/// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where no warp changes the shape.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
+/// Direction that a light faces along: a sun's own, or the axis of rays that meet.
+/// @param m   texture matrix of its map
+[[nodiscard]] inline glm::dvec3 facing_of(const light_space<double>& light, const glm::dmat4& m) {
+    return unit(has_parallel_rays(light) ? glm::cross(row_of(m, 0), row_of(m, 1)) : row_of(m, 3));
+}
+
+/// Point where the softness of a map is measured: a sun's first texel, or a distance of 1 along the axis of others.
+[[nodiscard]] inline glm::dvec3 softness_at(const light_space<double>& light, const glm::dmat4& m) {
+    return has_parallel_rays(light) ? anchor_of(m, glm::ivec2(0)) : eye_of(m) + facing_of(light, m);
+}
+
+/// x: edge of a texel's footprint across the way that its light faces, along the x of its map, at a point of the world.
+/// y: height over that edge. Where texels are rectangles, it is the other edge.
+[[nodiscard]] inline glm::dvec2 edges_at(const light_space<double>& light, glm::ivec2 map_size, glm::dvec3 world) {
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const auto sides = across(facing_of(light, m));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
+}
+
+/// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where all its texels have one shape, a rectangle's.
+[[nodiscard]] inline glm::vec4 warp_of(const light_space<double>& light, glm::ivec2 map_size) {
     // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
-    const auto sides = across(unit(direction_of(m)));
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const auto sides = across(facing_of(light, m));
     const auto part = [&](glm::length_t row) {
         const glm::dvec3 all = row_of(m, row);
         return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));
@@ -25344,7 +25361,7 @@ namespace detail {
     const glm::dvec4 all(glm::dvec3(glm::dot(w, aside), glm::dot(w, ahead), glm::dot(x, ahead)) / wide,
                          wide / glm::length(y));
     const double most = (glm::max)(std::abs(all.x), std::abs(all.y)) * (glm::max)(map_size.x, map_size.y);
-    return most > 1e-6 || std::abs(all.z) > 1e-6 ? glm::vec4(all) : glm::vec4(0, 0, 0, 1);
+    return most > 1e-4 || std::abs(all.z) > 1e-4 ? glm::vec4(all) : glm::vec4(0, 0, 0, 1);
 }
 
 }  // namespace detail
@@ -25553,17 +25570,16 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 struct single_map {
     light_space<double> light;
     const glsl::snippet* placing;  ///< that of parallel rays costs less
-    bool warped;                   ///< true where rays are parallel but w varies
+    bool warped;                   ///< true where the shape of penumbras changes, or is sheared
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
     explicit single_map(const light_space<T>& space)
         : light(detail::in_double(space)),
-          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
-        const glm::dmat4 m = light.projection * light.view;
-        const bool w_varies = detail::row_of(m, 3) != glm::dvec3(0);
-        warped = w_varies && detail::has_parallel_rays(light);
-        detail::require(!light.parallel || (!w_varies && m[3][3] == 1.0), "shadow", "light.parallel",
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places),
+          warped(detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1)) {
+        const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+        detail::require(!light.parallel || rows[3] == glm::dvec4(0, 0, 0, 1), "shadow", "light.parallel",
                         "false for a projection with perspective", light.parallel);
     }
 
@@ -26915,7 +26931,7 @@ template <class Setup>
 
 /// True where the shape of penumbras may change within a map.
 template <class Setup, class Filter>
-inline constexpr bool has_shapes = contact_hardening<Filter>&& shaping_of<Setup>().calls != nullptr;
+inline constexpr bool has_shapes = contact_hardening<Filter> && (shaping_of<Setup>().calls != nullptr);
 
 /// True where it does.
 template <class Setup>
@@ -26948,20 +26964,16 @@ void require_light_size(const Filter& filter) {
 }
 
 /// `per_code_x` and `per_code_y` of each map of a setup. They come from the setup's first lights, because lights that
-/// share a map are alike. A warped map has that of its first texel. A setup with no light has one pair of 0.
+/// share a map are alike. A setup with no light has one pair of 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<glm::vec2> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<glm::vec2> all;
-    const bool is_warped = [&] {
-        if constexpr (has_warps<Setup>) return setup.is_warped();
-        else return false;
-    }();
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = measured_at(m, is_warped ? glm::ivec2(0) : map_size);
-            const glm::dvec2 edges = edges_at(m, at);
-            const double depth = units_at(m, at).y;
+            const glm::dvec3 at = softness_at(light, m);
+            const glm::dvec2 edges = edges_at(light, map_size, at);
+            const double depth = light_units_at(m, facing_of(light, m), at).units.y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),
                              softness_per_code(edges.y, depth, double(light_size)));
         }
@@ -26969,19 +26981,17 @@ template <shadow_setup Setup>
     return all;
 }
 
-/// Texture matrix of a map at a point of the world. Of lights that share one map it is that of the light before which
-/// the point lies farthest.
+/// Light of a map at a point of the world. Of lights that share one map it is the one before which the point lies
+/// farthest.
 template <shadow_setup Setup>
-[[nodiscard]] glm::dmat4 matrix_at(const Setup& setup, glm::ivec2 map_size, int number, glm::dvec3 p) {
+[[nodiscard]] light_space<double> light_at(const Setup& setup, int number, glm::dvec3 p) {
     const std::vector<light_space<double>> lights = setup.lights();
-    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows))
-        return texture_matrix(lights[std::size_t(number)], map_size);
-    glm::dmat4 before(0);
-    for (const light_space<double>& light : lights) {
-        const glm::dmat4 m = texture_matrix(light, map_size);
-        if ((m * glm::dvec4(p, 1)).w > (before * glm::dvec4(p, 1)).w) before = m;
-    }
-    return before;
+    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows)) return lights[std::size_t(number)];
+    const auto w_at_p = [&](const light_space<double>& light) {
+        return (light.projection * light.view * glm::dvec4(p, 1)).w;
+    };
+    return *std::max_element(lights.begin(), lights.end(),
+                             [&](const auto& a, const auto& b) { return w_at_p(a) < w_at_p(b); });
 }
 
 /// Warps of a setup's maps, one column each: up to four.
@@ -26990,7 +27000,7 @@ template <shadow_setup Setup>
     glm::mat4 all(0);
     glm::length_t column = 0;
     for (const light_space<double>& light : setup.lights())
-        if (column < 4) all[column++] = warp_of(texture_matrix(light, map_size), map_size);
+        if (column < 4) all[column++] = warp_of(light, map_size);
     return all;
 }
 
@@ -30320,8 +30330,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its middle if
-    /// it is warped, and that of face 0 in a tetrahedron's.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its first texel
+    /// if it is warped, and that of face 0 in a tetrahedron's.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -30467,7 +30477,7 @@ public:
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
         const glm::dvec3 p = glm::dvec3(world) + origin_;
-        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
+        const glm::vec2 edges(detail::edges_at(detail::light_at(setup_, place.number, p), map_size_, p));
         glm::vec4 soft(detail::softness_of(filter_));
         if constexpr (detail::has_shapes<Setup, Filter>)
             if (detail::changes_shape(setup_))

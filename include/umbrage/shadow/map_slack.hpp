@@ -63,13 +63,16 @@ inline constexpr double grazing = 0.125;
     return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
 }
 
+/// Point where the rays of a perspective meet.
+[[nodiscard]] inline glm::dvec3 eye_of(const glm::dmat4& m) {
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
+    return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
+}
+
 /// Point where the rays of a lens meet, or else the middle of the map.
 /// @param m   texture matrix of the map
 [[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) {
-        const glm::dmat3 rows = glm::transpose(glm::dmat3(row_of(m, 0), row_of(m, 1), row_of(m, 3)));
-        return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
-    }
+    if (is_lens(m)) return eye_of(m);
     const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
     return glm::dvec3(middle) / middle.w;
 }
@@ -101,15 +104,6 @@ inline constexpr double grazing = 0.125;
 /// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
 [[nodiscard]] inline glm::dvec2 units_at(const glm::dmat4& m, const glm::dvec3& world) {
     return light_units_at(m, direction_of(m), world).units;
-}
-
-/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
-/// that edge. Where texels are rectangles, it is the other edge.
-[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
-    const auto sides = across(unit(direction_of(m)));
-    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
-    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
 }
 
 /// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any

@@ -8,13 +8,14 @@
 //     const glm::vec4 soft = umbrage::shaped_softness(glm::vec4(softness), shape);
 //     const glm::vec4 rotation = umbrage::sheared_rotation(umbrage::disc_rotation(pixel), shape.z);
 //
-// Under a warp a ray of the light keeps its w. So the depth between a caster and its receiver, and the width of the
-// penumbra in texels, both go with 1 / w. What is left of their ratio is linear in the texel: the rows
+// Under a warp a sun's ray keeps its w. So the depth between a caster and its receiver, and the width of the penumbra
+// in texels, both go with 1 / w. What is left of their ratio is linear in the texel: the rows
 //
 //     a = (1, shear) - x change      and      b = (0, 1) - y ratio change
 //
 // are what a step across the light adds to x and y of the map, in units of its first texel's: `change` is that of w.
-// Their ellipse has the radii |a x b| / |b| and |b|, and the shear a . b / |a x b|.
+// Their ellipse has the radii |a x b| / |b| and |b|, and the shear a . b / |a x b|. Where rays meet, both go with the
+// difference of 1 / w, whatever the texel: a warped point light has one shear, and no change across its axis.
 // See also: softness.hpp, filter/pcf/disc_tap.hpp.
 #pragma once
 
@@ -30,6 +31,8 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/map_slack.hpp>
 
 namespace umbrage {
@@ -62,11 +65,32 @@ template <real T>
 
 namespace detail {
 
-/// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where no warp changes the shape.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
+/// Direction that a light faces along: a sun's own, or the axis of rays that meet.
+/// @param m   texture matrix of its map
+[[nodiscard]] inline glm::dvec3 facing_of(const light_space<double>& light, const glm::dmat4& m) {
+    return unit(has_parallel_rays(light) ? glm::cross(row_of(m, 0), row_of(m, 1)) : row_of(m, 3));
+}
+
+/// Point where the softness of a map is measured: a sun's first texel, or a distance of 1 along the axis of others.
+[[nodiscard]] inline glm::dvec3 softness_at(const light_space<double>& light, const glm::dmat4& m) {
+    return has_parallel_rays(light) ? anchor_of(m, glm::ivec2(0)) : eye_of(m) + facing_of(light, m);
+}
+
+/// x: edge of a texel's footprint across the way that its light faces, along the x of its map, at a point of the world.
+/// y: height over that edge. Where texels are rectangles, it is the other edge.
+[[nodiscard]] inline glm::dvec2 edges_at(const light_space<double>& light, glm::ivec2 map_size, glm::dvec3 world) {
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const auto sides = across(facing_of(light, m));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
+}
+
+/// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where all its texels have one shape, a rectangle's.
+[[nodiscard]] inline glm::vec4 warp_of(const light_space<double>& light, glm::ivec2 map_size) {
     // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
-    const auto sides = across(unit(direction_of(m)));
+    const glm::dmat4 m = texture_matrix(light, map_size);
+    const auto sides = across(facing_of(light, m));
     const auto part = [&](glm::length_t row) {
         const glm::dvec3 all = row_of(m, row);
         return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));
@@ -77,7 +101,7 @@ namespace detail {
     const glm::dvec4 all(glm::dvec3(glm::dot(w, aside), glm::dot(w, ahead), glm::dot(x, ahead)) / wide,
                          wide / glm::length(y));
     const double most = (glm::max)(std::abs(all.x), std::abs(all.y)) * (glm::max)(map_size.x, map_size.y);
-    return most > 1e-6 || std::abs(all.z) > 1e-6 ? glm::vec4(all) : glm::vec4(0, 0, 0, 1);
+    return most > 1e-4 || std::abs(all.z) > 1e-4 ? glm::vec4(all) : glm::vec4(0, 0, 0, 1);
 }
 
 }  // namespace detail

@@ -148,8 +148,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its middle if
-    /// it is warped, and that of face 0 in a tetrahedron's.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its first texel
+    /// if it is warped, and that of face 0 in a tetrahedron's.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
@@ -295,7 +295,7 @@ public:
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
         const glm::dvec3 p = glm::dvec3(world) + origin_;
-        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
+        const glm::vec2 edges(detail::edges_at(detail::light_at(setup_, place.number, p), map_size_, p));
         glm::vec4 soft(detail::softness_of(filter_));
         if constexpr (detail::has_shapes<Setup, Filter>)
             if (detail::changes_shape(setup_))

@@ -9,8 +9,15 @@
 #include <array>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include <umbrage/core/config.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
+#include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/place_blocks.hpp>
 #include <umbrage/shadow/setup.hpp>
 
@@ -107,17 +114,16 @@ inline constexpr const snippet* single_map_snippets[]{&single_map_places, &paral
 struct single_map {
     light_space<double> light;
     const glsl::snippet* placing;  ///< that of parallel rays costs less
-    bool warped;                   ///< true where rays are parallel but w varies
+    bool warped;                   ///< true where the shape of penumbras changes, or is sheared
 
     /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
     template <real T>
     explicit single_map(const light_space<T>& space)
         : light(detail::in_double(space)),
-          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
-        const glm::dmat4 m = light.projection * light.view;
-        const bool w_varies = detail::row_of(m, 3) != glm::dvec3(0);
-        warped = w_varies && detail::has_parallel_rays(light);
-        detail::require(!light.parallel || (!w_varies && m[3][3] == 1.0), "shadow", "light.parallel",
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places),
+          warped(detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1)) {
+        const glm::dmat4 rows = glm::transpose(light.projection * light.view);
+        detail::require(!light.parallel || rows[3] == glm::dvec4(0, 0, 0, 1), "shadow", "light.parallel",
                         "false for a projection with perspective", light.parallel);
     }
 

@@ -30,7 +30,8 @@ struct light_position {
 
 namespace detail {
 
-/// View of a point light: its receivers, and the casters that may stand between them and the light.
+/// View of a point light: its receivers, and the casters that may stand between them and the light. If the fit has no
+/// casters, they may stand anywhere from z_near on: a depth pass clips those of a point light.
 struct axis_view {
     glm::dmat4 frame;        ///< world to x, y and the distance along the axis
     double least, farthest;  ///< smallest and largest distance of receivers
@@ -47,12 +48,11 @@ template <real T>
     v.least = low.z, v.farthest = high.z;
     require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
             "farther from the light than from.z_near, at finite distances", glm::dvec2(v.least, v.farthest));
-    if (!fit.casters) return v;
     double edge = 1.0;
     for (const glm::dvec3& p : receivers) edge = (glm::max)(edge, (glm::max)(glm::abs(p.x), glm::abs(p.y)) / p.z);
     require(edge <= 0x1p16, function, "receivers", "within a slope of 2^16 of the light's axis", edge);
     const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
-    v.casters = intersection(all, *fit.casters);
+    v.casters = fit.casters ? intersection(all, *fit.casters) : polyhedron(all);
     return v;
 }
 

@@ -51,7 +51,8 @@ struct warp_fit {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< direction the light travels; any length > 0
     std::optional<hull> receivers{};              ///< required: the part of the scene that the camera sees. If it is
                                                   ///< empty, the camera's frustum replaces it
-    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps
+    std::optional<bounding_box<T>> casters{};     ///< if missing: near plane at the receivers, for near_plane::clamps.
+                                                  ///< A point light's is then at its own z_near
     T margin = T(0.01);  ///< border on every side, as a fraction of the receivers' extent in the
                          ///< map, 0 to 1000
     clip_space clip{};   ///< required: clip space of your API or engine, see clip_space.hpp

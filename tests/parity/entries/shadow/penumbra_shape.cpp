@@ -22,7 +22,7 @@ void add_shadow_penumbra_shape(std::vector<entry>& all) {
                    .call = "vec4(umbrage_warp_shape(mat4(x1, x2, x3, x4), x0.z, vec2(x0.x, x0.y)), 1.0)"});
     const auto softness = [](auto, random& r, sample& s) {
         s.x[0] = {r.unit(), r.unit(), 16.0f * r.unit(), 16.0f + 512.0f * r.unit()};
-        s.x[1] = {2.0f * r.unit(), 2.0f * r.unit(), 4.0f * r.unit() - 2.0f, 0.0f};
+        s.x[1] = {2.0f * r.unit(), 2.0f * r.unit(), 16.0f * r.unit() - 8.0f, 0.0f};
     };
     all.push_back({.primitive = &umbrage::glsl::shaped_softness,
                    .classes = {{"softness", softness}},

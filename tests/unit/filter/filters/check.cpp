@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("check: alone, any softness gives a visibility", Filter, filt
                 }
 }
 
-TEST_CASE("check: alone, any rotation gives a visibility, that of the first where it is none of disc_rotation's") {
+TEST_CASE("check: alone, any rotation gives a visibility, that of the first where it is none of sheared_rotation's") {
     const image<float> map = step();
     const glm::vec2 at(19.7f, 20.2f);
     const glm::vec4 soft(0.06f, 0.04f, 16, 96);
@@ -100,7 +100,7 @@ TEST_CASE("check: alone, any rotation gives a visibility, that of the first wher
                                 {inf32, 0, 0, 64},
                                 {64, 0, 0, -inf32},
                                 {1e30f, 0, 0, 64},
-                                {64, 0, 0, 193},
+                                {600, 0, 0, 64},
                                 {64, 0, nan32, 64}}) {
         CHECK(disc<16>(bordered(map), at, 0.5f, 3.0f, odd) ==
               disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec4(64, 0, 0, 64)));
@@ -109,6 +109,9 @@ TEST_CASE("check: alone, any rotation gives a visibility, that of the first wher
         CHECK(dpcf<16>(bordered(map), at, 0.5f, soft, odd) ==
               dpcf<16>(bordered(map), at, 0.5f, soft, glm::vec4(64, 0, 0, 64)));
     }
+    // the largest of sheared_rotation counts
+    CHECK(disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec4(576, 0, 0, 64)) !=
+          disc<16>(bordered(map), at, 0.5f, 3.0f, glm::vec4(64, 0, 0, 64)));
 }
 
 TEST_CASE("check: a window has a row of make_window_row; alone, another size is lit") {

@@ -37,7 +37,7 @@ void add_filter_pcf_disc_tap(std::vector<entry>& all) {
                    .call = "umbrage_disc_rotation(vec2(x0.x, x0.y))"});
     all.push_back(
         {.primitive = &glsl::sheared_rotation,
-         .classes = spread({{-64.0f, 64.0f}, {-64.0f, 64.0f}, {-64.0f, 64.0f}, {-64.0f, 64.0f}, {-2.0f, 2.0f}}, {}),
+         .classes = spread({{-64.0f, 64.0f}, {-64.0f, 64.0f}, {-64.0f, 64.0f}, {-64.0f, 64.0f}, {-8.0f, 8.0f}}, {}),
          .twin = [](const sample& s) { return sheared_rotation(s.x[0], s.x[1].x); },
          .call = "umbrage_sheared_rotation(x0, x1.x)"});
     all.push_back({.primitive = &glsl::disc_tap,
