@@ -21616,6 +21616,10 @@ template <class = on_use>
     return {least, greatest};
 }
 
+/// Share of a map's depth by which the rounding of its matrix may move receivers.
+template <real T>
+inline constexpr double depth_roundings = 16.0 * double(std::numeric_limits<T>::epsilon());
+
 /// True if a light's matrices, with the precision of T, hold points to 1/16 of the map. Sums may be rounded in any
 /// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
@@ -21689,7 +21693,7 @@ template <real T>
     // the hull's cone over the map; its other half behind w = 0 does not count
     const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, (glm::max)(around.x, around.y)));
     box.low.z = (glm::min)(box.low.z, swept.x);
-    const double deep = double(fit.margin) * glm::length(box.high - box.low);
+    const double deep = double(fit.margin) * glm::length(size) + depth_roundings<T> * (box.high.z - box.low.z);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
     return light && holds(light->light, receivers) ? light : std::nullopt;
@@ -22618,8 +22622,10 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)), glm::dvec3(edge, edge, (glm::max)(0.0, swept.y))};
-    const double deep = (glm::max)(double(fit.margin), 0x1p-8) * (glm::max)(box.high.z - box.low.z, 1.0);
+    // What lies below the plane shades none of it. Some depth is left there for other receivers.
+    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)),
+               glm::dvec3(edge, edge, glm::clamp(swept.y, 0.0, 1.0))};
+    const double deep = (glm::max)(double(fit.margin), 0x1p-8) + depth_roundings<T> * (box.high.z - box.low.z);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
@@ -22694,7 +22700,8 @@ namespace umbrage {
 /// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
 /// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
 ///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
-/// @edge          receivers that begin beyond the focus: the strongest warp. Four fifths of them within it: no warp
+/// @edge          receivers that begin near the focus or beyond: it lies a quarter of its distance behind their
+///                beginning. A focus within their first 256th counts as that, four fifths of them within it: no warp
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
 ///                                unset; matrices that would not be finite, or not hold the receivers: see
@@ -22708,7 +22715,8 @@ template <real T = float>
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
-    const double f = (glm::max)(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
+    const double ahead = double(focus) * v.sine, least = (glm::max)(ahead / 4.0, v.length / 256.0),
+                 f = (glm::max)(v.camera_y + ahead - v.first.y, least), rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);
     return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }
@@ -24004,10 +24012,19 @@ inline constexpr double grazing = 0.125;
     return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
-/// True where depth depends on w alone, as under every perspective along the axis of a view.
+/// True where depth depends on w alone, as under every perspective along the axis of a view. In double such rows are
+/// parallel to some 1e-16. Those of strongly warped suns are so to 1e-9.
 [[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
+    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-13 * glm::length(w) * (glm::length(z) + 1e-30);
+}
+
+/// True where rays meet in a point: no row of x, y and w is a sum of the others, as under parallel rays. In a very wide
+/// lens they nearly are.
+[[nodiscard]] inline bool rays_meet(const glm::dmat4& m) {
+    const glm::dvec3 x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
+    return is_lens(m) ||
+           std::abs(glm::dot(glm::cross(x, y), w)) > 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
 /// Point where the rays of a perspective meet.
@@ -24016,11 +24033,11 @@ inline constexpr double grazing = 0.125;
     return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
 }
 
-/// Point where the rays of a lens meet, or else the middle of the map.
+/// Point where rays meet, or else the middle of the map at a depth.
 /// @param m   texture matrix of the map
-[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) return eye_of(m);
-    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
+[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size, double depth = 0.5) {
+    if (rays_meet(m)) return eye_of(m);
+    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), depth, 1.0);
     return glm::dvec3(middle) / middle.w;
 }
 
@@ -24030,22 +24047,24 @@ inline constexpr double grazing = 0.125;
     return m;
 }
 
-/// Subtracts a multiple of w from the row of depth. Under a perspective the row then has no directions, and otherwise
-/// no offset. So rounding enters the depth by z or by w alone.
-/// @return   the multiple: depth to add after the division
+/// Subtracts a multiple of w from the row of depth. In a lens the row then has no directions, under parallel rays no
+/// offset. Where rays meet otherwise, it is 0 on the far plane. So little of the rounding of w enters the depth.
+/// @param m   matrix of positions less the anchor
+/// @return    the multiple: depth to add after the division
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    const bool lens = is_lens(m);
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
+    const bool meet = rays_meet(m), lens = is_lens(m);
+    const double far = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far : m[3][2] / m[3][3];
     for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
     if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
-    else m[3][2] = 0.0;
+    else if (!meet) m[3][2] = 0.0;
     return depth;
 }
 
-/// Direction of a light, or of the axis of a lens.
+/// Direction of parallel rays, or of the axis of rays that meet.
 [[nodiscard]] inline glm::dvec3 direction_of(const glm::dmat4& m) {
-    return is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
+    return rays_meet(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
 }
 
 /// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
@@ -24053,11 +24072,11 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
-/// scale, as a matrix times a number is the same map. In a warped map it is the middle.
+/// Point where a map's units are measured. Where rays meet, it is at a distance of 1 along the axis, where w may be of
+/// any scale, as a matrix times a number is the same map. Else it is the middle.
 [[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec3 anchor = anchor_of(m, map_size);
-    return is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
+    return rays_meet(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
 }
 
 /// Units of a map.
@@ -24071,25 +24090,36 @@ inline constexpr double grazing = 0.125;
     return units.x * units.y;
 }
 
-/// Part of a place's slack that is no error of texels: a texel's width along the light, and the rounding of the slope.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
-    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
-    m = moved_to(m, anchor_of(m, map_size));
-    double width = width_in_depth(m, map_size);
-    if (is_lens(m)) {
-        m /= glm::length(row_of(m, 3));
-        const double depth = take_depth(m);
-        width *= std::abs((double(place.at.z) - depth) / m[3][2]);  // 1 / w
-    }
-    return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
-}
-
 /// Corner of a map's box at a depth, less the anchor.
 /// @param back   inverse of the texture matrix of positions less the anchor
 [[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
     const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
     return glm::dvec3(p) / p.w;
+}
+
+/// Slack for a texel's width along the light: x for each |z| / w of a place, with z less the anchor's depth, and y.
+/// Where rays meet, the width goes with 1 / w. So does the depth before the anchor's: a lens' is infinitely far, where
+/// no width is left, that of another map is in its far plane.
+/// @param m   texture matrix of positions less the anchor
+[[nodiscard]] inline glm::dvec2 width_slack(glm::dmat4 m, glm::ivec2 map_size) {
+    const double width = width_in_depth(m, map_size);
+    if (!rays_meet(m)) return {0.0, width};
+    glm::dmat4 placed = m / glm::length(row_of(m, 3));
+    const double depth = take_depth(placed), share = width / std::abs(placed[3][2]);
+    if (is_lens(m)) return {share, 0.0};
+    const glm::dvec4 far_middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), depth, 1.0);
+    const glm::dvec2 units = units_at(m, glm::dvec3(far_middle) / far_middle.w);
+    return {share, units.x * units.y};
+}
+
+/// Part of a place's slack that is no error of texels: a texel's width along the light, and the rounding of the slope.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
+    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
+    m = moved_to(m, anchor_of(m, map_size));
+    const glm::dvec2 width = width_slack(m, map_size);
+    const double width_here = width.x * std::abs(double(place.at.z) - take_depth(m)) + width.y;
+    return static_cast<float>((glm::min)(width_here + grazing * steep, double(place.slack)));
 }
 
 /// Refuses a light so far from the origin that float is too coarse for what it covers.
@@ -24166,7 +24196,8 @@ inline void require_digits(double away, double extent) {
 //
 // Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms. Far
 // from the origin, a receiver and the vertices of its own surface would round differently. Both are therefore taken
-// relative to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
+// relative to an anchor: the light's position, or the middle of its map, of the far plane in a warped one. What is left
+// is known from the map's numbers.
 //
 //     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
 //     glm::vec3 way = world - glm::vec3(lamp.anchor);
@@ -24187,26 +24218,57 @@ struct anchored_map {
 
 namespace detail {
 
+/// Depth of the anchor of a map, as stored: the middle, but the far plane under a warp, as receivers are near it. The
+/// rounding of w enters a depth by its distance from the anchor's.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline double anchor_depth(const glm::dmat4& m, const clip_space& clip) {
+    return row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(clip.direction));
+}
+
+/// Refuses a map whose slack, at a corner of its far plane, hides more of the world than the plane is wide: below a
+/// surface at 45 degrees, by rounding.
+/// @param here   texture matrix of positions as they are given
+/// @param m      to_texels, in double
+inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const clip_space& clip, const glm::dmat4& m,
+                           const glm::dvec4& rounding, const glm::dvec4& slack) {
+    const glm::dmat4 back = glm::inverse(here);
+    const double far = cleared_depth(clip.direction), z = std::abs(far - slack.w);  // |z| / w
+    const auto corner = [&](int number) { return corner_of(back, map_size, number, far); };
+    const double wide = (glm::max)(glm::distance(corner(0), corner(3)), glm::distance(corner(1), corner(2)));
+    for (int number = 0; number < 4; ++number) {
+        const glm::dvec4 h = here * glm::dvec4(corner(number), 1.0);
+        const double i = glm::length(row_of(here, 3)) / glm::length(row_of(m, 3)) / h.w;  // 1 / w
+        if (!(i > 0.0)) continue;                                                         // beyond the horizon
+        const glm::dvec2 units = units_at(here, corner(number));
+        const double moves = rounding.x + rounding.y * i, steep = units.x * units.y;  // at 45 degrees
+        const double hidden = moves * (rounding.z * steep + rounding.w + z) + slack.y * z + slack.z;
+        const double hidden_world = hidden / units.y;
+        require(hidden_world <= wide, "shadow", "light", "such that its bias hides less than its map is wide",
+                hidden_world, "Fit it to a smaller box of casters, or warp it less.");
+    }
+}
+
 /// Uniforms of a map for a given anchor.
 /// @param anchor   as in_binary32 gives it
 /// @param here     texture matrix of positions as they are given
 [[nodiscard]] inline anchored_map anchored_at(const glm::dvec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
                                               const clip_space& clip) {
     glm::dmat4 m = moved_to(here, anchor);
-    const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
-    if (lens) m /= glm::length(row_of(m, 3));
+    const bool parallel = row_of(m, 3) == glm::dvec3(0);
+    if (rays_meet(m)) m /= glm::length(row_of(m, 3));
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
     glm::dvec4 rounding = rounding_of(m, map_size, anchor);
-    const double width = width_in_depth(m, map_size), depth = take_depth(m);
-    glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
-    if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
-    else slack.z += width;
+    const glm::dvec2 width = width_slack(m, map_size);
+    const double depth = take_depth(m);
+    glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding + width.x,
+                     depth_rounding * std::abs(depth) + width.y, depth);
     if (parallel) slack.x += rounding.z, slack.z += rounding.w, rounding = glm::dvec4(0);
     out.to_texels = glm::mat4(m);
     out.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
     out.rounding = glm::vec4(rounding);
     out.slack = glm::vec4(slack);
+    if (!parallel && !is_lens(m)) require_depths(here, map_size, clip, m, rounding, slack);
     return out;
 }
 
@@ -24235,7 +24297,8 @@ namespace detail {
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(here, map_size));
+    const glm::dvec3 anchor =
+        detail::in_binary32(detail::anchor_of(here, map_size, detail::anchor_depth(here, light.clip)));
     return detail::anchored_at(anchor, here, map_size, light.clip);
 }
 
@@ -24293,7 +24356,8 @@ namespace detail {
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
     const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(detail::in_binary32(detail::anchor_of(m, glm::ivec2(1))), here);
+    return detail::depth_view_at(
+        detail::in_binary32(detail::anchor_of(m, glm::ivec2(1), detail::anchor_depth(m, here.clip))), here);
 }
 
 namespace detail {

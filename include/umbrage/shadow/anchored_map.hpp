@@ -4,7 +4,8 @@
 //
 // Coordinates in float are rounded to 2^-24 of their magnitude. A matrix of the whole world cancels large terms. Far
 // from the origin, a receiver and the vertices of its own surface would round differently. Both are therefore taken
-// relative to an anchor: the light's position, or the middle of its map. What is left is known from the map's numbers.
+// relative to an anchor: the light's position, or the middle of its map, of the far plane in a warped one. What is left
+// is known from the map's numbers.
 //
 //     umbrage::anchored_map lamp = umbrage::make_anchored_map(light, {1024, 1024});
 //     glm::vec3 way = world - glm::vec3(lamp.anchor);
@@ -44,26 +45,57 @@ struct anchored_map {
 
 namespace detail {
 
+/// Depth of the anchor of a map, as stored: the middle, but the far plane under a warp, as receivers are near it. The
+/// rounding of w enters a depth by its distance from the anchor's.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline double anchor_depth(const glm::dmat4& m, const clip_space& clip) {
+    return row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(clip.direction));
+}
+
+/// Refuses a map whose slack, at a corner of its far plane, hides more of the world than the plane is wide: below a
+/// surface at 45 degrees, by rounding.
+/// @param here   texture matrix of positions as they are given
+/// @param m      to_texels, in double
+inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const clip_space& clip, const glm::dmat4& m,
+                           const glm::dvec4& rounding, const glm::dvec4& slack) {
+    const glm::dmat4 back = glm::inverse(here);
+    const double far = cleared_depth(clip.direction), z = std::abs(far - slack.w);  // |z| / w
+    const auto corner = [&](int number) { return corner_of(back, map_size, number, far); };
+    const double wide = (glm::max)(glm::distance(corner(0), corner(3)), glm::distance(corner(1), corner(2)));
+    for (int number = 0; number < 4; ++number) {
+        const glm::dvec4 h = here * glm::dvec4(corner(number), 1.0);
+        const double i = glm::length(row_of(here, 3)) / glm::length(row_of(m, 3)) / h.w;  // 1 / w
+        if (!(i > 0.0)) continue;                                                         // beyond the horizon
+        const glm::dvec2 units = units_at(here, corner(number));
+        const double moves = rounding.x + rounding.y * i, steep = units.x * units.y;  // at 45 degrees
+        const double hidden = moves * (rounding.z * steep + rounding.w + z) + slack.y * z + slack.z;
+        const double hidden_world = hidden / units.y;
+        require(hidden_world <= wide, "shadow", "light", "such that its bias hides less than its map is wide",
+                hidden_world, "Fit it to a smaller box of casters, or warp it less.");
+    }
+}
+
 /// Uniforms of a map for a given anchor.
 /// @param anchor   as in_binary32 gives it
 /// @param here     texture matrix of positions as they are given
 [[nodiscard]] inline anchored_map anchored_at(const glm::dvec3& anchor, const glm::dmat4& here, glm::ivec2 map_size,
                                               const clip_space& clip) {
     glm::dmat4 m = moved_to(here, anchor);
-    const bool lens = is_lens(m), parallel = row_of(m, 3) == glm::dvec3(0);
-    if (lens) m /= glm::length(row_of(m, 3));
+    const bool parallel = row_of(m, 3) == glm::dvec3(0);
+    if (rays_meet(m)) m /= glm::length(row_of(m, 3));
     anchored_map out;
     out.planes = glm::mat4(plane_matrix_of_shadow(m));  // refuses a matrix without an inverse
     glm::dvec4 rounding = rounding_of(m, map_size, anchor);
-    const double width = width_in_depth(m, map_size), depth = take_depth(m);
-    glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding, depth_rounding * std::abs(depth), depth);
-    if (lens) slack.y += width / std::abs(m[3][2]);  // a texel's width in depth is a share of 1 / w, as z is
-    else slack.z += width;
+    const glm::dvec2 width = width_slack(m, map_size);
+    const double depth = take_depth(m);
+    glm::dvec4 slack(texels_beside_plane(clip, map_size), depth_rounding + width.x,
+                     depth_rounding * std::abs(depth) + width.y, depth);
     if (parallel) slack.x += rounding.z, slack.z += rounding.w, rounding = glm::dvec4(0);
     out.to_texels = glm::mat4(m);
     out.anchor = glm::vec4(glm::vec3(anchor), 0.0f);
     out.rounding = glm::vec4(rounding);
     out.slack = glm::vec4(slack);
+    if (!parallel && !is_lens(m)) require_depths(here, map_size, clip, m, rounding, slack);
     return out;
 }
 
@@ -92,7 +124,8 @@ namespace detail {
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    const glm::dvec3 anchor = detail::in_binary32(detail::anchor_of(here, map_size));
+    const glm::dvec3 anchor =
+        detail::in_binary32(detail::anchor_of(here, map_size, detail::anchor_depth(here, light.clip)));
     return detail::anchored_at(anchor, here, map_size, light.clip);
 }
 
@@ -150,7 +183,8 @@ namespace detail {
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
     const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(detail::in_binary32(detail::anchor_of(m, glm::ivec2(1))), here);
+    return detail::depth_view_at(
+        detail::in_binary32(detail::anchor_of(m, glm::ivec2(1), detail::anchor_depth(m, here.clip))), here);
 }
 
 namespace detail {

@@ -57,10 +57,19 @@ inline constexpr double grazing = 0.125;
     return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
-/// True where depth depends on w alone, as under every perspective along the axis of a view.
+/// True where depth depends on w alone, as under every perspective along the axis of a view. In double such rows are
+/// parallel to some 1e-16. Those of strongly warped suns are so to 1e-9.
 [[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-9 * glm::length(w) * (glm::length(z) + 1e-30);
+    return w != glm::dvec3(0) && glm::length(glm::cross(z, w)) <= 1e-13 * glm::length(w) * (glm::length(z) + 1e-30);
+}
+
+/// True where rays meet in a point: no row of x, y and w is a sum of the others, as under parallel rays. In a very wide
+/// lens they nearly are.
+[[nodiscard]] inline bool rays_meet(const glm::dmat4& m) {
+    const glm::dvec3 x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
+    return is_lens(m) ||
+           std::abs(glm::dot(glm::cross(x, y), w)) > 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
 }
 
 /// Point where the rays of a perspective meet.
@@ -69,11 +78,11 @@ inline constexpr double grazing = 0.125;
     return glm::inverse(rows) * -glm::dvec3(m[3][0], m[3][1], m[3][3]);
 }
 
-/// Point where the rays of a lens meet, or else the middle of the map.
+/// Point where rays meet, or else the middle of the map at a depth.
 /// @param m   texture matrix of the map
-[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size) {
-    if (is_lens(m)) return eye_of(m);
-    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), 0.5, 1.0);
+[[nodiscard]] inline glm::dvec3 anchor_of(const glm::dmat4& m, glm::ivec2 map_size, double depth = 0.5) {
+    if (rays_meet(m)) return eye_of(m);
+    const glm::dvec4 middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), depth, 1.0);
     return glm::dvec3(middle) / middle.w;
 }
 
@@ -83,22 +92,24 @@ inline constexpr double grazing = 0.125;
     return m;
 }
 
-/// Subtracts a multiple of w from the row of depth. Under a perspective the row then has no directions, and otherwise
-/// no offset. So rounding enters the depth by z or by w alone.
-/// @return   the multiple: depth to add after the division
+/// Subtracts a multiple of w from the row of depth. In a lens the row then has no directions, under parallel rays no
+/// offset. Where rays meet otherwise, it is 0 on the far plane. So little of the rounding of w enters the depth.
+/// @param m   matrix of positions less the anchor
+/// @return    the multiple: depth to add after the division
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
-    const bool lens = is_lens(m);
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : m[3][2] / m[3][3];
+    const bool meet = rays_meet(m), lens = is_lens(m);
+    const double far = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far : m[3][2] / m[3][3];
     for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
     if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
-    else m[3][2] = 0.0;
+    else if (!meet) m[3][2] = 0.0;
     return depth;
 }
 
-/// Direction of a light, or of the axis of a lens.
+/// Direction of parallel rays, or of the axis of rays that meet.
 [[nodiscard]] inline glm::dvec3 direction_of(const glm::dmat4& m) {
-    return is_lens(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
+    return rays_meet(m) ? row_of(m, 3) : glm::cross(row_of(m, 0), row_of(m, 1));
 }
 
 /// Longer edge of a texel's footprint across the light, and depth per world unit along it, at a point of the world.
@@ -106,11 +117,11 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
-/// Point where a map's units are measured. In a lens it is at a distance of 1 along the axis, where w may be of any
-/// scale, as a matrix times a number is the same map. In a warped map it is the middle.
+/// Point where a map's units are measured. Where rays meet, it is at a distance of 1 along the axis, where w may be of
+/// any scale, as a matrix times a number is the same map. Else it is the middle.
 [[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
     const glm::dvec3 anchor = anchor_of(m, map_size);
-    return is_lens(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
+    return rays_meet(m) ? anchor + glm::normalize(row_of(m, 3)) : anchor;
 }
 
 /// Units of a map.
@@ -124,25 +135,36 @@ inline constexpr double grazing = 0.125;
     return units.x * units.y;
 }
 
-/// Part of a place's slack that is no error of texels: a texel's width along the light, and the rounding of the slope.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
-    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
-    m = moved_to(m, anchor_of(m, map_size));
-    double width = width_in_depth(m, map_size);
-    if (is_lens(m)) {
-        m /= glm::length(row_of(m, 3));
-        const double depth = take_depth(m);
-        width *= std::abs((double(place.at.z) - depth) / m[3][2]);  // 1 / w
-    }
-    return static_cast<float>((glm::min)(width + grazing * steep, double(place.slack)));
-}
-
 /// Corner of a map's box at a depth, less the anchor.
 /// @param back   inverse of the texture matrix of positions less the anchor
 [[nodiscard]] inline glm::dvec3 corner_of(const glm::dmat4& back, glm::ivec2 map_size, int number, double depth) {
     const glm::dvec4 p = back * glm::dvec4(number & 1 ? map_size.x : 0, number & 2 ? map_size.y : 0, depth, 1.0);
     return glm::dvec3(p) / p.w;
+}
+
+/// Slack for a texel's width along the light: x for each |z| / w of a place, with z less the anchor's depth, and y.
+/// Where rays meet, the width goes with 1 / w. So does the depth before the anchor's: a lens' is infinitely far, where
+/// no width is left, that of another map is in its far plane.
+/// @param m   texture matrix of positions less the anchor
+[[nodiscard]] inline glm::dvec2 width_slack(glm::dmat4 m, glm::ivec2 map_size) {
+    const double width = width_in_depth(m, map_size);
+    if (!rays_meet(m)) return {0.0, width};
+    glm::dmat4 placed = m / glm::length(row_of(m, 3));
+    const double depth = take_depth(placed), share = width / std::abs(placed[3][2]);
+    if (is_lens(m)) return {share, 0.0};
+    const glm::dvec4 far_middle = glm::inverse(m) * glm::dvec4(0.5 * glm::dvec2(map_size), depth, 1.0);
+    const glm::dvec2 units = units_at(m, glm::dvec3(far_middle) / far_middle.w);
+    return {share, units.x * units.y};
+}
+
+/// Part of a place's slack that is no error of texels: a texel's width along the light, and the rounding of the slope.
+/// @param m   texture matrix of the map
+[[nodiscard]] inline float spare_slack(glm::dmat4 m, glm::ivec2 map_size, const map_place& place) {
+    const double steep = std::abs(double(place.slope.x)) + std::abs(double(place.slope.y));
+    m = moved_to(m, anchor_of(m, map_size));
+    const glm::dvec2 width = width_slack(m, map_size);
+    const double width_here = width.x * std::abs(double(place.at.z) - take_depth(m)) + width.y;
+    return static_cast<float>((glm::min)(width_here + grazing * steep, double(place.slack)));
 }
 
 /// Refuses a light so far from the origin that float is too coarse for what it covers.

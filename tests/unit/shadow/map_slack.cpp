@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/shadow/map_slack.hpp>
+#include <umbrage/shadow/single_map.hpp>
 
 #include "scene.hpp"
 
@@ -68,4 +76,80 @@ TEST_CASE("map_slack: a texel's width along the light is in a place's slack, at 
         CHECK(slack > width);
         CHECK(slack < 1.001 * width);
     }
+}
+
+namespace {
+
+/// A hall, seen by a camera.
+warp_fit<double> hall(glm::dvec3 direction, clip_space clip) {
+    const frustum<double> camera{.position = {0, 3, 12},
+                                 .direction = {0.1, -0.3, -1},
+                                 .tan_half_x = 0.7,
+                                 .tan_half_y = 0.5,
+                                 .z_near = 0.2,
+                                 .z_far = 40};
+    return {.camera = camera,
+            .direction = direction,
+            .receivers = intersection(camera, bounding_box<double>{{-8, 0, -12}, {8, 5, 8}}),
+            .clip = clip};
+}
+
+/// Most of the world that the bias of receivers on a floor hides, along rays.
+double hidden(const single_map& map, glm::dvec4 source) {
+    const glm::ivec2 size(512);
+    const anchored_map u = map.make_uniforms(size, glm::dvec3(0));
+    const glm::dmat4 m = texture_matrix(map.light, size);
+    double most = 0;
+    for (const glm::dvec3 p : {glm::dvec3(0, 0, 6), glm::dvec3(1, 0, 0), glm::dvec3(-2, 0, -8)}) {
+        const map_place at = single_map_places(u.to_texels, u.planes, u.anchor, u.rounding, u.slack, {}, glm::vec3(p),
+                                               glm::vec3(0, 1, 0))[0];
+        const double unit = light_units_at(m, glm::dvec3(source) - source.w * p, p).units.y;
+        most = std::max(most, double(at.slack) / unit);
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("map_slack: a tall box of casters costs warped maps of suns few digits, a small near plane those of lamps") {
+    const glm::dvec4 ground(0, 1, 0, 0);
+    for (const clip_space& clip : {cpu_clip_space, opengl_clip_space, godot_clip_space}) {
+        const auto suns = [&](double height) {
+            auto fit = hall({0.3, -1, 0.1}, clip);
+            fit.casters = bounding_box<double>{{-8, 0, -12}, {8, height, 8}};
+            return std::vector<light_space<double>>{fit_light_space_perspective(fit).light,
+                                                    fit_trapezoidal(fit, 4.0).light, fit_perspective(fit).light,
+                                                    fit_plane_optimal(fit, ground).value().light};
+        };
+        const glm::dvec4 along(-0.3, 1, -0.1, 0);
+        for (const double height : {1e3, 1e5})
+            for (std::size_t i = 0; i < 4; ++i) {
+                CHECK_FALSE(detail::rays_meet(texture_matrix(suns(height)[i], {512, 512})));
+                const double low = hidden(single_map(suns(5)[i]), along);
+                CHECK(hidden(single_map(suns(height)[i]), along) < 1.1 * low + 2e-6 * height);
+            }
+        const auto lamps = [&](double z_near) {
+            const light_position<double> lamp{.position = {1, 11, -1}, .z_near = z_near};
+            const auto fit = hall({0, -1, 0}, clip);
+            return std::vector<light_space<double>>{fit_perspective(fit, lamp).light,
+                                                    fit_plane_optimal(fit, ground, lamp).value().light};
+        };
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(detail::rays_meet(texture_matrix(lamps(0.01)[i], {512, 512})));
+            const double large = hidden(single_map(lamps(0.5)[i]), {1, 11, -1, 1});
+            CHECK(hidden(single_map(lamps(0.01)[i]), {1, 11, -1, 1}) < 1.2 * large);
+        }
+    }
+}
+
+TEST_CASE("map_slack: a warp over more depth than floats tell is refused by name") {
+    auto fit = hall({0.3, -1, 0.1}, cpu_clip_space);
+    const auto with_casters = [&](double side) {
+        fit.casters = bounding_box<double>{glm::dvec3(-side), glm::dvec3(side)};
+        return single_map(fit_light_space_perspective(fit, 1.0).light);
+    };
+    CHECK_NOTHROW((void)with_casters(1e4).make_uniforms({512, 512}, glm::dvec3(0)));
+    CHECK_THROWS_WITH_AS((void)with_casters(1e6).make_uniforms({512, 512}, glm::dvec3(0)),
+                         doctest::Contains("umbrage::shadow: light must be such that its bias hides less than"),
+                         std::invalid_argument);
 }

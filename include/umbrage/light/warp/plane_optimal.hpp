@@ -101,8 +101,10 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)), glm::dvec3(edge, edge, (glm::max)(0.0, swept.y))};
-    const double deep = (glm::max)(double(fit.margin), 0x1p-8) * (glm::max)(box.high.z - box.low.z, 1.0);
+    // What lies below the plane shades none of it. Some depth is left there for other receivers.
+    extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)),
+               glm::dvec3(edge, edge, glm::clamp(swept.y, 0.0, 1.0))};
+    const double deep = (glm::max)(double(fit.margin), 0x1p-8) + depth_roundings<T> * (box.high.z - box.low.z);
     box.low.z -= deep, box.high.z += deep;
     const auto warped = laid(to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",

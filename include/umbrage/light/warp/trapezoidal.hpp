@@ -27,7 +27,8 @@ namespace umbrage {
 /// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
 /// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
 ///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
-/// @edge          receivers that begin beyond the focus: the strongest warp. Four fifths of them within it: no warp
+/// @edge          receivers that begin near the focus or beyond: it lies a quarter of its distance behind their
+///                beginning. A focus within their first 256th counts as that, four fifths of them within it: no warp
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
 ///                                unset; matrices that would not be finite, or not hold the receivers: see
@@ -41,7 +42,8 @@ template <real T = float>
     const warp_fit<T> whole = detail::completed(fit, function);
     const detail::along_view v = detail::make_along_view(whole, function);
     detail::require(is_finite(focus) && focus >= T(0), function, "focus", "finite, 0 or more", focus);
-    const double f = (glm::max)(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
+    const double ahead = double(focus) * v.sine, least = (glm::max)(ahead / 4.0, v.length / 256.0),
+                 f = (glm::max)(v.camera_y + ahead - v.first.y, least), rest = 1.6 * v.length - 2.0 * f;
     if (!(rest > 0.0)) return detail::unwarped(whole, function);
     return detail::warped_along(v, 0.4 * v.length * f / rest, whole, function);
 }

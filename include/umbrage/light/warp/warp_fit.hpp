@@ -122,6 +122,10 @@ template <class = on_use>
     return {least, greatest};
 }
 
+/// Share of a map's depth by which the rounding of its matrix may move receivers.
+template <real T>
+inline constexpr double depth_roundings = 16.0 * double(std::numeric_limits<T>::epsilon());
+
 /// True if a light's matrices, with the precision of T, hold points to 1/16 of the map. Sums may be rounded in any
 /// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
@@ -195,7 +199,7 @@ template <real T>
     // the hull's cone over the map; its other half behind w = 0 does not count
     const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, (glm::max)(around.x, around.y)));
     box.low.z = (glm::min)(box.low.z, swept.x);
-    const double deep = double(fit.margin) * glm::length(box.high - box.low);
+    const double deep = double(fit.margin) * glm::length(size) + depth_roundings<T> * (box.high.z - box.low.z);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
     const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
     return light && holds(light->light, receivers) ? light : std::nullopt;
