@@ -24293,7 +24293,7 @@ inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const cl
 /// @param map_size   size of the map, texels
 /// @param origin     origin of the positions, world units
 /// @throws std::invalid_argument   as texture_matrix and plane_matrix; a light more than 2048 times its extent away
-///                                 from the origin
+///                                 from the origin; a warped light whose bias hides more than its map is wide
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
@@ -30378,8 +30378,8 @@ public:
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
     ///                                below 1 or above 32768, less than twice the filter's reach, or refused by
     ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
-    ///                                filter's number out of range. A light so far from the origin that floats have no
-    ///                                digits left; uniforms that would be infinite or NaN in float
+    ///                                filter's number out of range. A light so far from the origin, or a warp so deep,
+    ///                                that floats have no digits left; uniforms infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))

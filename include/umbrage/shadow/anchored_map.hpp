@@ -120,7 +120,7 @@ inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const cl
 /// @param map_size   size of the map, texels
 /// @param origin     origin of the positions, world units
 /// @throws std::invalid_argument   as texture_matrix and plane_matrix; a light more than 2048 times its extent away
-///                                 from the origin
+///                                 from the origin; a warped light whose bias hides more than its map is wide
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
     const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);

@@ -132,8 +132,8 @@ public:
     /// @throws std::invalid_argument  an unset clip space, no maps, or more maps than the grid holds. A map_size
     ///                                below 1 or above 32768, less than twice the filter's reach, or refused by
     ///                                the setup. A border or gutter of the light's maps below the filter's reach. A
-    ///                                filter's number out of range. A light so far from the origin that floats have no
-    ///                                digits left; uniforms that would be infinite or NaN in float
+    ///                                filter's number out of range. A light so far from the origin, or a warp so deep,
+    ///                                that floats have no digits left; uniforms infinite or NaN in float
     template <class Light>
     shadow(const Light& light, glm::ivec2 map_size, const Filter& filter = {}, const Encoding& encoding = {},
            glm::dvec3 origin = glm::dvec3(0))
