@@ -30394,8 +30394,8 @@ public:
 
     [[nodiscard]] const Setup& setup() const { return setup_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its first texel
-    /// if it is warped, and that of face 0 in a tetrahedron's.
+    /// Filter of one map, as it is by itself. Contact hardening has another softness in each map: that of its first
+    /// texel if it is warped, and that of face 0 in a tetrahedron's.
     /// @param number   number of the map, from 0
     [[nodiscard]] Filter filter_of(int number) const {
         return detail::filter_of_map<Setup>(filter_, uniforms_, number);
