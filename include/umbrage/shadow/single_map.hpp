@@ -15,7 +15,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/core/check.hpp>
+#include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
+#include <umbrage/light/light_space.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/place_blocks.hpp>
@@ -116,12 +119,13 @@ struct single_map {
     const glsl::snippet* placing;  ///< that of parallel rays costs less
     bool warped;                   ///< true where the shape of penumbras changes, or is sheared
 
-    /// @throws std::invalid_argument  light.parallel true, but a projection with perspective
+    /// @throws std::invalid_argument  clip unset; light.parallel true, but a projection with perspective
     template <real T>
     explicit single_map(const light_space<T>& space)
         : light(detail::in_double(space)),
-          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places),
-          warped(detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1)) {
+          placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
+        detail::require_given(light.clip, "shadow", "light.clip");
+        warped = detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1);
         const glm::dmat4 rows = glm::transpose(light.projection * light.view);
         detail::require(!light.parallel || rows[3] == glm::dvec4(0, 0, 0, 1), "shadow", "light.parallel",
                         "false for a projection with perspective", light.parallel);

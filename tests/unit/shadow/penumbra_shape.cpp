@@ -21,9 +21,12 @@
 #include <umbrage/shadow/tetrahedron_map.hpp>
 #include <umbrage/shadow/warped_maps.hpp>
 
+#include "roofed.hpp"
 #include "texts.hpp"
 
 using namespace umbrage;
+using shadow_roof::roofed;
+using shadow_roof::width_along;
 using shadow_texts::has;
 
 namespace {
@@ -81,41 +84,6 @@ glm::dmat2 by_differences(const glm::dmat4& m, glm::dvec3 at) {
         j[i] = glm::dvec2(placed(at + side) - placed(at - side)) / depth;
     }
     return squared(j);
-}
-
-/// A floor, and a roof over the half of it where x is below 0, or y. A light at the origin looks down -z at them.
-struct roofed {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
-
-    roofed(const glm::dmat4& to_world, float ground, float roof, bool along_x) {
-        const float far = 3;
-        const std::array<glm::vec3, 8> all{{{-far, -far, ground},
-                                            {far, -far, ground},
-                                            {far, far, ground},
-                                            {-far, far, ground},
-                                            {-far, -far, roof},
-                                            {along_x ? 0.0f : far, -far, roof},
-                                            {along_x ? 0.0f : far, along_x ? far : 0.0f, roof},
-                                            {-far, along_x ? far : 0.0f, roof}}};
-        for (const glm::vec3 p : all) positions.emplace_back(to_world * glm::dvec4(p, 1));
-    }
-};
-
-/// From where a tenth of the light is seen to where nine tenths are, along a way.
-template <class Shadow>
-float width_along(const Shadow& s, const image<float>& map, glm::vec3 from, glm::vec3 way, glm::vec3 normal,
-                  float exact) {
-    const auto first = [&](float share) {
-        float x = -2 * exact;
-        for (; x < 2 * exact; x += exact / 64) {
-            float sum = 0;
-            for (int i = 0; i < 16; ++i) sum += s(map, from + way * x, normal, {i % 4, i / 4});
-            if (sum / 16 >= share) break;
-        }
-        return x;
-    };
-    return first(0.9f) - first(0.1f);
 }
 
 }  // namespace
