@@ -24005,13 +24005,6 @@ inline constexpr double grazing = 0.125;
     return glm::dot(glm::abs(row), glm::abs(p));
 }
 
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
 /// True where depth depends on w alone, as under every perspective along the axis of a view. In double such rows are
 /// parallel to some 1e-16. Those of strongly warped suns are so to 1e-9.
 [[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
@@ -24025,6 +24018,11 @@ inline constexpr double grazing = 0.125;
     const glm::dvec3 x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
     return is_lens(m) ||
            std::abs(glm::dot(glm::cross(x, y), w)) > 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// True for directional lights, warped or not.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    return !rays_meet(light.projection * light.view);
 }
 
 /// Point where the rays of a perspective meet.
@@ -24072,6 +24070,15 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
+/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
+/// that edge. Where texels are rectangles, it is the other edge.
+[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
+    const auto sides = across(unit(direction_of(m)));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
+}
+
 /// Point where a map's units are measured. Where rays meet, it is at a distance of 1 along the axis, where w may be of
 /// any scale, as a matrix times a number is the same map. Else it is the middle.
 [[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
@@ -24097,9 +24104,9 @@ inline constexpr double grazing = 0.125;
     return glm::dvec3(p) / p.w;
 }
 
-/// Slack for a texel's width along the light: x for each |z| / w of a place, with z less the anchor's depth, and y.
-/// Where rays meet, the width goes with 1 / w. So does the depth before the anchor's: a lens' is infinitely far, where
-/// no width is left, that of another map is in its far plane.
+/// Slack for a texel's width along the light: x |z| / w + y at a place, with z less the anchor's depth. Parallel rays
+/// have one width everywhere, y. The width of rays that meet falls with 1 / w, as |z| / w does up to the anchor's depth.
+/// That is infinitely far in a lens. In other maps it is the far plane's, and y is the width there.
 /// @param m   texture matrix of positions less the anchor
 [[nodiscard]] inline glm::dvec2 width_slack(glm::dmat4 m, glm::ivec2 map_size) {
     const double width = width_in_depth(m, map_size);
@@ -24218,11 +24225,13 @@ struct anchored_map {
 
 namespace detail {
 
-/// Depth of the anchor of a map, as stored: the middle, but the far plane under a warp, as receivers are near it. The
-/// rounding of w enters a depth by its distance from the anchor's.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline double anchor_depth(const glm::dmat4& m, const clip_space& clip) {
-    return row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(clip.direction));
+/// Anchor of a light's map: the point where rays meet, or the middle of the map. Under a warp that is the middle of the
+/// far plane, as receivers are near it: the rounding of w enters a depth by its distance from the anchor's.
+[[nodiscard]] inline glm::dvec3 map_anchor(const light_space<double>& here) {
+    const glm::ivec2 one_texel(1);
+    const glm::dmat4 m = texture_matrix(here, one_texel);
+    const double depth = row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(here.clip.direction));
+    return in_binary32(anchor_of(m, one_texel, depth));
 }
 
 /// Refuses a map whose slack, at a corner of its far plane, hides more of the world than the plane is wide: below a
@@ -24296,10 +24305,8 @@ inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const cl
 ///                                 from the origin; a warped light whose bias hides more than its map is wide
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
-    const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    const glm::dvec3 anchor =
-        detail::in_binary32(detail::anchor_of(here, map_size, detail::anchor_depth(here, light.clip)));
-    return detail::anchored_at(anchor, here, map_size, light.clip);
+    const light_space<double> here = detail::relative_to(origin, light);
+    return detail::anchored_at(detail::map_anchor(here), texture_matrix(here, map_size), map_size, light.clip);
 }
 
 /// Place of a point of the world in one map, with the slack of its plane.
@@ -24355,9 +24362,7 @@ namespace detail {
 /// @param origin   origin of the positions, world units
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
-    const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(
-        detail::in_binary32(detail::anchor_of(m, glm::ivec2(1), detail::anchor_depth(m, here.clip))), here);
+    return detail::depth_view_at(detail::map_anchor(here), here);
 }
 
 namespace detail {
@@ -25389,32 +25394,11 @@ template <real T>
 
 namespace detail {
 
-/// Direction that a light faces along: a sun's own, or the axis of rays that meet.
-/// @param m   texture matrix of its map
-[[nodiscard]] inline glm::dvec3 facing_of(const light_space<double>& light, const glm::dmat4& m) {
-    return unit(has_parallel_rays(light) ? glm::cross(row_of(m, 0), row_of(m, 1)) : row_of(m, 3));
-}
-
-/// Point where the softness of a map is measured: a sun's first texel, or a distance of 1 along the axis of others.
-[[nodiscard]] inline glm::dvec3 softness_at(const light_space<double>& light, const glm::dmat4& m) {
-    return has_parallel_rays(light) ? anchor_of(m, glm::ivec2(0)) : eye_of(m) + facing_of(light, m);
-}
-
-/// x: edge of a texel's footprint across the way that its light faces, along the x of its map, at a point of the world.
-/// y: height over that edge. Where texels are rectangles, it is the other edge.
-[[nodiscard]] inline glm::dvec2 edges_at(const light_space<double>& light, glm::ivec2 map_size, glm::dvec3 world) {
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const auto sides = across(facing_of(light, m));
-    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
-    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
-}
-
 /// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where all its texels have one shape, a rectangle's.
-[[nodiscard]] inline glm::vec4 warp_of(const light_space<double>& light, glm::ivec2 map_size) {
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
     // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const auto sides = across(facing_of(light, m));
+    const auto sides = across(unit(direction_of(m)));
     const auto part = [&](glm::length_t row) {
         const glm::dvec3 all = row_of(m, row);
         return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));
@@ -25642,7 +25626,8 @@ struct single_map {
         : light(detail::in_double(space)),
           placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
         detail::require_given(light.clip, "shadow", "light.clip");
-        warped = detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1);
+        const glm::ivec2 one_texel(1);
+        warped = detail::warp_of(texture_matrix(light, one_texel), one_texel) != glm::vec4(0, 0, 0, 1);
         const glm::dmat4 rows = glm::transpose(light.projection * light.view);
         detail::require(!light.parallel || rows[3] == glm::dvec4(0, 0, 0, 1), "shadow", "light.parallel",
                         "false for a projection with perspective", light.parallel);
@@ -27029,16 +27014,16 @@ void require_light_size(const Filter& filter) {
 }
 
 /// `per_code_x` and `per_code_y` of each map of a setup. They come from the setup's first lights, because lights that
-/// share a map are alike. A setup with no light has one pair of 0.
+/// share a map are alike. A sun's warped map has that of its first texel. A setup with no light has one pair of 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<glm::vec2> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<glm::vec2> all;
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = softness_at(light, m);
-            const glm::dvec2 edges = edges_at(light, map_size, at);
-            const double depth = light_units_at(m, facing_of(light, m), at).units.y;
+            const glm::dvec3 at = measured_at(m, glm::ivec2(0));
+            const glm::dvec2 edges = edges_at(m, at);
+            const double depth = units_at(m, at).y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),
                              softness_per_code(edges.y, depth, double(light_size)));
         }
@@ -27046,17 +27031,19 @@ template <shadow_setup Setup>
     return all;
 }
 
-/// Light of a map at a point of the world. Of lights that share one map it is the one before which the point lies
-/// farthest.
+/// Texture matrix of a map at a point of the world. Of lights that share one map it is that of the light before which
+/// the point lies farthest.
 template <shadow_setup Setup>
-[[nodiscard]] light_space<double> light_at(const Setup& setup, int number, glm::dvec3 p) {
+[[nodiscard]] glm::dmat4 matrix_at(const Setup& setup, glm::ivec2 map_size, int number, glm::dvec3 p) {
     const std::vector<light_space<double>> lights = setup.lights();
-    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows)) return lights[std::size_t(number)];
-    const auto w_at_p = [&](const light_space<double>& light) {
-        return (light.projection * light.view * glm::dvec4(p, 1)).w;
-    };
-    return *std::max_element(lights.begin(), lights.end(),
-                             [&](const auto& a, const auto& b) { return w_at_p(a) < w_at_p(b); });
+    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows))
+        return texture_matrix(lights[std::size_t(number)], map_size);
+    glm::dmat4 before(0);
+    for (const light_space<double>& light : lights) {
+        const glm::dmat4 m = texture_matrix(light, map_size);
+        if ((m * glm::dvec4(p, 1)).w > (before * glm::dvec4(p, 1)).w) before = m;
+    }
+    return before;
 }
 
 /// Warps of a setup's maps, one column each: up to four.
@@ -27065,7 +27052,7 @@ template <shadow_setup Setup>
     glm::mat4 all(0);
     glm::length_t column = 0;
     for (const light_space<double>& light : setup.lights())
-        if (column < 4) all[column++] = warp_of(light, map_size);
+        if (column < 4) all[column++] = warp_of(texture_matrix(light, map_size), map_size);
     return all;
 }
 
@@ -30542,7 +30529,7 @@ public:
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
         const glm::dvec3 p = glm::dvec3(world) + origin_;
-        const glm::vec2 edges(detail::edges_at(detail::light_at(setup_, place.number, p), map_size_, p));
+        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
         glm::vec4 soft(detail::softness_of(filter_));
         if constexpr (detail::has_shapes<Setup, Filter>)
             if (detail::changes_shape(setup_))

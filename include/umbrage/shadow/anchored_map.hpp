@@ -45,11 +45,13 @@ struct anchored_map {
 
 namespace detail {
 
-/// Depth of the anchor of a map, as stored: the middle, but the far plane under a warp, as receivers are near it. The
-/// rounding of w enters a depth by its distance from the anchor's.
-/// @param m   texture matrix of the map
-[[nodiscard]] inline double anchor_depth(const glm::dmat4& m, const clip_space& clip) {
-    return row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(clip.direction));
+/// Anchor of a light's map: the point where rays meet, or the middle of the map. Under a warp that is the middle of the
+/// far plane, as receivers are near it: the rounding of w enters a depth by its distance from the anchor's.
+[[nodiscard]] inline glm::dvec3 map_anchor(const light_space<double>& here) {
+    const glm::ivec2 one_texel(1);
+    const glm::dmat4 m = texture_matrix(here, one_texel);
+    const double depth = row_of(m, 3) == glm::dvec3(0) ? 0.5 : double(cleared_depth(here.clip.direction));
+    return in_binary32(anchor_of(m, one_texel, depth));
 }
 
 /// Refuses a map whose slack, at a corner of its far plane, hides more of the world than the plane is wide: below a
@@ -123,10 +125,8 @@ inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const cl
 ///                                 from the origin; a warped light whose bias hides more than its map is wide
 [[nodiscard]] inline anchored_map make_anchored_map(const light_space<double>& light, glm::ivec2 map_size,
                                                     glm::dvec3 origin = glm::dvec3(0)) {
-    const glm::dmat4 here = texture_matrix(detail::relative_to(origin, light), map_size);
-    const glm::dvec3 anchor =
-        detail::in_binary32(detail::anchor_of(here, map_size, detail::anchor_depth(here, light.clip)));
-    return detail::anchored_at(anchor, here, map_size, light.clip);
+    const light_space<double> here = detail::relative_to(origin, light);
+    return detail::anchored_at(detail::map_anchor(here), texture_matrix(here, map_size), map_size, light.clip);
 }
 
 /// Place of a point of the world in one map, with the slack of its plane.
@@ -182,9 +182,7 @@ namespace detail {
 /// @param origin   origin of the positions, world units
 [[nodiscard]] inline depth_view make_depth_view(const light_space<double>& light, glm::dvec3 origin = glm::dvec3(0)) {
     const light_space<double> here = detail::relative_to(origin, light);
-    const glm::dmat4 m = texture_matrix(here, glm::ivec2(1));
-    return detail::depth_view_at(
-        detail::in_binary32(detail::anchor_of(m, glm::ivec2(1), detail::anchor_depth(m, here.clip))), here);
+    return detail::depth_view_at(detail::map_anchor(here), here);
 }
 
 namespace detail {

@@ -50,13 +50,6 @@ inline constexpr double grazing = 0.125;
     return glm::dot(glm::abs(row), glm::abs(p));
 }
 
-/// True for directional lights, warped or not. Along some direction neither x, y nor w changes.
-[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
-    const glm::dmat4 rows = glm::transpose(light.projection * light.view);
-    const glm::dvec3 x(rows[0]), y(rows[1]), w(rows[3]);
-    return std::abs(glm::dot(glm::cross(x, y), w)) <= 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
-}
-
 /// True where depth depends on w alone, as under every perspective along the axis of a view. In double such rows are
 /// parallel to some 1e-16. Those of strongly warped suns are so to 1e-9.
 [[nodiscard]] inline bool is_lens(const glm::dmat4& m) {
@@ -70,6 +63,11 @@ inline constexpr double grazing = 0.125;
     const glm::dvec3 x = row_of(m, 0), y = row_of(m, 1), w = row_of(m, 3);
     return is_lens(m) ||
            std::abs(glm::dot(glm::cross(x, y), w)) > 1e-4 * glm::length(x) * glm::length(y) * glm::length(w);
+}
+
+/// True for directional lights, warped or not.
+[[nodiscard]] inline bool has_parallel_rays(const light_space<double>& light) {
+    return !rays_meet(light.projection * light.view);
 }
 
 /// Point where the rays of a perspective meet.
@@ -117,6 +115,15 @@ inline constexpr double grazing = 0.125;
     return light_units_at(m, direction_of(m), world).units;
 }
 
+/// x: edge of a texel's footprint across the light, along the x of its map, at a point of the world. y: height over
+/// that edge. Where texels are rectangles, it is the other edge.
+[[nodiscard]] inline glm::dvec2 edges_at(const glm::dmat4& m, const glm::dvec3& world) {
+    const auto sides = across(unit(direction_of(m)));
+    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
+    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
+    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
+}
+
 /// Point where a map's units are measured. Where rays meet, it is at a distance of 1 along the axis, where w may be of
 /// any scale, as a matrix times a number is the same map. Else it is the middle.
 [[nodiscard]] inline glm::dvec3 measured_at(const glm::dmat4& m, glm::ivec2 map_size) {
@@ -142,9 +149,9 @@ inline constexpr double grazing = 0.125;
     return glm::dvec3(p) / p.w;
 }
 
-/// Slack for a texel's width along the light: x for each |z| / w of a place, with z less the anchor's depth, and y.
-/// Where rays meet, the width goes with 1 / w. So does the depth before the anchor's: a lens' is infinitely far, where
-/// no width is left, that of another map is in its far plane.
+/// Slack for a texel's width along the light: x |z| / w + y at a place, with z less the anchor's depth. Parallel rays
+/// have one width everywhere, y. The width of rays that meet falls with 1 / w, as |z| / w does up to the anchor's depth.
+/// That is infinitely far in a lens. In other maps it is the far plane's, and y is the width there.
 /// @param m   texture matrix of positions less the anchor
 [[nodiscard]] inline glm::dvec2 width_slack(glm::dmat4 m, glm::ivec2 map_size) {
     const double width = width_in_depth(m, map_size);

@@ -31,8 +31,6 @@
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/core/snippet.hpp>
 #include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/light_space.hpp>
-#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/map_slack.hpp>
 
 namespace umbrage {
@@ -65,32 +63,11 @@ template <real T>
 
 namespace detail {
 
-/// Direction that a light faces along: a sun's own, or the axis of rays that meet.
-/// @param m   texture matrix of its map
-[[nodiscard]] inline glm::dvec3 facing_of(const light_space<double>& light, const glm::dmat4& m) {
-    return unit(has_parallel_rays(light) ? glm::cross(row_of(m, 0), row_of(m, 1)) : row_of(m, 3));
-}
-
-/// Point where the softness of a map is measured: a sun's first texel, or a distance of 1 along the axis of others.
-[[nodiscard]] inline glm::dvec3 softness_at(const light_space<double>& light, const glm::dmat4& m) {
-    return has_parallel_rays(light) ? anchor_of(m, glm::ivec2(0)) : eye_of(m) + facing_of(light, m);
-}
-
-/// x: edge of a texel's footprint across the way that its light faces, along the x of its map, at a point of the world.
-/// y: height over that edge. Where texels are rectangles, it is the other edge.
-[[nodiscard]] inline glm::dvec2 edges_at(const light_space<double>& light, glm::ivec2 map_size, glm::dvec3 world) {
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const auto sides = across(facing_of(light, m));
-    const glm::dvec3 a = step(m, world, sides[0]), b = step(m, world, sides[1]);
-    const double rows = std::hypot(a.y, b.y);  // of the map, for each unit of the world
-    return {rows / std::abs(a.x * b.y - a.y * b.x), 1.0 / rows};
-}
-
 /// Numbers of a map for warp_shape: a column of it. (0, 0, 0, 1) where all its texels have one shape, a rectangle's.
-[[nodiscard]] inline glm::vec4 warp_of(const light_space<double>& light, glm::ivec2 map_size) {
+/// @param m   texture matrix of the map
+[[nodiscard]] inline glm::vec4 warp_of(const glm::dmat4& m, glm::ivec2 map_size) {
     // A step v across the light adds ((x - column w) v, (y - row w) v) / w texels, of the matrix' rows x, y and w.
-    const glm::dmat4 m = texture_matrix(light, map_size);
-    const auto sides = across(facing_of(light, m));
+    const auto sides = across(unit(direction_of(m)));
     const auto part = [&](glm::length_t row) {
         const glm::dvec3 all = row_of(m, row);
         return glm::dvec2(glm::dot(all, sides[0]), glm::dot(all, sides[1]));

@@ -295,7 +295,7 @@ public:
         const glm::vec2 at(place.at), beyond = uniforms_.terms.map_size - at;
         if (!(at.x >= 0.0f && at.y >= 0.0f && beyond.x >= 0.0f && beyond.y >= 0.0f)) return glm::vec2(0);
         const glm::dvec3 p = glm::dvec3(world) + origin_;
-        const glm::vec2 edges(detail::edges_at(detail::light_at(setup_, place.number, p), map_size_, p));
+        const glm::vec2 edges(detail::edges_at(detail::matrix_at(setup_, map_size_, place.number, p), p));
         glm::vec4 soft(detail::softness_of(filter_));
         if constexpr (detail::has_shapes<Setup, Filter>)
             if (detail::changes_shape(setup_))

@@ -19,6 +19,7 @@
 #include <umbrage/core/clip_space.hpp>
 #include <umbrage/core/config.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shadow/anchored_map.hpp>
 #include <umbrage/shadow/penumbra_shape.hpp>
 #include <umbrage/shadow/place_blocks.hpp>
@@ -125,7 +126,8 @@ struct single_map {
         : light(detail::in_double(space)),
           placing(light.parallel ? &glsl::parallel_map_places : &glsl::single_map_places) {
         detail::require_given(light.clip, "shadow", "light.clip");
-        warped = detail::warp_of(light, glm::ivec2(1)) != glm::vec4(0, 0, 0, 1);
+        const glm::ivec2 one_texel(1);
+        warped = detail::warp_of(texture_matrix(light, one_texel), one_texel) != glm::vec4(0, 0, 0, 1);
         const glm::dmat4 rows = glm::transpose(light.projection * light.view);
         detail::require(!light.parallel || rows[3] == glm::dvec4(0, 0, 0, 1), "shadow", "light.parallel",
                         "false for a projection with perspective", light.parallel);

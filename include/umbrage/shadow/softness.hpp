@@ -10,7 +10,6 @@
 // `has_like_maps`. In a warped map, or in a tetrahedron's, softness also depends on the place: penumbra_shape.hpp.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -22,7 +21,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/bias/light_units.hpp>
 #include <umbrage/core/check.hpp>
 #include <umbrage/core/scalar.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -142,16 +140,16 @@ void require_light_size(const Filter& filter) {
 }
 
 /// `per_code_x` and `per_code_y` of each map of a setup. They come from the setup's first lights, because lights that
-/// share a map are alike. A setup with no light has one pair of 0.
+/// share a map are alike. A sun's warped map has that of its first texel. A setup with no light has one pair of 0.
 template <shadow_setup Setup>
 [[nodiscard]] std::vector<glm::vec2> softness_of_maps(const Setup& setup, glm::ivec2 map_size, float light_size) {
     std::vector<glm::vec2> all;
     for (const light_space<double>& light : setup.lights())
         if (all.size() < std::size_t(Setup::grid.columns * Setup::grid.rows)) {
             const glm::dmat4 m = texture_matrix(light, map_size);
-            const glm::dvec3 at = softness_at(light, m);
-            const glm::dvec2 edges = edges_at(light, map_size, at);
-            const double depth = light_units_at(m, facing_of(light, m), at).units.y;
+            const glm::dvec3 at = measured_at(m, glm::ivec2(0));
+            const glm::dvec2 edges = edges_at(m, at);
+            const double depth = units_at(m, at).y;
             all.emplace_back(softness_per_code(edges.x, depth, double(light_size)),
                              softness_per_code(edges.y, depth, double(light_size)));
         }
@@ -159,17 +157,19 @@ template <shadow_setup Setup>
     return all;
 }
 
-/// Light of a map at a point of the world. Of lights that share one map it is the one before which the point lies
-/// farthest.
+/// Texture matrix of a map at a point of the world. Of lights that share one map it is that of the light before which
+/// the point lies farthest.
 template <shadow_setup Setup>
-[[nodiscard]] light_space<double> light_at(const Setup& setup, int number, glm::dvec3 p) {
+[[nodiscard]] glm::dmat4 matrix_at(const Setup& setup, glm::ivec2 map_size, int number, glm::dvec3 p) {
     const std::vector<light_space<double>> lights = setup.lights();
-    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows)) return lights[std::size_t(number)];
-    const auto w_at_p = [&](const light_space<double>& light) {
-        return (light.projection * light.view * glm::dvec4(p, 1)).w;
-    };
-    return *std::max_element(lights.begin(), lights.end(),
-                             [&](const auto& a, const auto& b) { return w_at_p(a) < w_at_p(b); });
+    if (lights.size() <= std::size_t(Setup::grid.columns * Setup::grid.rows))
+        return texture_matrix(lights[std::size_t(number)], map_size);
+    glm::dmat4 before(0);
+    for (const light_space<double>& light : lights) {
+        const glm::dmat4 m = texture_matrix(light, map_size);
+        if ((m * glm::dvec4(p, 1)).w > (before * glm::dvec4(p, 1)).w) before = m;
+    }
+    return before;
 }
 
 /// Warps of a setup's maps, one column each: up to four.
@@ -178,7 +178,7 @@ template <shadow_setup Setup>
     glm::mat4 all(0);
     glm::length_t column = 0;
     for (const light_space<double>& light : setup.lights())
-        if (column < 4) all[column++] = warp_of(light, map_size);
+        if (column < 4) all[column++] = warp_of(texture_matrix(light, map_size), map_size);
     return all;
 }
 

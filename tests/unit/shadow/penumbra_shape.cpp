@@ -93,9 +93,9 @@ TEST_CASE("warp_shape: texels per unit of depth everywhere in a warped map, by d
     for (const light_space<double>& light : warped_lights()) {
         const glm::dmat4 m = texture_matrix(light, size), back = glm::inverse(m);
         glm::mat4 warps(0);
-        warps[2] = detail::warp_of(light, size);
-        const glm::dvec3 first = detail::softness_at(light, m);
-        const glm::dvec2 dense = 1.0 / detail::edges_at(light, size, first) / detail::units_at(m, first).y;
+        warps[2] = detail::warp_of(m, size);
+        const glm::dvec3 first = detail::measured_at(m, glm::ivec2(0));
+        const glm::dvec2 dense = 1.0 / detail::edges_at(m, first) / detail::units_at(m, first).y;
         for (const double x : {0.1, 0.5, 0.85})
             for (const double y : {0.05, 0.4, 0.95}) {
                 const glm::dvec2 at(x * size.x, y * size.y);
@@ -123,7 +123,8 @@ TEST_CASE("warp_shape: one shape where there is no warp, and a shear of 8 at mos
                                                      .clip = vulkan_clip_space});
     const auto spot = make_spot_light<double>(
         {.position = {2, 6, 3}, .direction = {-2, -6, -3}, .z_near = 0.5, .z_far = 40, .clip = cpu_clip_space});
-    for (const auto& light : {sun, spot}) CHECK(detail::warp_of(light, {512, 256}) == glm::vec4(0, 0, 0, 1));
+    for (const auto& light : {sun, spot})
+        CHECK(detail::warp_of(texture_matrix(light, {512, 256}), {512, 256}) == glm::vec4(0, 0, 0, 1));
     const glm::mat4 columns(0, 0, 9, 1, 0, 2, 0, 1, 0, 0, 0, 1, 0, 0, -1, 1);
     CHECK(warp_shape(columns, 0.0f, glm::vec2(5)) == glm::vec3(1, 1, 8));
     CHECK(warp_shape(columns, 1.0f, glm::vec2(5, 0)) == glm::vec3(1, 1, -8));
@@ -201,7 +202,7 @@ TEST_CASE("penumbra_shape: a lamp's penumbras have the width of a disc across it
           sheared(cone, 0.7)}) {
         const shadow bulb(light, {2048, 2048},
                           filters::pcss{.points = 32, .softness = make_penumbra_params(float(radius), 0.0f, 80.0f)});
-        const glm::dvec3 axis = detail::facing_of(light, texture_matrix(light, bulb.size()));
+        const glm::dvec3 axis = detail::unit(detail::direction_of(texture_matrix(light, bulb.size())));
         int tried = 0;
         for (const double z : {7.0, 2.0, -6.0})
             for (const double x : {0.0, 4.0})
