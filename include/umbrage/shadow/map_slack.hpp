@@ -150,8 +150,8 @@ inline constexpr double grazing = 0.125;
 }
 
 /// Slack for a texel's width along the light: x |z| / w + y at a place, with z less the anchor's depth. Parallel rays
-/// have one width everywhere, y. The width of rays that meet falls with 1 / w, as |z| / w does up to the anchor's depth.
-/// That is infinitely far in a lens. In other maps it is the far plane's, and y is the width there.
+/// have one width everywhere, y. The width of rays that meet falls with 1 / w, as |z| / w does up to the anchor's
+/// depth. That is infinitely far in a lens. In other maps it is the far plane's, and y is the width there.
 /// @param m   texture matrix of positions less the anchor
 [[nodiscard]] inline glm::dvec2 width_slack(glm::dmat4 m, glm::ivec2 map_size) {
     const double width = width_in_depth(m, map_size);

@@ -101,12 +101,12 @@ template <real T>
                                             {0, -1, 0, edge},
                                             glm::dvec4(0, 0, 0, 1) - share * least,
                                             share * greatest - glm::dvec4(0, 0, 0, 1)});
-    // What lies below the plane shades none of it. Some depth is left there for other receivers.
+    // Casters below the plane shade none of it. The box goes on there for other receivers alone.
     extent box{glm::dvec3(-edge, -edge, (glm::min)(0.0, swept.x)),
                glm::dvec3(edge, edge, glm::clamp(swept.y, 0.0, 1.0))};
-    const double deep = (glm::max)(double(fit.margin), 0x1p-8) + depth_roundings<T> * (box.high.z - box.low.z);
+    const double deep = (glm::max)(double(fit.margin), 0x1p-8);
     box.low.z -= deep, box.high.z += deep;
-    const auto warped = laid(to_map, box, least, greatest, fit, function);
+    const auto warped = laid_around(seen, to_map, box, least, greatest, fit, function);
     require(warped.has_value(), function, "plane and camera", "such that the map is neither too large nor too small",
             plane);
     return holds(warped->light, seen) ? warped : std::nullopt;

@@ -27,8 +27,8 @@ namespace umbrage {
 /// @param focus   distance along the camera's view that gets four fifths of the map, world units, >= 0
 /// @return        warped light. Its strength is 0, without a warp, for orthographic cameras and for a sine of 0.02 or
 ///                less between view and light. Between sines of 0.02 and 0.2 the warp grows without a jump
-/// @edge          receivers that begin near the focus or beyond: it lies a quarter of its distance behind their
-///                beginning. A focus within their first 256th counts as that, four fifths of them within it: no warp
+/// @edge          the focus counts as at least a quarter of its distance behind the first receivers, and as 1/256 of
+///                their length. Four fifths of them within it: no warp
 /// @throws std::invalid_argument  zero or non-finite direction; an invalid camera; receivers missing or without extent;
 ///                                an invalid box of casters; a margin out of range; focus negative or not finite; clip
 ///                                unset; matrices that would not be finite, or not hold the receivers: see

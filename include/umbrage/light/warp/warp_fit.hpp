@@ -122,24 +122,25 @@ template <class = on_use>
     return {least, greatest};
 }
 
-/// Share of a map's depth by which the rounding of its matrix may move receivers.
+/// Sums of what a light's matrices multiply a point by, each product by its magnitude: rounding goes with them.
 template <real T>
-inline constexpr double depth_roundings = 16.0 * double(std::numeric_limits<T>::epsilon());
+[[nodiscard]] glm::vec<4, T> magnitudes_at(const light_space<T>& light, const glm::vec<4, T>& point) {
+    const auto magnitudes = [](glm::mat<4, 4, T> m) {
+        for (glm::length_t i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
+        return m;
+    };
+    return magnitudes(light.projection) * (magnitudes(light.view) * glm::abs(point));
+}
 
 /// True if a light's matrices, with the precision of T, hold points to 1/16 of the map. Sums may be rounded in any
 /// order, and fused: each is off by at most 8 roundings of its magnitudes' sum.
 template <real T>
 [[nodiscard]] bool holds(const light_space<T>& light, const std::vector<glm::dvec3>& points) {
-    const auto magnitudes = [](glm::mat<4, 4, T> m) {
-        for (glm::length_t i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
-        return m;
-    };
     const glm::mat<4, 4, T> m = light.projection * light.view;
-    const glm::mat<4, 4, T> roundings = magnitudes(light.projection) * magnitudes(light.view);
     const T lowest = (glm::min)(ends<T>(light.clip).at_near, ends<T>(light.clip).at_far);
     for (const glm::dvec3& p : points) {
         const glm::vec<4, T> point(glm::vec<3, T>(p), T(1)), h = m * point;
-        const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * (roundings * glm::abs(point));
+        const glm::vec<4, T> off = T(4) * std::numeric_limits<T>::epsilon() * magnitudes_at(light, point);
         const T least = h.w - off.w, room = least / T(16), most = least + room;
         if (!(least > T(0) && glm::abs(h.x) + off.x <= most && glm::abs(h.y) + off.y <= most && h.z + off.z <= most &&
               h.z - off.z >= lowest * least - room))
@@ -175,6 +176,28 @@ template <real T>
     return warped_light<T>{light, T(1.0 - least / greatest)};
 }
 
+/// The same, with as much more depth on both sides as the rounding of the light's matrices to T may move points by.
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> laid_around(const std::vector<glm::dvec3>& points,
+                                                         const glm::dmat4& to_map, extent box, double least,
+                                                         double greatest, const warp_fit<T>& fit,
+                                                         const char* function) {
+    const auto first = laid(to_map, box, least, greatest, fit, function);
+    if (!first) return {};
+    const light_space<T>& light = first->light;
+    double moved = 0.0;  // in clip space
+    for (const glm::dvec3& p : points) {
+        const glm::dvec4 h = glm::dmat4(light.projection) * (glm::dmat4(light.view) * glm::dvec4(p, 1.0));
+        const glm::dvec4 off = double(std::numeric_limits<T>::epsilon()) *
+                               glm::dvec4(magnitudes_at(light, glm::vec<4, T>(glm::vec<3, T>(p), T(1))));
+        moved = (glm::max)(moved, (off.z + glm::abs(h.z / h.w) * off.w) / h.w);
+    }
+    const auto [at_near, at_far] = ends<double>(fit.clip);
+    moved *= (box.high.z - box.low.z) / glm::abs(at_far - at_near);
+    box.low.z -= moved, box.high.z += moved;
+    return laid(to_map, box, least, greatest, fit, function);
+}
+
 /// Light of a map that is fitted to the receivers in x and y. Its depth also includes the casters in the receivers'
 /// sweep towards the light.
 /// @param to_map   as for laid
@@ -199,9 +222,9 @@ template <real T>
     // the hull's cone over the map; its other half behind w = 0 does not count
     const glm::dvec2 swept = depths_within(to_map, casters, sweep(in_map, (glm::max)(around.x, around.y)));
     box.low.z = (glm::min)(box.low.z, swept.x);
-    const double deep = double(fit.margin) * glm::length(size) + depth_roundings<T> * (box.high.z - box.low.z);
+    const double deep = double(fit.margin) * glm::length(size);
     box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
-    const auto light = laid(to_map, box, least_w, greatest_w, fit, function);
+    const auto light = laid_around(receivers, to_map, box, least_w, greatest_w, fit, function);
     return light && holds(light->light, receivers) ? light : std::nullopt;
 }
 

@@ -86,3 +86,14 @@ TEST_CASE("fit_trapezoidal: no warp for a focus far off, or light along the view
                   (void)fit_trapezoidal(fit, bad);
               }).starts_with("umbrage::fit_trapezoidal: focus must be finite, 0 or more; got "));
 }
+
+TEST_CASE("fit_trapezoidal: a focus before the receivers counts as a quarter of its distance behind their beginning") {
+    const auto strength = [](double z_near, double focus) {
+        const frustum<double> camera{
+            .position = {3, 1, 2}, .direction = {1, 0, -1}, .tan_half_x = 0.7, .z_near = z_near, .z_far = 60};
+        const warp_fit<double> fit{.camera = camera, .receivers = camera, .clip = cpu_clip_space};
+        return fit_trapezoidal(fit, focus).strength;
+    };
+    CHECK(strength(20, 8) == doctest::Approx(60 / 60.8));   // as if it were 2 behind them, of 40
+    CHECK(strength(20, 30) == doctest::Approx(44.0 / 48));  // 10 behind
+}

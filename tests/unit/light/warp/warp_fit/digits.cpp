@@ -56,3 +56,35 @@ TEST_CASE_TEMPLATE("warps: far from the origin a weaker one, and then a named ar
         }
     CHECK(plain > 0);
 }
+
+TEST_CASE(
+    "warps: far from the origin, over a deep box of casters, float matrices keep receivers before the far plane") {
+    int tried = 0, beyond = 0;
+    for (const clip_space clip : all_clip_spaces())
+        for (const float away : {1e2f, 1e3f, 1e4f})
+            for (int k = 0; k < 8; ++k) {
+                const glm::vec3 middle = away * glm::vec3(std::cos(float(k)), 0.3f, std::sin(float(k)));
+                const bounding_box<float> scene{middle - 5.0f, middle + 5.0f}, deep{middle - 1e4f, middle + 1e4f};
+                const frustum<float> camera{.position = middle + glm::vec3(1, 2, 4),
+                                            .direction = {-0.2f, -0.4f, -1},
+                                            .z_near = 0.2f,
+                                            .z_far = 9};
+                const warp_fit<float> fit{.camera = camera,
+                                          .direction = {std::sin(2.0f * float(k)), -1, 0.4f},
+                                          .receivers = intersection(camera, scene),
+                                          .casters = deep,
+                                          .clip = clip};
+                for (const warped_light<float>& warped : {fit_light_space_perspective(fit), fit_trapezoidal(fit, 2.0f),
+                                                          static_cast<warped_light<float>>(fit_perspective(fit))}) {
+                    const glm::dmat4 to_clip = glm::dmat4(warped.light.projection) * glm::dmat4(warped.light.view);
+                    const auto [at_near, at_far] = umbrage::detail::ends<double>(clip);
+                    for (const glm::dvec3& p : fit.receivers->points) {
+                        const glm::dvec4 h = to_clip * glm::dvec4(p, 1);
+                        const double depth = (h.z / h.w - at_near) / (at_far - at_near);
+                        ++tried, beyond += !(depth >= 0 && depth <= 1);
+                    }
+                }
+            }
+    CHECK(tried > 1000);
+    CHECK(beyond == 0);
+}
