@@ -24075,8 +24075,8 @@ inline constexpr double grazing = 0.125;
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
     const bool meet = rays_meet(m), lens = is_lens(m);
-    const double far = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far : m[3][2] / m[3][3];
+    const double far_depth = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far_depth : m[3][2] / m[3][3];
     for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
     if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
     else if (!meet) m[3][2] = 0.0;
@@ -24264,8 +24264,8 @@ namespace detail {
 inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const clip_space& clip, const glm::dmat4& m,
                            const glm::dvec4& rounding, const glm::dvec4& slack) {
     const glm::dmat4 back = glm::inverse(here);
-    const double far = cleared_depth(clip.direction), z = std::abs(far - slack.w);  // |z| / w
-    const auto corner = [&](int number) { return corner_of(back, map_size, number, far); };
+    const double far_depth = double(cleared_depth(clip.direction)), z = std::abs(far_depth - slack.w);  // |z| / w
+    const auto corner = [&](int number) { return corner_of(back, map_size, number, far_depth); };
     const double wide = (glm::max)(glm::distance(corner(0), corner(3)), glm::distance(corner(1), corner(2)));
     for (int number = 0; number < 4; ++number) {
         const glm::dvec4 h = here * glm::dvec4(corner(number), 1.0);

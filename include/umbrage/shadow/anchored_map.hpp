@@ -61,8 +61,8 @@ namespace detail {
 inline void require_depths(const glm::dmat4& here, glm::ivec2 map_size, const clip_space& clip, const glm::dmat4& m,
                            const glm::dvec4& rounding, const glm::dvec4& slack) {
     const glm::dmat4 back = glm::inverse(here);
-    const double far = cleared_depth(clip.direction), z = std::abs(far - slack.w);  // |z| / w
-    const auto corner = [&](int number) { return corner_of(back, map_size, number, far); };
+    const double far_depth = double(cleared_depth(clip.direction)), z = std::abs(far_depth - slack.w);  // |z| / w
+    const auto corner = [&](int number) { return corner_of(back, map_size, number, far_depth); };
     const double wide = (glm::max)(glm::distance(corner(0), corner(3)), glm::distance(corner(1), corner(2)));
     for (int number = 0; number < 4; ++number) {
         const glm::dvec4 h = here * glm::dvec4(corner(number), 1.0);

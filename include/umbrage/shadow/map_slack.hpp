@@ -97,8 +97,8 @@ inline constexpr double grazing = 0.125;
 [[nodiscard]] inline double take_depth(glm::dmat4& m) {
     const glm::dvec3 z = row_of(m, 2), w = row_of(m, 3);
     const bool meet = rays_meet(m), lens = is_lens(m);
-    const double far = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
-    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far : m[3][2] / m[3][3];
+    const double far_depth = m[3][2] < 0.0 ? 1.0 : 0.0;  // depth grows from below where rays start, or falls
+    const double depth = lens ? glm::dot(z, w) / glm::dot(w, w) : meet ? far_depth : m[3][2] / m[3][3];
     for (glm::length_t i = 0; i < 4; ++i) m[i][2] -= depth * m[i][3];
     if (lens) m[0][2] = m[1][2] = m[2][2] = 0.0;
     else if (!meet) m[3][2] = 0.0;

@@ -142,8 +142,8 @@ template <class Setup>
 
 inline std::string debug_in_module(const shader_language& l) {
     // WGSL and Metal know what a text calls, so it is printed among those of a shadow.
-    const auto texts = glsl::detail::shadow_texts(umbrage::single_map(umbrage::light_space<double>{}),
-                                                  umbrage::filters::hard{}, umbrage::depth32f{}, false, true);
+    const umbrage::single_map map(umbrage::light_space<double>{.clip = umbrage::opengl_clip_space});
+    const auto texts = glsl::detail::shadow_texts(map, umbrage::filters::hard{}, umbrage::depth32f{}, false, true);
     const glsl::detail::own_snippets all(texts);
     const auto read_map = std::ranges::find(all, std::string_view("read_map"), &snippet::name);
     return "\nexport const debug = {\n    language, probe_color: snippets.probe_color, probe_inputs: "
