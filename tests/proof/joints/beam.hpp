@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -24,6 +23,38 @@ namespace joints {
 struct blocking {
     double nearest, farthest;
     double clear;  ///< the least, from the part to the receiver or to its plane, whichever is nearer to the light
+};
+
+/// A convex polygon that planes cut. It has room for a surface's corners and one more for each plane.
+class polygon {
+public:
+    void add(glm::dvec3 corner) { corners_.at(size_++) = corner; }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] const glm::dvec3* begin() const { return corners_.data(); }
+    [[nodiscard]] const glm::dvec3* end() const { return corners_.data() + size_; }
+
+    /// Leaves the part where a function that is linear up to a positive factor is above 0.
+    template <class Distance>
+    void cut(const Distance& distance) {
+        std::array<double, most> at;
+        std::size_t inside = 0;
+        for (std::size_t i = 0; i < size_; ++i) inside += (at[i] = distance(corners_[i])) > 0;
+        if (inside == 0) size_ = 0;
+        if (inside == size_) return;
+        const polygon whole = *this;
+        size_ = 0;
+        for (std::size_t i = 0; i < whole.size_; ++i) {
+            const std::size_t next = i + 1 < whole.size_ ? i + 1 : 0;
+            const glm::dvec3 a = whole.corners_[i], b = whole.corners_[next];
+            if (at[i] > 0) add(a);
+            if ((at[i] > 0) != (at[next] > 0)) add(a + (b - a) * (at[i] / (at[i] - at[next])));
+        }
+    }
+
+private:
+    static constexpr std::size_t most = 12;
+    std::array<glm::dvec3, most> corners_;
+    std::size_t size_ = 0;
 };
 
 /// The rays that reach the part of a receiver's plane within a filter's reach. Positions are relative to the receiver.
@@ -108,16 +139,16 @@ public:
 
 private:
     [[nodiscard]] glm::dvec3 way(glm::dvec3 x) const { return light_.way(from_ + x); }
-    [[nodiscard]] std::vector<glm::dvec3> part_of(const surface& s, const proof::traced_map& map, bool clips) const {
-        std::vector<glm::dvec3> part;
-        for (const glm::dvec3& c : s.corners) part.push_back(c - from_);
+    [[nodiscard]] polygon part_of(const surface& s, const proof::traced_map& map, bool clips) const {
+        polygon part;
+        for (const glm::dvec3& c : s.corners) part.add(c - from_);
         const double spare = 1e-9 * glm::length(corners_[0] - corners_[2]) + 1e-14 * glm::length(from_);
-        cut(part, [&](glm::dvec3 x) { return glm::dot(normal_, x) - offset_ - spare; });
+        part.cut([&](glm::dvec3 x) { return glm::dot(normal_, x) - offset_ - spare; });
         for (std::size_t i = 0; i < 4; ++i)
-            cut(part, [&](glm::dvec3 x) { return glm::dot(sides_[i], x - corners_[i]); });
+            part.cut([&](glm::dvec3 x) { return glm::dot(sides_[i], x - corners_[i]); });
         // What lies behind the light is cut off along the plane: a beam may see farther aside than a right angle.
-        if (light_.is_point) cut(part, [&](glm::dvec3 x) { return glm::dot(normal_, way(x)); });
-        if (clips) cut(part, [&](glm::dvec3 x) { return map.placed(x + from_).z + 1e-4 * map.placed(x + from_).w; });
+        if (light_.is_point) part.cut([&](glm::dvec3 x) { return glm::dot(normal_, way(x)); });
+        if (clips) part.cut([&](glm::dvec3 x) { return map.placed(x + from_).z + 1e-4 * map.placed(x + from_).w; });
         return part;
     }
     template <class Meet>
@@ -125,19 +156,6 @@ private:
         double most = 0.0;
         for (const glm::dvec3& x : corners_) most = std::max(most, map.depth(meet(x) + from_));
         return most - map.depth(meet(glm::dvec3(0)) + from_);
-    }
-
-    /// Leaves the part of a polygon where a function that is linear up to a positive factor is above 0.
-    template <class Distance>
-    static void cut(std::vector<glm::dvec3>& polygon, const Distance& distance) {
-        std::vector<glm::dvec3> left;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const glm::dvec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-            const double from = distance(a), to = distance(b);
-            if (from > 0) left.push_back(a);
-            if ((from > 0) != (to > 0)) left.push_back(a + (b - a) * (from / (from - to)));
-        }
-        polygon = std::move(left);
     }
 
     proof::ray_light light_;
