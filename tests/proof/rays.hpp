@@ -177,7 +177,7 @@ protected:
                                                                     .scene = box_,
                                                                     .map_size = {map_size, map_size},
                                                                     .clip = clip_},
-                                                 splits, [this](const warp_fit<double>& part) -> warped_light<double> {
+                                                 splits, [this](const warp_fit<float>& part) -> warped_light<float> {
                                                      if (random_() % 2) return fit_perspective(part);
                                                      return fit_light_space_perspective(part);
                                                  });

@@ -193,9 +193,9 @@ private:
     [[nodiscard]] lit_scene warped(int count) const {
         return with_count(count, [&]<std::size_t Count>(std::integral_constant<std::size_t, Count>) {
             const auto all = umbrage::make_warped_cascades<Count>(
-                fit(), splits<Count>(), [&](const umbrage::warp_fit<double>& part) -> umbrage::warped_light<double> {
+                fit(), splits<Count>(), [&](const umbrage::warp_fit<T>& part) -> umbrage::warped_light<T> {
                     if (c_.image.x % 3 == 0) return umbrage::fit_light_space_perspective(part);
-                    if (c_.image.x % 3 == 1) return umbrage::fit_trapezoidal(part, 2 * c_.scale);
+                    if (c_.image.x % 3 == 1) return umbrage::fit_trapezoidal(part, T(2 * c_.scale));
                     return umbrage::fit_perspective(part);
                 });
             return lit_scene{umbrage::warped_maps(all, s_.camera<T>(), fit().overlap), c_.size, sun_rays(), false};

@@ -45,7 +45,7 @@ struct warped_cascade {
 ///
 /// @param fit      camera, light and scene. Its up is not used: warps take the camera's direction
 /// @param splits   Count + 1 distances along the camera's axis, increasing, the first >= 0: see splits.hpp
-/// @param warp     (const warp_fit<double>& part) -> warped_light<double>; the part has fit's margin in texels
+/// @param warp     (const warp_fit<T>& part) -> warped_light<T>; the part has fit's margin in texels
 /// @return         cascades from near to far
 /// @throws std::invalid_argument  splits out of order; map_size, margin or overlap out of range; clip or scene unset;
 ///                                errors of warp; matrices that would not be finite
@@ -58,15 +58,16 @@ template <std::size_t Count, real T, class Warp>
     const auto parts = detail::camera_parts<Count>(fit, splits, function);
     std::array<warped_cascade<T>, Count> all;
     for (std::size_t i = 0; i < Count; ++i) {
-        const warped_light<double> own = warp(warp_fit<double>{.camera = parts[i],
-                                                               .direction = glm::dvec3(fit.direction),
-                                                               .receivers = detail::receivers_of(parts[i], scene),
-                                                               .casters = scene,
-                                                               .margin = detail::margin_share(fit),
-                                                               .clip = fit.clip});
-        const light_space<T> light{glm::mat<4, 4, T>(own.light.view), glm::mat<4, 4, T>(own.light.projection),
-                                   own.light.clip};
-        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength), splits[i],
+        frustum<T> camera = fit.camera;
+        camera.z_near = T(parts[i].z_near), camera.z_far = T(parts[i].z_far);
+        // in T, so that the warp leaves the depth that rounding to T moves receivers by
+        const warped_light<T> own = warp(warp_fit<T>{.camera = camera,
+                                                     .direction = fit.direction,
+                                                     .receivers = detail::receivers_of(parts[i], scene),
+                                                     .casters = fit.scene,
+                                                     .margin = T(detail::margin_share(fit)),
+                                                     .clip = fit.clip});
+        all[i] = {detail::checked(own.light, function, "camera, splits and scene"), own.strength, splits[i],
                   splits[i + 1]};
     }
     return all;

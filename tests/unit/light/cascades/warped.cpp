@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -36,7 +37,7 @@ TEST_CASE("make_warped_cascades: four over a long ground, as measured apart") {
                                       .margin = 0,
                                       .clip = cpu_clip_space};
         std::vector<glm::dmat4> to_texels;
-        for (const auto& c : make_warped_cascades<4>(fit, splits, [](const warp_fit<double>& part) {
+        for (const auto& c : make_warped_cascades<4>(fit, splits, [](const auto& part) {
                  return fit_light_space_perspective<double>(part, optimal_distance(part));
              }))
             to_texels.push_back(texture_matrix(c.light, {1024, 1024}));
@@ -132,6 +133,36 @@ TEST_CASE("make_cascade_uniforms: bad input, of warped cascades") {
     CHECK(complaint([&] {
               (void)make_cascade_uniforms(one, {64, 64}, 1e-41f);
           }).starts_with("umbrage::make_cascade_uniforms: fade must be 0, or large enough"));
+}
+
+TEST_CASE("make_warped_cascades: far from the origin, float matrices keep a slice before the far plane") {
+    int tried = 0, beyond = 0;
+    for (const clip_space clip : all_clip_spaces())
+        for (const float away : {1e2f, 1e3f, 1e4f})
+            for (int k = 0; k < 8; ++k) {
+                const glm::vec3 middle = away * glm::vec3(std::cos(float(k)), 0.3f, std::sin(float(k)));
+                const frustum<float> camera{.position = middle + glm::vec3(1, 2, 4), .direction = {-0.2f, -0.4f, -1}};
+                const cascade_fit<float> fit{.camera = camera,
+                                             .direction = {std::sin(2.0f * float(k)), -1, 0.4f},
+                                             .scene = {middle - 1e4f, middle + 1e4f},
+                                             .map_size = {256, 256},
+                                             .clip = clip};
+                const auto cascades = make_warped_cascades<2>(
+                    fit, {0.2f, 3.0f, 9.0f}, [](const auto& part) { return fit_light_space_perspective(part); });
+                for (const warped_cascade<float>& c : cascades) {
+                    frustum<float> slice = camera;
+                    slice.z_near = c.begin, slice.z_far = c.end;
+                    const glm::dmat4 to_clip = glm::dmat4(c.light.projection) * glm::dmat4(c.light.view);
+                    const auto [at_near, at_far] = umbrage::detail::ends<double>(clip);
+                    for (const glm::dvec3& p : hull(slice).points) {
+                        const glm::dvec4 h = to_clip * glm::dvec4(p, 1);
+                        const double depth = (h.z / h.w - at_near) / (at_far - at_near);
+                        ++tried, beyond += !(depth >= 0 && depth <= 1);
+                    }
+                }
+            }
+    CHECK(tried > 1000);
+    CHECK(beyond == 0);
 }
 
 TEST_CASE("make_warped_cascades: bad input") {
