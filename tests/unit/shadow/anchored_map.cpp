@@ -155,15 +155,15 @@ TEST_CASE("anchored_map: no tile darkens itself, at any distance from the origin
             for (const double away : {0.0, 20.0, 200.0, 2e3, 6e3}) {
                 CAPTURE(kind);
                 CAPTURE(away);
-                const seen_tiles seen = try_tiles(kind, clip, 0.05, away, rounds(160));
+                const seen_tiles seen = try_tiles(kind, clip, 0.05, away, rounds(64));
                 CHECK(seen.dark == 0);
                 CHECK(seen.beyond_bound == 0);
-                CHECK(seen.receivers > rounds(160) * 25);
+                CHECK(seen.receivers > rounds(64) * 25);
             }
 }
 
 TEST_CASE("anchored_map: near the origin rounding is a few units of the last place, and reversed depth's is its own") {
-    const int tiles = rounds(400);
+    const int tiles = rounds(160);
     // at 16 near planes and more: the bound grows towards the near plane
     for (const char* kind : {"spot", "cube"}) CHECK(try_tiles(kind, cpu_clip_space, 0.03, 0, tiles).bound < 10);
     for (const char* kind : {"directional", "cascades"})
@@ -175,7 +175,7 @@ TEST_CASE("anchored_map: near the origin rounding is a few units of the last pla
 }
 
 TEST_CASE("anchored_map: warped maps need few digits near the camera, and their bound does not take the whole box") {
-    const seen_tiles seen = try_tiles("warped cascades", cpu_clip_space, 0.05, 0, rounds(400));
+    const seen_tiles seen = try_tiles("warped cascades", cpu_clip_space, 0.05, 0, rounds(160));
     CHECK(seen.need < 6);
     CHECK(seen.bound < 200);
 }
