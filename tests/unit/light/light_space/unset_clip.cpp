@@ -41,7 +41,7 @@ TEST_CASE("setups: a clip space that nobody gave is refused, and so are scene an
     refused("make_stable_cascades", [&] { (void)make_stable_cascades<1>(cascades, splits); });
     refused("make_tight_cascades", [&] { (void)make_tight_cascades<1>(cascades, splits); });
     refused("make_warped_cascades", [&] {
-        (void)make_warped_cascades<1>(cascades, splits, [](const auto& f) { return fit_trapezoidal(f, 1.0); });
+        (void)make_warped_cascades<1>(cascades, splits, [](const auto& f) { return fit_trapezoidal(f, 1.0f); });
     });
     refused("optimal_distance", [&] { (void)optimal_distance(warp); });
     refused("fit_light_space_perspective", [&] { (void)fit_light_space_perspective(warp); });
