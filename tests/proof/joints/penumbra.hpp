@@ -54,7 +54,7 @@ struct ellipse_of_light {
         constexpr double off = 1.0 / 16;  // a texel of a strong warp bends: by whole ones it is 1 % off
         const auto left = moved(-off, 0), right = moved(off, 0), below = moved(0, -off), above = moved(0, off);
         if (!left || !right || !below || !above) return std::nullopt;
-        const glm::dvec3 a = (*right - *left) / (2 * off), b = (*above - *below) / (2 * off);  // of a texel
+        const glm::dvec3 a = (*right - *left) / (2 * off), b = (*above - *below) / (2 * off);  // world units a texel
         const glm::dmat2 to_texels =
             glm::inverse(glm::dmat2(glm::dot(a, side), glm::dot(a, other), glm::dot(b, side), glm::dot(b, other)));
         const glm::dvec2 x(to_texels[0][0], to_texels[1][0]), y(to_texels[0][1], to_texels[1][1]);

@@ -152,11 +152,10 @@ TEST_CASE("make_warped_cascades: far from the origin, float matrices keep a slic
                 for (const warped_cascade<float>& c : cascades) {
                     frustum<float> slice = camera;
                     slice.z_near = c.begin, slice.z_far = c.end;
-                    const glm::dmat4 to_clip = glm::dmat4(c.light.projection) * glm::dmat4(c.light.view);
-                    const auto [at_near, at_far] = umbrage::detail::ends<double>(clip);
+                    const light_space<double> exact{glm::dmat4(c.light.view), glm::dmat4(c.light.projection), clip};
+                    const glm::dmat4 to_map = texture_matrix(exact, fit.map_size);
                     for (const glm::dvec3& p : hull(slice).points) {
-                        const glm::dvec4 h = to_clip * glm::dvec4(p, 1);
-                        const double depth = (h.z / h.w - at_near) / (at_far - at_near);
+                        const double depth = through(to_map, p).z;
                         ++tried, beyond += !(depth >= 0 && depth <= 1);
                     }
                 }
